@@ -1,0 +1,1 @@
+"""The desktop application: it shows a session and holds no science."""

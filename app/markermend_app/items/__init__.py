@@ -1,0 +1,1 @@
+"""Items drawn inside pyqtgraph plots."""

@@ -1,0 +1,31 @@
+"""Array types used in signatures, and the few operations on boolean runs everyone needs."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
+IntArray = NDArray[np.int64]
+BoolArray = NDArray[np.bool_]
+ByteArray = NDArray[np.uint8]
+
+
+def runs(mask: NDArray[Any]) -> IntArray:
+    """Half-open intervals where a one-dimensional mask is true.
+
+    Parameters
+    ----------
+    mask : (n,) bool
+
+    Returns
+    -------
+    (k, 2) int64: ``[start, stop)`` of each run, in order.
+    """
+    padded = np.zeros(len(mask) + 2, dtype=np.int8)
+    padded[1:-1] = mask
+    edges = np.flatnonzero(np.diff(padded))
+    return edges.reshape(-1, 2).astype(np.int64)

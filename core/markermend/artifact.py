@@ -1,0 +1,122 @@
+"""What is wrong with a trajectory, where, and how sure we are."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from enum import StrEnum
+
+import numpy as np
+
+from markermend.arrays import BoolArray
+from markermend.errors import DataError
+from markermend.take import AXES, Take
+
+
+class Kind(StrEnum):
+    """Class of an artifact, named as in skurowski2022, section 2.1."""
+
+    GAP = "gap"
+    PEAK = "peak"
+    NOISE = "noise"
+    STEP = "step"
+    SLOW = "slow"
+
+
+class Status(StrEnum):
+    """What the operator decided about an artifact."""
+
+    PENDING = "pending"
+    ACCEPTED = "accepted"
+    REJECTED = "rejected"
+    REPAIRED = "repaired"
+
+
+@dataclass(frozen=True)
+class Artifact:
+    """One damaged interval of one marker.
+
+    Attributes
+    ----------
+    marker : label
+    axes : the axes that are wrong, a non-empty part of ``"xyz"`` in that order
+    start, stop : half-open interval of 0-based frame indices
+    kind : class of the artifact
+    confidence : in [0, 1], share of such flags that are real
+    amplitude_mm : size of the deviation; NaN where it has none (a gap)
+    why : the evidence in one sentence
+    counterpart : for a swap, the marker that carries the complementary step
+    status : what the operator decided
+    id : stable name; made from marker, axes, interval and kind when empty, kept by edits
+
+    Raises
+    ------
+    DataError
+        when the interval is empty or the axes are not a part of ``"xyz"``
+    """
+
+    marker: str
+    axes: str
+    start: int
+    stop: int
+    kind: Kind
+    confidence: float = 1.0
+    amplitude_mm: float = math.nan
+    why: str = ""
+    counterpart: str | None = None
+    status: Status = Status.PENDING
+    id: str = ""
+
+    def __post_init__(self) -> None:
+        if not self.axes or "".join(a for a in AXES if a in self.axes) != self.axes:
+            raise DataError(f"Axes must be a part of “xyz” in that order, not “{self.axes}”.")
+        if not 0 <= self.start < self.stop:
+            raise DataError(f"An artifact cannot reach from frame {self.start} to {self.stop}.")
+        if not self.id:
+            key = f"{self.marker}|{self.axes}|{self.start}|{self.stop}|{self.kind}"
+            object.__setattr__(self, "id", hashlib.sha1(key.encode()).hexdigest()[:12])
+
+    @property
+    def length(self) -> int:
+        """Number of frames."""
+        return self.stop - self.start
+
+    def with_status(self, status: Status) -> Artifact:
+        """Return the same artifact with another decision."""
+        return replace(self, status=status)
+
+    def overlaps(self, start: int, stop: int) -> bool:
+        """Whether any frame of ``[start, stop)`` lies in the artifact."""
+        return self.start < stop and start < self.stop
+
+
+def axis_columns(axes: str) -> list[int]:
+    """Columns of the named axes: ``"xz"`` gives ``[0, 2]``."""
+    return [AXES.index(a) for a in axes]
+
+
+def in_order(artifacts: Iterable[Artifact]) -> tuple[Artifact, ...]:
+    """Sort by start, then marker, then axes and kind."""
+    return tuple(sorted(artifacts, key=lambda a: (a.start, a.marker, a.axes, a.kind, a.stop)))
+
+
+def damage_mask(take: Take, artifacts: Iterable[Artifact]) -> BoolArray:
+    """Mark the samples that artifacts cover.
+
+    Parameters
+    ----------
+    take : the recording the artifacts belong to
+    artifacts : those with status rejected are passed over, since they are false alarms
+
+    Returns
+    -------
+    (frames, markers, 3) bool
+    """
+    mask = np.zeros(take.positions.shape, dtype=bool)
+    for a in artifacts:
+        if a.status is not Status.REJECTED:
+            for axis in axis_columns(a.axes):
+                mask[a.start : a.stop, take.index(a.marker), axis] = True
+    return mask

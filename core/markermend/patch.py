@@ -1,0 +1,90 @@
+"""The smallest change to a take: new values for some axes of one marker over one interval."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from markermend.arrays import ByteArray, FloatArray
+from markermend.artifact import axis_columns
+from markermend.errors import DataError
+from markermend.take import Origin, Take
+
+
+@dataclass(frozen=True, eq=False)
+class Patch:
+    """New values for one marker.
+
+    Attributes
+    ----------
+    marker : label
+    axes : the axes replaced, a part of ``"xyz"``
+    start, stop : half-open interval of 0-based frame indices
+    values : (stop - start, len(axes)) float64, mm; NaN makes the sample missing, then all
+        three axes must be named
+    origin : (stop - start,) uint8 or None; None lets the change decide (a missing sample that
+        gets a value is filled, a measured one is edited)
+    """
+
+    marker: str
+    axes: str
+    start: int
+    stop: int
+    values: FloatArray
+    origin: ByteArray | None = None
+
+    def __post_init__(self) -> None:
+        expected = (self.stop - self.start, len(self.axes))
+        if self.values.shape != expected:
+            raise DataError(f"A patch of {expected} got values of {self.values.shape}.")
+
+
+def apply_patch(positions: FloatArray, origin: ByteArray, column: int, patch: Patch) -> Patch:
+    """Write a patch into working arrays, in place, and return the patch that undoes it.
+
+    Parameters
+    ----------
+    positions : (frames, markers, 3) float64, mm, writable
+    origin : (frames, markers) uint8, writable
+    column : the marker's column
+    patch : what to write
+
+    Raises
+    ------
+    DataError
+        when it would leave a sample with some coordinates missing and others not
+    """
+    rows = slice(patch.start, patch.stop)
+    axes = axis_columns(patch.axes)
+    before = positions[rows, column].copy()
+    was = origin[rows, column].copy()
+    after = before.copy()
+    after[:, axes] = patch.values
+    absent = np.isnan(after)
+    if (absent.any(axis=1) != absent.all(axis=1)).any():
+        raise DataError(
+            f"Changing only axis “{patch.axes}” of {patch.marker} would leave samples half missing."
+        )
+    if patch.origin is not None:
+        now = patch.origin.copy()
+    else:
+        now = was.copy()
+        # Comparing bits, so that a value "replaced by itself" stays measured.
+        changed = (after.view(np.int64) != before.view(np.int64)).any(axis=1)
+        filled = (was == Origin.MISSING) | (was == Origin.FILLED)
+        now[changed & filled] = Origin.FILLED
+        now[changed & ~filled] = Origin.EDITED
+        now[absent[:, 0]] = Origin.MISSING
+    positions[rows, column] = after
+    origin[rows, column] = now
+    return Patch(patch.marker, patch.axes, patch.start, patch.stop, before[:, axes], was)
+
+
+def patched(take: Take, patches: Iterable[Patch]) -> Take:
+    """Return a take with patches applied in order; the input is unchanged."""
+    positions, origin = take.positions.copy(), take.origin.copy()
+    for patch in patches:
+        apply_patch(positions, origin, take.index(patch.marker), patch)
+    return take.with_positions(positions, origin)

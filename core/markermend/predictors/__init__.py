@@ -1,0 +1,1 @@
+"""Predictors: where a marker should be, from the rest of its body."""

@@ -1,0 +1,27 @@
+"""How long work tells what it is doing, and how it is stopped.
+
+A progress function takes the share done in [0, 1] and what is being done. It may raise
+:class:`markermend.errors.Cancelled`; the work then stops and the exception reaches the caller.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+Progress = Callable[[float, str], None]
+
+
+def quiet(share: float, doing: str) -> None:
+    """Report to nobody."""
+
+
+def part(progress: Progress | None, start: float, stop: float) -> Progress:
+    """Map a sub-task's own [0, 1] onto ``[start, stop]`` of the whole task."""
+    if progress is None:
+        return quiet
+    whole = progress
+
+    def report(share: float, doing: str) -> None:
+        whole(start + (stop - start) * min(max(share, 0.0), 1.0), doing)
+
+    return report

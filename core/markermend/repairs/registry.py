@@ -1,0 +1,117 @@
+"""One list of repair methods, from which forms, command line and docs are generated.
+
+A method is a frozen dataclass of parameters and a pure function. It sees the take through
+:class:`Evidence`, which says which samples may be believed, and returns a :class:`Repair`:
+patches for the artifact's interval and axes (and its counterpart's, for a swap), or none with
+the reason. "Cannot repair" is a value, not an exception.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Any
+
+from markermend.arrays import BoolArray, FloatArray
+from markermend.artifact import Artifact
+from markermend.errors import MethodError
+from markermend.mesh import Mesh
+from markermend.patch import Patch
+from markermend.take import Take
+
+
+@dataclass(frozen=True, eq=False)
+class Evidence:
+    """What a repair may look at.
+
+    Attributes
+    ----------
+    take : the recording as it stands
+    trusted : (frames, markers, 3) bool; false where missing or flagged as damaged, the
+        artifact under repair included
+    mesh : the body's structure
+    """
+
+    take: Take
+    trusted: BoolArray
+    mesh: Mesh
+
+
+@dataclass(frozen=True, eq=False)
+class Repair:
+    """What a method proposes for one artifact.
+
+    Attributes
+    ----------
+    method : name in the registry
+    patches : new values; empty when the method cannot repair here
+    reason : why there are none, or empty
+    error_mm : expected mean Euclidean error over the interval, or None when unknown
+    band_mm : (stop - start,) expected deviation per frame (one standard deviation), or None
+    params : parameters used
+    """
+
+    method: str
+    patches: tuple[Patch, ...] = ()
+    reason: str = ""
+    error_mm: float | None = None
+    band_mm: FloatArray | None = None
+    params: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
+
+
+MethodFunction = Callable[[Evidence, Artifact, Any], Repair]
+
+
+@dataclass(frozen=True)
+class Method:
+    """A registered repair method.
+
+    Attributes
+    ----------
+    name : short name for command line and files
+    label : name for people
+    summary : one sentence on what it does and when it is right
+    params : frozen dataclass; each field's metadata may give ``unit``, ``min``, ``max``, ``help``
+    run : ``(evidence, artifact, params) -> Repair``
+    source : paper and equation, or empty
+    """
+
+    name: str
+    label: str
+    summary: str
+    params: type
+    run: MethodFunction
+    source: str = ""
+
+
+_methods: dict[str, Method] = {}
+REPAIRS: Mapping[str, Method] = MappingProxyType(_methods)
+"""Every repair method by name, in the order operators see them (keys 1 to 9)."""
+
+
+def register(
+    name: str, *, label: str, summary: str, params: type, source: str = ""
+) -> Callable[[MethodFunction], MethodFunction]:
+    """Add a method to :data:`REPAIRS`; used as a decorator."""
+
+    def add(run: MethodFunction) -> MethodFunction:
+        _methods[name] = Method(name, label, summary, params, run, source)
+        return run
+
+    return add
+
+
+def find_method(name: str) -> Method:
+    """Look a method up.
+
+    Raises
+    ------
+    MethodError
+        when there is none of that name; the message lists those there are
+    """
+    try:
+        return REPAIRS[name]
+    except KeyError:
+        known = ", ".join(REPAIRS)
+        raise MethodError(f"There is no repair method “{name}”; choose one of {known}.") from None

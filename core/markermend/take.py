@@ -1,0 +1,241 @@
+"""One recording: the container every function takes and returns."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from enum import IntEnum
+from functools import cached_property
+from pathlib import Path
+from types import MappingProxyType
+
+import numpy as np
+
+from markermend.arrays import BoolArray, ByteArray, Float32Array, FloatArray
+from markermend.errors import DataError
+
+AXES = "xyz"
+
+
+class Origin(IntEnum):
+    """Where a sample comes from, kept per frame and marker."""
+
+    MISSING = 0
+    MEASURED = 1
+    FILLED = 2
+    EDITED = 3
+
+
+@dataclass(frozen=True)
+class Event:
+    """A named moment in the recording (foot strike, foot off…).
+
+    Attributes
+    ----------
+    label : as written in the file, for example ``"Foot Strike"``
+    time_s : seconds on the file's own clock (frame ``f`` is at ``(f - 1) / rate``)
+    context : side or subject it belongs to, ``"Left"``, ``"Right"``, ``"General"`` or empty
+    """
+
+    label: str
+    time_s: float
+    context: str = ""
+
+
+@dataclass(frozen=True)
+class Analog:
+    """Analog channels recorded beside the markers, in the file's own units.
+
+    Attributes
+    ----------
+    values : (samples, channels) float32, read-only
+    labels, units : one per channel
+    rate : samples per second
+    """
+
+    values: Float32Array
+    labels: tuple[str, ...]
+    units: tuple[str, ...]
+    rate: float
+
+
+@dataclass(frozen=True)
+class Points:
+    """Points of the file that are not markers: angles, forces, moments, powers, scalars, models.
+
+    Attributes
+    ----------
+    values : (frames, points, 3) float64 in the file's own units, NaN where absent
+    labels : one per point
+    kinds : one per point, for example ``"angle"``, ``"force"``, ``"moment"``, ``"power"``,
+        ``"scalar"``, ``"modelled"``
+    columns : position of each point in the file's own point list
+    """
+
+    values: FloatArray
+    labels: tuple[str, ...]
+    kinds: tuple[str, ...]
+    columns: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Source:
+    """The file a take was read from, and what is needed to patch it on export.
+
+    Attributes
+    ----------
+    path : absolute path
+    format : ``"c3d"``, ``"trc"``, ``"csv"``…
+    size, mtime_ns : of the file when it was read, to notice later changes
+    columns : position of each marker in the file's own point list
+    scale_mm : millimetres per file unit
+    layout : the format's own description of the file (for C3D a ``C3dLayout``)
+    """
+
+    path: Path
+    format: str
+    size: int
+    mtime_ns: int
+    columns: tuple[int, ...] = ()
+    scale_mm: float = 1.0
+    layout: object | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Take:
+    """One optical recording, immutable.
+
+    Attributes
+    ----------
+    positions : (frames, markers, 3) float64, mm, C order, read-only; NaN in all three
+        coordinates where the marker was not seen
+    labels : one per marker, unique; a prefix ``Subject:`` names the body it belongs to
+    rate : frames per second
+    first_frame : the file's number of index 0 (C3D counts from 1)
+    residuals : (frames, markers) float32 in mm, or None; the file's own reconstruction residual,
+        NaN where the marker was not seen
+    cameras : (frames, markers) uint8 number of cameras that saw the marker, or None
+    origin : (frames, markers) uint8, see :class:`Origin`; worked out from NaN when not given
+    events, analog, points : what else the file holds
+    source : the file it came from, or None
+    warnings : one sentence for each oddity met while reading
+    read_only : the file is damaged; it may be looked at but not exported over
+    info : what else the file tells, name to text (system, manufacturer, how missing is coded…)
+
+    Raises
+    ------
+    DataError
+        when shapes, labels or rate do not fit together
+    """
+
+    positions: FloatArray
+    labels: tuple[str, ...]
+    rate: float
+    first_frame: int = 1
+    residuals: Float32Array | None = None
+    cameras: ByteArray | None = None
+    origin: ByteArray = field(default=None)  # type: ignore[assignment]
+    events: tuple[Event, ...] = ()
+    analog: Analog | None = None
+    points: Points | None = None
+    source: Source | None = None
+    warnings: tuple[str, ...] = ()
+    read_only: bool = False
+    info: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
+
+    def __post_init__(self) -> None:
+        positions = np.ascontiguousarray(self.positions, dtype=np.float64)
+        if positions.ndim != 3 or positions.shape[2] != 3:
+            raise DataError(f"Positions must be (frames, markers, 3), not {positions.shape}.")
+        if len(self.labels) != positions.shape[1]:
+            raise DataError(
+                f"There are {positions.shape[1]} trajectories but {len(self.labels)} labels."
+            )
+        if len(set(self.labels)) != len(self.labels):
+            raise DataError("Marker labels must be unique.")
+        if not (np.isfinite(self.rate) and self.rate > 0):
+            raise DataError(f"The frame rate must be positive, not {self.rate}.")
+        absent = np.isnan(positions)
+        seen_all, seen_none = ~absent.any(axis=2), absent.all(axis=2)
+        if not (seen_all | seen_none).all():
+            raise DataError("A missing sample must be NaN in all three coordinates.")
+        origin = self.origin
+        if origin is None:
+            origin = np.where(seen_none, Origin.MISSING, Origin.MEASURED).astype(np.uint8)
+        if origin.shape != positions.shape[:2]:
+            raise DataError(f"Origin must be {positions.shape[:2]}, not {origin.shape}.")
+        for array in (positions, origin, self.residuals, self.cameras):
+            if array is not None:
+                array.flags.writeable = False
+        object.__setattr__(self, "positions", positions)
+        object.__setattr__(self, "origin", origin)
+
+    @property
+    def frames(self) -> int:
+        """Number of frames."""
+        return int(self.positions.shape[0])
+
+    @property
+    def markers(self) -> int:
+        """Number of markers."""
+        return int(self.positions.shape[1])
+
+    @property
+    def duration_s(self) -> float:
+        """Length in seconds."""
+        return self.frames / self.rate
+
+    @cached_property
+    def present(self) -> BoolArray:
+        """(frames, markers) bool: the marker has a position in that frame."""
+        return ~np.isnan(self.positions[:, :, 0])
+
+    @cached_property
+    def _column(self) -> dict[str, int]:
+        return {label: i for i, label in enumerate(self.labels)}
+
+    def index(self, label: str) -> int:
+        """Column of a marker.
+
+        Raises
+        ------
+        DataError
+            when the take has no marker of that name
+        """
+        try:
+            return self._column[label]
+        except KeyError:
+            raise DataError(f"The take has no marker called “{label}”.") from None
+
+    def __contains__(self, label: str) -> bool:
+        return label in self._column
+
+    def subject(self, label: str) -> str:
+        """Body a marker belongs to: the part before the colon, or empty."""
+        return label.rpartition(":")[0]
+
+    @property
+    def subjects(self) -> tuple[str, ...]:
+        """Bodies in the take, in order of first marker; unlabelled markers have none."""
+        seen = dict.fromkeys(self.subject(s) for s in self.labels if not is_unlabelled(s))
+        return tuple(seen)
+
+    def frame_number(self, index: int) -> int:
+        """The number people read for a frame index: ``first_frame + index``."""
+        return self.first_frame + index
+
+    def with_positions(self, positions: FloatArray, origin: ByteArray) -> Take:
+        """Return the same recording with other samples; everything else is kept."""
+        return replace(self, positions=positions, origin=origin)
+
+
+def is_unlabelled(label: str) -> bool:
+    """Whether a trajectory has no name of its own (``*12``, ``Unlabeled 3``, ``U_7``…)."""
+    name = label.rpartition(":")[2].strip().lower()
+    stem = name.lstrip("*").replace(" ", "").replace("_", "")
+    if not name or name.startswith("*"):
+        return True
+    for word in ("unlabeled", "unlabelled", "unnamed", "uname", "u"):
+        if stem.startswith(word) and stem[len(word) :].isdigit():
+            return True
+    return stem in {"unlabeled", "unlabelled", "unnamed"}

@@ -1,0 +1,1 @@
+"""Data that ships with Markermend: demo take, icons, themes. No code."""
