@@ -1,0 +1,136 @@
+"""Damage put into a clean take on purpose, with the truth beside it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from markermend.arrays import FloatArray, IntArray
+from markermend.artifact import Artifact, Kind, axis_columns, in_order
+from markermend.patch import Patch, patched
+from markermend.take import Origin, Take
+
+
+@dataclass(frozen=True)
+class Damage:
+    """Patches that damage a clean take, and the artifacts that say where and how."""
+
+    patches: tuple[Patch, ...]
+    artifacts: tuple[Artifact, ...]
+
+
+def added(
+    take: Take,
+    marker: str,
+    axes: str,
+    start: int,
+    deviation: FloatArray,
+    kind: Kind,
+    amplitude_mm: float,
+    why: str,
+) -> Damage:
+    """Plan to add a deviation to some axes of one marker.
+
+    Parameters
+    ----------
+    take : the clean recording; the marker must be seen over the whole interval
+    marker, axes, start : where; ``axes`` a part of ``"xyz"``
+    deviation : (length,) or (length, len(axes)) float64, mm
+    kind, amplitude_mm, why : for the truth
+
+    Returns
+    -------
+    Damage of one patch and one artifact; the samples still count as measured
+    """
+    columns = axis_columns(axes)
+    stop = start + len(deviation)
+    clean = take.positions[start:stop, take.index(marker)][:, columns]
+    values = clean + deviation.reshape(len(deviation), -1)
+    measured = np.full(len(deviation), Origin.MEASURED, dtype=np.uint8)
+    patch = Patch(marker, axes, start, stop, values, measured)
+    artifact = Artifact(marker, axes, start, stop, kind, amplitude_mm=amplitude_mm, why=why)
+    return Damage((patch,), (artifact,))
+
+
+def hidden(marker: str, start: int, stop: int, why: str) -> Damage:
+    """Plan to make one marker missing over ``[start, stop)``."""
+    nothing = np.full((stop - start, 3), math.nan)
+    missing = np.full(stop - start, Origin.MISSING, dtype=np.uint8)
+    patch = Patch(marker, "xyz", start, stop, nothing, missing)
+    return Damage((patch,), (Artifact(marker, "xyz", start, stop, Kind.GAP, why=why),))
+
+
+def swapped(take: Take, marker: str, other: str, start: int, stop: int, why: str) -> Damage:
+    """Plan to exchange two markers over ``[start, stop)``.
+
+    Returns
+    -------
+    Damage of two patches and two steps that name each other as counterpart; their amplitude
+    is the median distance between the two markers
+    """
+    rows = slice(start, stop)
+    here, there = take.positions[rows, take.index(marker)], take.positions[rows, take.index(other)]
+    distance = float(np.median(np.linalg.norm(here - there, axis=1)))
+    measured = np.full(stop - start, Origin.MEASURED, dtype=np.uint8)
+    patches, artifacts = [], []
+    for label, partner, values in ((marker, other, there), (other, marker, here)):
+        patches.append(Patch(label, "xyz", start, stop, values.copy(), measured))
+        artifacts.append(
+            Artifact(
+                label,
+                "xyz",
+                start,
+                stop,
+                Kind.STEP,
+                amplitude_mm=distance,
+                why=why,
+                counterpart=partner,
+            )
+        )
+    return Damage(tuple(patches), tuple(artifacts))
+
+
+def apply_damage(take: Take, damages: Iterable[Damage]) -> tuple[Take, tuple[Artifact, ...]]:
+    """Damage a take.
+
+    Parameters
+    ----------
+    take : the clean recording
+    damages : planned on that very take; no two may name the same sample
+
+    Returns
+    -------
+    the damaged take (residuals NaN and cameras 0 where samples went missing) and the truth in
+    order of start
+    """
+    planned = list(damages)
+    result = patched(take, (patch for damage in planned for patch in damage.patches))
+    truth = in_order(artifact for damage in planned for artifact in damage.artifacts)
+    lost = ~result.present
+    if result.residuals is not None:
+        residuals = np.where(lost, np.float32(math.nan), result.residuals)
+        result = replace(result, residuals=residuals.astype(np.float32))
+    if result.cameras is not None:
+        result = replace(result, cameras=np.where(lost, 0, result.cameras).astype(np.uint8))
+    return result, truth
+
+
+def spread_out(lengths: IntArray, frames: int, rng: np.random.Generator) -> IntArray:
+    """Lay intervals out at random over ``[0, frames)``, in the order given, never overlapping.
+
+    The free frames between them are shared out as the gaps of a Poisson process are.
+
+    Parameters
+    ----------
+    lengths : (k,) int64, their sum at most ``frames``
+
+    Returns
+    -------
+    (k,) int64 first frame of each
+    """
+    slack = frames - int(lengths.sum())
+    free = np.sort(rng.integers(0, slack + 1, size=len(lengths)))
+    return np.asarray(free + np.concatenate([[0], np.cumsum(lengths)[:-1]]), dtype=np.int64)
