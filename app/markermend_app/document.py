@@ -1,0 +1,371 @@
+"""The open review, as the window sees it: a session with Qt signals.
+
+The document is the only writer of the session. Panels read it, call its verbs and listen to its
+signals; none of them changes samples or artifacts by itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+from markermend.artifact import Artifact, Kind, Status
+from markermend.edits import Change
+from markermend.errors import MarkermendError
+from markermend.mesh import Mesh
+from markermend.session import Session
+from markermend.session_file import SessionFile
+from markermend_app.proposals import Proposals
+
+
+@dataclass(frozen=True)
+class Selection:
+    """A range of frames on one marker that the operator has swept over."""
+
+    marker: str
+    start: int
+    stop: int
+
+
+class Document(QObject):
+    """What is open, what is shown, and the verbs that change it.
+
+    Signals
+    -------
+    opened() : another take is open, or none
+    data_changed(Change) : samples changed; ``Change`` says of which markers and frames
+    artifacts_changed() : artifacts, decisions or repair notes changed
+    history_changed() : a step was done, undone or redone
+    current_changed() : another artifact is under review, or it was changed
+    proposal_changed() : the previewed repair of the current artifact came, went or was replaced
+    shown_changed() : other markers are shown in the plots
+    selection_changed() : the swept range changed
+    frame_changed(int) : the cursor moved
+    frame_requested(int, int) : bring these frames into view (start, stop)
+    failed(object) : a verb could not be done; an exception
+    """
+
+    opened = Signal()
+    data_changed = Signal(object)
+    artifacts_changed = Signal()
+    history_changed = Signal()
+    current_changed = Signal()
+    proposal_changed = Signal()
+    shown_changed = Signal()
+    selection_changed = Signal()
+    frame_changed = Signal(int)
+    frame_requested = Signal(int, int)
+    failed = Signal(object)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.file: SessionFile | None = None
+        self.mesh: Mesh | None = None
+        self.shown: tuple[str, ...] = ()
+        self.frame = 0
+        self.selection: Selection | None = None
+        self.method = "auto"
+        self.queue: tuple[str, ...] = ()
+        self._current: str | None = None
+        self.proposals = Proposals(self)
+        self.proposals.ready.connect(self._proposal_came)
+        self._repair_when_ready: str | None = None
+
+    # What is open
+
+    @property
+    def session(self) -> Session | None:
+        """The review, or None while nothing is open."""
+        return None if self.file is None else self.file.session
+
+    @property
+    def path(self) -> Path | None:
+        """The take's file, or None when nothing is open or it has none."""
+        if self.session is None or self.session.original.source is None:
+            return None
+        return self.session.original.source.path
+
+    @property
+    def editable(self) -> bool:
+        """Whether decisions can be made: something is open and no other window holds it."""
+        return self.file is not None and not self.file.read_only
+
+    def open(self, file: SessionFile | None, mesh: Mesh | None) -> None:
+        """Show another review, or none; the one before is let go."""
+        self.proposals.forget()
+        if self.file is not None:
+            self.file.close()
+        self.file, self.mesh = file, mesh
+        self.shown, self.queue, self._current = (), (), None
+        self.frame, self.selection, self.method = 0, None, "auto"
+        self._repair_when_ready = None
+        self.opened.emit()
+        self.artifacts_changed.emit()
+        self.history_changed.emit()
+        self.current_changed.emit()
+        self.shown_changed.emit()
+
+    # What is looked at
+
+    @property
+    def current(self) -> Artifact | None:
+        """The artifact under review."""
+        if self.session is None or self._current is None:
+            return None
+        return next((a for a in self.session.artifacts if a.id == self._current), None)
+
+    def set_queue(self, ids: Sequence[str]) -> None:
+        """Take over the order in which artifacts are walked; the review queue calls this."""
+        self.queue = tuple(ids)
+
+    def select(self, artifact_id: str | None, *, frame: bool = True) -> None:
+        """Put an artifact under review: its marker is shown, its frames come into view."""
+        self._repair_when_ready = None
+        self._current = artifact_id
+        artifact = self.current
+        if artifact is not None:
+            self.method = "auto"
+            names = [artifact.marker]
+            if artifact.counterpart:
+                names.append(artifact.counterpart)
+            if artifact.marker not in self.shown:
+                self.show(names)
+            if frame:
+                self.go_to((artifact.start + artifact.stop) // 2)
+                self.frame_requested.emit(artifact.start, artifact.stop)
+        self.current_changed.emit()
+        self._propose()
+
+    def step(self, by: int) -> None:
+        """Go to the next (1) or previous (-1) artifact of the queue."""
+        if not self.queue:
+            return
+        if self._current in self.queue:
+            i = self.queue.index(self._current) + by
+        else:
+            i = 0 if by > 0 else len(self.queue) - 1
+        if 0 <= i < len(self.queue):
+            self.select(self.queue[i])
+
+    def show(self, markers: Iterable[str]) -> None:
+        """Show these markers in the plots, the first one foremost."""
+        shown = tuple(dict.fromkeys(markers))
+        if shown != self.shown:
+            self.shown = shown
+            self.shown_changed.emit()
+
+    def go_to(self, frame: int) -> None:
+        """Move the cursor to a frame; clipped to the take."""
+        if self.session is None:
+            return
+        frame = max(0, min(frame, self.session.original.frames - 1))
+        if frame != self.frame:
+            self.frame = frame
+            self.frame_changed.emit(frame)
+
+    def sweep(self, selection: Selection | None) -> None:
+        """Select a range of frames on a marker, or nothing."""
+        if selection != self.selection:
+            self.selection = selection
+            self.selection_changed.emit()
+
+    # Proposed repairs
+
+    @property
+    def proposal(self) -> Any:
+        """The previewed :class:`markermend.repairs.registry.Repair`, or None while it is made."""
+        artifact = self.current
+        if artifact is None:
+            return None
+        return self.proposals.get(artifact, self.method)
+
+    def choose_method(self, name: str) -> None:
+        """Preview another repair method for the current artifact (``"auto"`` or a name)."""
+        if self.current is None or name == self.method:
+            return
+        self.method = name
+        self._propose()
+
+    def _propose(self) -> None:
+        """Ask for the current artifact's proposal and, ahead of time, the next one's."""
+        self.proposal_changed.emit()
+        artifact, session = self.current, self.session
+        if artifact is None or session is None or self.mesh is None:
+            return
+        if artifact.status is Status.REPAIRED:
+            return
+        wanted = [(artifact, self.method)]
+        following = self._following(artifact.id)
+        if following is not None:
+            wanted.append((session.artifact(following), "auto"))
+        self.proposals.want(session, self.mesh, wanted)
+
+    def _proposal_came(self, artifact_id: str) -> None:
+        """Show a proposal that was waited for, or use it when F was pressed already."""
+        if artifact_id != self._current:
+            return
+        self.proposal_changed.emit()
+        if self._repair_when_ready == artifact_id and self.proposal is not None:
+            self.repair_current()
+
+    # Decisions
+
+    def accept(self, ids: Sequence[str]) -> None:
+        """Say that flags are right; the samples stay."""
+        self._decide(ids, Status.ACCEPTED)
+
+    def reject(self, ids: Sequence[str]) -> None:
+        """Say that flags are false alarms."""
+        self._decide(ids, Status.REJECTED)
+
+    def reopen(self, ids: Sequence[str]) -> None:
+        """Take a decision back; a repaired one gets its source samples again."""
+        self._do(lambda s: s.set_status(ids, Status.PENDING))
+
+    def accept_current(self) -> None:
+        """Accept the current artifact and move on."""
+        if self._current is not None:
+            self.accept([self._current])
+
+    def reject_current(self) -> None:
+        """Reject the current artifact and move on."""
+        if self._current is not None:
+            self.reject([self._current])
+
+    def repair_current(self) -> None:
+        """Replace the current artifact's samples by the previewed repair and move on.
+
+        When the preview is still being made, it is used as soon as it is there.
+        """
+        artifact = self.current
+        if artifact is None or not self.editable or artifact.status is Status.REPAIRED:
+            return
+        proposal = self.proposal
+        if proposal is None:
+            self._repair_when_ready = artifact.id
+            return
+        self._repair_when_ready = None
+        following = self._following(artifact.id)
+        if self._do(lambda s: s.repair([(artifact.id, proposal)])):
+            self._move_on(following)
+
+    def repair_many(self, repairs: Sequence[tuple[str, Any]], label: str) -> None:
+        """Apply many proposals as one step."""
+        self._do(lambda s: s.repair(repairs, label))
+
+    def add_detected(self, found: Iterable[Artifact], method: str) -> None:
+        """Take over what a detector found."""
+        self._do(lambda s: s.add_detected(found, method))
+
+    def mark(self, artifact: Artifact) -> None:
+        """Add an artifact by hand and put it under review."""
+        session = self.session
+        if session is None:
+            return
+        before = {a.id for a in session.artifacts}
+        if self._do(lambda s: s.mark(artifact)):
+            new = [a.id for a in session.artifacts if a.id not in before]
+            self.select(new[0], frame=False)
+
+    def remove(self, ids: Sequence[str]) -> None:
+        """Take artifacts off the list."""
+        self._do(lambda s: s.remove(ids))
+
+    def change(
+        self,
+        artifact_id: str,
+        *,
+        kind: Kind | None = None,
+        axes: str | None = None,
+        start: int | None = None,
+        stop: int | None = None,
+    ) -> None:
+        """Give an artifact another class, axes or edges."""
+        self._do(lambda s: s.change(artifact_id, kind=kind, axes=axes, start=start, stop=stop))
+
+    def undo(self) -> None:
+        """Take the last step back."""
+        self._do(lambda s: s.undo())
+
+    def redo(self) -> None:
+        """Bring the last undone step back."""
+        self._do(lambda s: s.redo())
+
+    def travel(self, steps_done: int) -> None:
+        """Undo or redo until so many steps are done."""
+        session = self.session
+        while session is not None and len(session.history) > steps_done:
+            self.undo()
+        while session is not None and len(session.history) < steps_done and session.undone:
+            self.redo()
+
+    # Inner workings
+
+    def _decide(self, ids: Sequence[str], status: Status) -> None:
+        """Set a status; when the current artifact is among them, move on."""
+        following = self._following(self._current) if self._current in ids else None
+        moving = self._current in ids
+        if self._do(lambda s: s.set_status(ids, status)) and moving:
+            self._move_on(following)
+
+    def _following(self, artifact_id: str | None) -> str | None:
+        """The next undecided artifact in the queue after this one, else the first one left."""
+        session = self.session
+        if session is None or artifact_id is None:
+            return None
+        pending = {a.id for a in session.with_status(Status.PENDING)} - {artifact_id}
+        if artifact_id in self.queue:
+            i = self.queue.index(artifact_id)
+            order = self.queue[i + 1 :] + self.queue[:i]
+        else:
+            order = self.queue
+        return next((i for i in order if i in pending), None)
+
+    def _move_on(self, artifact_id: str | None) -> None:
+        """Select the next artifact, or stay when all are decided."""
+        if artifact_id is not None:
+            self.select(artifact_id)
+        else:
+            self.current_changed.emit()
+            self._propose()
+
+    def _do(self, verb: Callable[[Session], Change]) -> bool:
+        """Run a verb of the session and tell everyone what changed."""
+        session = self.session
+        if session is None:
+            return False
+        if not self.editable:
+            self.failed.emit(
+                MarkermendError("This take is open in another window; close it there to edit here.")
+            )
+            return False
+        revision = session.revision
+        problem: MarkermendError | None = None
+        change = Change()
+        try:
+            change = verb(session)
+        except MarkermendError as error:
+            problem = error
+        if session.revision != revision:
+            if problem is not None:
+                # The step was made but could not be journalled: show everything anew.
+                change = Change(session.original.labels, 0, session.original.frames, True)
+            self._announce(change)
+        if problem is not None:
+            self.failed.emit(problem)
+        return problem is None
+
+    def _announce(self, change: Change) -> None:
+        """Emit the signals of a change."""
+        self.proposals.invalidate(change.markers)
+        if change.markers:
+            self.data_changed.emit(change)
+        if change.artifacts:
+            self.artifacts_changed.emit()
+        self.history_changed.emit()
+        self.current_changed.emit()
+        self._propose()

@@ -1,0 +1,108 @@
+"""Engine work off the GUI thread: one job at a time, with true progress and cancel.
+
+Jobs get immutable inputs and return values; whoever started one gets its result as a signal in
+the GUI thread and decides there whether it still applies.
+"""
+
+from __future__ import annotations
+
+import itertools
+import threading
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
+
+from PySide6.QtCore import QObject, Qt, Signal
+
+from markermend.errors import Cancelled
+from markermend.progress import Progress
+
+Work = Callable[[Progress], Any]
+
+
+class Lane(QObject):
+    """A queue of jobs run one after the other on one worker thread.
+
+    Signals
+    -------
+    started(str) : label of the job that begins
+    progressed(float, str) : share done and what is being done
+    finished() : the job that ran has ended, however it ended
+    """
+
+    started = Signal(str)
+    progressed = Signal(float, str)
+    finished = Signal()
+    _ended = Signal(int, object, object)
+
+    def __init__(self, name: str, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._pool = ThreadPoolExecutor(max_workers=1, thread_name_prefix=name)
+        self._numbers = itertools.count()
+        self._waiting: dict[int, tuple[Callable[[Any], None], Callable[[Exception], None]]] = {}
+        self._stop: dict[int, threading.Event] = {}
+        self._ended.connect(self._deliver, Qt.ConnectionType.QueuedConnection)
+
+    @property
+    def busy(self) -> bool:
+        """Whether a job is running or waiting."""
+        return bool(self._waiting)
+
+    def submit(
+        self,
+        label: str,
+        work: Work,
+        done: Callable[[Any], None],
+        failed: Callable[[Exception], None],
+    ) -> None:
+        """Run ``work(progress)`` on the worker; ``done`` or ``failed`` is called in this thread.
+
+        A cancelled job calls neither.
+        """
+        number = next(self._numbers)
+        stop = threading.Event()
+        self._waiting[number] = (done, failed)
+        self._stop[number] = stop
+
+        def report(share: float, doing: str) -> None:
+            if stop.is_set():
+                raise Cancelled
+            self.progressed.emit(share, doing)
+
+        def run() -> None:
+            result: Any = None
+            error: Exception | None = None
+            try:
+                if stop.is_set():
+                    raise Cancelled
+                self.started.emit(label)
+                result = work(report)
+            except Exception as caught:
+                error = caught
+            self._ended.emit(number, result, error)
+
+        self._pool.submit(run)
+
+    def cancel(self) -> None:
+        """Ask every job that runs or waits to stop."""
+        for stop in self._stop.values():
+            stop.set()
+
+    def close(self) -> None:
+        """Cancel and wait for the worker to end."""
+        self.cancel()
+        self._waiting.clear()
+        self._pool.shutdown(wait=True, cancel_futures=True)
+
+    def _deliver(self, number: int, result: Any, error: Exception | None) -> None:
+        """Hand a result over in the GUI thread."""
+        stopped = self._stop.pop(number, None)
+        callbacks = self._waiting.pop(number, None)
+        self.finished.emit()
+        if callbacks is None or (stopped is not None and stopped.is_set()):
+            return
+        done, failed = callbacks
+        if error is None:
+            done(result)
+        elif not isinstance(error, Cancelled):
+            failed(error)

@@ -1,0 +1,98 @@
+"""Repairs proposed ahead of the operator, made on a worker thread of their own.
+
+A proposal holds while its artifact and the samples of its marker are what they were when it was
+asked for; changes of other markers do not spoil it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+from markermend.artifact import Artifact
+from markermend.mesh import Mesh
+from markermend.progress import Progress
+from markermend.session import Session
+from markermend_app.jobs import Lane
+
+Key = tuple[Artifact, str]
+
+
+class Proposals(QObject):
+    """A cache of proposed repairs, filled in the background.
+
+    Signals
+    -------
+    ready(str) : the proposal asked for an artifact (its id) is there
+    failed(object) : one could not be made; an exception
+    """
+
+    ready = Signal(str)
+    failed = Signal(object)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._lane = Lane("proposals", self)
+        self._known: dict[Key, Any] = {}
+        self._asked: set[Key] = set()
+
+    def get(self, artifact: Artifact, method: str) -> Any:
+        """The proposal, or None while it is not there."""
+        return self._known.get((artifact, method))
+
+    def want(self, session: Session, mesh: Mesh, wanted: Sequence[Key]) -> None:
+        """Make these proposals, in this order, unless they are there or under way."""
+        take, artifacts = session.take, session.artifacts
+        for key in wanted:
+            if key in self._known or key in self._asked:
+                continue
+            self._asked.add(key)
+            self._lane.submit(
+                "Propose",
+                _work(take, key, artifacts, mesh),
+                lambda repair, key=key: self._came(key, repair),
+                lambda error, key=key: self._broke(key, error),
+            )
+
+    def invalidate(self, markers: Iterable[str]) -> None:
+        """Forget proposals that rest on changed samples of these markers."""
+        touched = set(markers)
+        for key in [k for k in self._known if touched & {k[0].marker, k[0].counterpart}]:
+            del self._known[key]
+        self._asked -= {k for k in self._asked if touched & {k[0].marker, k[0].counterpart}}
+
+    def forget(self) -> None:
+        """Forget everything and stop what is under way."""
+        self._lane.cancel()
+        self._known.clear()
+        self._asked.clear()
+
+    def close(self) -> None:
+        """End the worker."""
+        self._lane.close()
+
+    def _came(self, key: Key, repair: Any) -> None:
+        """Keep a proposal unless it was invalidated meanwhile."""
+        if key in self._asked:
+            self._asked.discard(key)
+            self._known[key] = repair
+            self.ready.emit(key[0].id)
+
+    def _broke(self, key: Key, error: Exception) -> None:
+        """Tell of a proposal that could not be made."""
+        self._asked.discard(key)
+        self.failed.emit(error)
+
+
+def _work(take: Any, key: Key, artifacts: tuple[Artifact, ...], mesh: Mesh) -> Any:
+    """The engine's part, as a job."""
+    artifact, method = key
+
+    def run(progress: Progress) -> Any:
+        from markermend.repairs import propose
+
+        return propose(take, artifact, artifacts, method=method, mesh=mesh)
+
+    return run
