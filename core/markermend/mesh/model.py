@@ -1,12 +1,9 @@
-"""Functional body mesh: which markers move as one rigid body, and how the bodies hang together."""
+"""What a functional body mesh is: groups of markers, and the forest they form."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-
-from markermend.progress import Progress
-from markermend.take import Take
 
 
 @dataclass(frozen=True)
@@ -66,8 +63,3 @@ class Mesh:
     def children(self, group: int) -> tuple[int, ...]:
         """Indices of the groups whose parent is this one."""
         return tuple(i for i, g in enumerate(self.groups) if g.parent == group)
-
-
-def infer_mesh(take: Take, *, progress: Progress | None = None) -> Mesh:
-    """Work out the body mesh from the take alone."""
-    raise NotImplementedError
