@@ -1,0 +1,33 @@
+"""Lengths as files name them, in millimetres."""
+
+from __future__ import annotations
+
+MILLIMETRES = {
+    "mm": 1.0,
+    "millimet": 1.0,
+    "mill": 1.0,
+    "cm": 10.0,
+    "centimet": 10.0,
+    "cent": 10.0,
+    "dm": 100.0,
+    "m": 1000.0,
+    "met": 1000.0,
+    "mete": 1000.0,
+    "meter": 1000.0,
+    "metre": 1000.0,
+    "in": 25.4,
+    "inch": 25.4,
+    "inche": 25.4,
+    "ft": 304.8,
+    "feet": 304.8,
+    "foot": 304.8,
+}
+
+
+def unit_mm(name: str) -> float | None:
+    """Millimetres of a unit of length by its name, whole or cut short; None if unknown."""
+    word = name.strip().lower().rstrip(".")
+    for known in (word, word.rstrip("s"), word[:8]):
+        if known in MILLIMETRES:
+            return MILLIMETRES[known]
+    return None
