@@ -1,1 +1,60 @@
-"""Detectors."""
+"""Detectors: what is wrong in a take, where, of which kind, and how sure that is."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from threadpoolctl import threadpool_limits
+
+from markermend.artifact import Artifact, in_order
+from markermend.detectors.gaps import detect_gaps
+from markermend.detectors.params import PaperParams
+from markermend.detectors.registry import DETECTORS, Detector, find_detector
+from markermend.errors import MethodError
+from markermend.mesh import Mesh
+from markermend.progress import Progress, quiet
+from markermend.take import Take
+
+__all__ = ["DETECTORS", "Detector", "PaperParams", "detect", "detect_gaps", "find_detector"]
+
+
+def detect(
+    take: Take,
+    *,
+    method: str = "paper",
+    params: Any = None,
+    mesh: Mesh | None = None,
+    progress: Progress | None = None,
+) -> tuple[Artifact, ...]:
+    """Find damaged intervals and name their class.
+
+    Parameters
+    ----------
+    take : the recording; points that are not markers are never looked at
+    method : name in :data:`DETECTORS`
+    params : the method's own parameter dataclass, its defaults when None
+    mesh : the body's structure; inferred from the take when None and needed
+    progress : told the share done; may raise :class:`markermend.errors.Cancelled`
+
+    Returns
+    -------
+    Gaps and artifacts, sorted by start, then marker.
+
+    Raises
+    ------
+    MethodError
+        when the method is unknown or ``params`` are another method's
+    """
+    detector = find_detector(method)
+    chosen = detector.params() if params is None else params
+    if not isinstance(chosen, detector.params):
+        raise MethodError(
+            f"Detection method “{method}” takes {detector.params.__name__}, "
+            f"not {type(chosen).__name__}."
+        )
+    report = progress or quiet
+    report(0.0, "gaps")
+    with threadpool_limits(1):
+        found = in_order([*detect_gaps(take), *detector.run(take, chosen, mesh, report)])
+    report(1.0, "done")
+    return found

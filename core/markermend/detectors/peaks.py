@@ -1,0 +1,91 @@
+"""Single peaks: one to a few samples thrown out of line, alone in their neighbourhood.
+
+Section 3.4.2 of skurowski2022, read as follows. In (20) the magnitude of the differential is
+compared with the threshold; otherwise no negative flank would survive and the ratio in (23)
+would always be 1. In (23) 0/0 is 0. The structuring element of (25) is as long as the window
+of the sums: a lone peak makes a run of candidates one frame shorter than that, so it is kept,
+and peaks close to each other make longer runs, which are left to the heavy noise stage. Such a
+run is wider than the peak in it; what is reported are the samples between its first and its
+last differential above the threshold.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.ndimage import uniform_filter1d
+
+from markermend.arrays import BoolArray, FloatArray, runs
+from markermend.artifact import Kind
+from markermend.detectors.channels import judged, spread
+from markermend.detectors.finding import Finding, mask_of
+from markermend.detectors.highpass import differential, median_high_pass, scaled, scaled_odd
+from markermend.detectors.morphology import top_hat
+from markermend.detectors.params import PaperParams
+from markermend.predictors.bridging import bridge
+
+
+def find_peaks(
+    signal: FloatArray, seen: BoolArray, rate: float, params: PaperParams
+) -> list[Finding]:
+    """Find isolated peaks on each channel.
+
+    Parameters
+    ----------
+    signal : (frames, channels) mm, without NaN
+    seen : (frames, channels) bool; unseen samples and gap edges are never part of a peak
+    rate : frames per second
+    params : ``peak_*`` and ``least_mm``
+
+    Returns
+    -------
+    Findings whose ratio is the largest differential over threshold₁ and whose amplitude is the
+    largest distance from the interpolation across the peak.
+    """
+    longest = scaled(params.peak_size, rate)
+    window = 2 * longest + 3
+    valid = judged(seen)
+    change = differential(median_high_pass(signal, scaled_odd(params.peak_window, rate)))
+    change[~valid] = 0.0
+    threshold = np.maximum(params.peak_k * spread(change, valid), params.least_mm)
+    change[np.abs(change) <= threshold] = 0.0
+    candidates = _balance(change, window) > params.peak_ratio
+    isolated = top_hat(candidates, window)
+
+    found = []
+    for channel in np.flatnonzero(isolated.any(axis=0)):
+        strength = np.abs(change[:, channel])
+        for run_start, run_stop in runs(isolated[:, channel]):
+            flanks = run_start + np.flatnonzero(strength[run_start:run_stop])
+            if len(flanks) < 2 or flanks[-1] - flanks[0] > longest:
+                continue
+            start, stop = int(flanks[0]), int(flanks[-1])
+            ratio = float(strength[start : stop + 1].max() / threshold[channel])
+            found.append(Finding(int(channel), start, stop, Kind.PEAK, ratio, 0.0))
+    return _with_amplitudes(signal, seen, found)
+
+
+def _balance(change: FloatArray, window: int) -> FloatArray:
+    """Moving sum of magnitudes over magnitude of the moving sum (skurowski2022, eq. 21 to 23)."""
+    total = np.abs(uniform_filter1d(change, window, axis=0, mode="constant"))
+    magnitude = uniform_filter1d(np.abs(change), window, axis=0, mode="constant")
+    # A running mean leaves dust of the order of the rounding where there was nothing to add.
+    dust = 1e-9 * np.abs(change).max(initial=0.0)
+    magnitude[magnitude <= dust] = 0.0
+    return magnitude / np.maximum(total, max(dust, np.finfo(np.float64).tiny))
+
+
+def _with_amplitudes(signal: FloatArray, seen: BoolArray, found: list[Finding]) -> list[Finding]:
+    """Measure each peak against the interpolation across it."""
+    bridged = bridge(signal, seen & ~mask_of(found, signal.shape))
+    deviation = np.abs(signal - bridged)
+    return [
+        Finding(
+            f.channel,
+            f.start,
+            f.stop,
+            f.kind,
+            f.ratio,
+            float(deviation[f.start : f.stop, f.channel].max()),
+        )
+        for f in found
+    ]

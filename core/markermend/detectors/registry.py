@@ -1,0 +1,72 @@
+"""The detection methods by name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Any
+
+from markermend.artifact import Artifact
+from markermend.detectors.paper import detect_paper
+from markermend.detectors.params import PaperParams
+from markermend.errors import MethodError
+from markermend.mesh import Mesh
+from markermend.progress import Progress
+from markermend.take import Take
+
+DetectorFunction = Callable[[Take, Any, Mesh | None, Progress], list[Artifact]]
+
+
+@dataclass(frozen=True)
+class Detector:
+    """A detection method.
+
+    Attributes
+    ----------
+    name : short name for command line and files
+    label : name for people
+    summary : one sentence on what it does
+    params : frozen dataclass; each field's metadata gives ``unit``, ``min``, ``max``, ``help``
+    run : ``(take, params, mesh or None, progress) -> artifacts`` of all kinds but gaps
+    source : paper and section, or empty
+    """
+
+    name: str
+    label: str
+    summary: str
+    params: type
+    run: DetectorFunction
+    source: str = ""
+
+
+DETECTORS: Mapping[str, Detector] = MappingProxyType(
+    {
+        "paper": Detector(
+            name="paper",
+            label="As published",
+            summary="Four stages on each coordinate, from single peaks to slow changes.",
+            params=PaperParams,
+            run=detect_paper,
+            source="skurowski2022, section 3.4",
+        )
+    }
+)
+"""Every detection method by name."""
+
+
+def find_detector(name: str) -> Detector:
+    """Look a method up.
+
+    Raises
+    ------
+    MethodError
+        when there is none of that name; the message lists those there are
+    """
+    try:
+        return DETECTORS[name]
+    except KeyError:
+        known = ", ".join(DETECTORS)
+        raise MethodError(
+            f"There is no detection method “{name}”; choose one of {known}."
+        ) from None

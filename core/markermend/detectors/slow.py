@@ -1,0 +1,161 @@
+"""Slow changes: a trajectory leaves the place its body gives it, and returns.
+
+Section 3.4.5 of skurowski2022: the residual of the loose network (eq. 31), smoothed, then
+thresholded with hysteresis. Its smoothing (Savitzky–Golay, L = 7, M = 11) hardly smooths when M
+is the window, as the text of section 3.3.1 has it; ``slow_half_window`` reads M as its design
+matrix does, 2·M + 1 samples. Samples that earlier stages found damaged are bridged in the
+residual, so that no interpolation across them is taken for a deviation; where the marker was
+not seen, or most of its neighbours were not, the residual is 0 and a hill ends.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from markermend.arrays import BoolArray, FloatArray, IntArray, runs
+from markermend.artifact import Kind
+from markermend.detectors.channels import LEAST_SAMPLES, spread
+from markermend.detectors.finding import Finding
+from markermend.detectors.highpass import savgol_low_pass, scaled, scaled_odd
+from markermend.detectors.params import PaperParams
+from markermend.errors import DataError
+from markermend.mesh import Mesh
+from markermend.predictors.bridging import bridge
+from markermend.predictors.ffnn import LEAST_ROWS, FfnnParams, fit_and_predict
+from markermend.predictors.inputs import Inputs, gather, neighbours_of
+from markermend.progress import Progress
+from markermend.take import Take
+
+# Below this many frames of training in all, starting processes costs more than they save.
+WORTH_PROCESSES = 40_000
+
+
+def find_slow(
+    take: Take,
+    mesh: Mesh,
+    markers: list[int],
+    trusted: BoolArray,
+    params: PaperParams,
+    progress: Progress,
+) -> list[Finding]:
+    """Find slow changes of the named markers.
+
+    Parameters
+    ----------
+    take : the recording
+    mesh : the body's structure
+    markers : columns to look at; those without neighbours or with few frames are passed over
+    trusted : (frames, markers, 3) bool, false where missing or found damaged already
+    params : ``slow_*``, ``seed`` and ``jobs``
+    progress : told after each marker; may raise to stop
+
+    Returns
+    -------
+    Findings whose ratio is the highest smoothed residual over the upper threshold and whose
+    amplitude is the largest residual.
+    """
+    tasks: list[tuple[int, Inputs]] = []
+    for marker in markers:
+        try:
+            inputs = gather(take.positions, trusted, marker, neighbours_of(take, mesh, marker))
+        except DataError:
+            continue
+        if inputs.fit.sum() >= LEAST_ROWS:
+            tasks.append((marker, inputs))
+
+    found = []
+    for done, ((marker, inputs), predicted) in enumerate(
+        zip(tasks, _predictions(tasks, take.rate, params), strict=True)
+    ):
+        progress(done / len(tasks), f"slow changes of {take.labels[marker]}")
+        found += _judge(marker, inputs, predicted, take.present[:, marker], take.rate, params)
+    return found
+
+
+def _predictions(
+    tasks: list[tuple[int, Inputs]], rate: float, params: PaperParams
+) -> Iterator[FloatArray]:
+    """Train one network a marker, in several processes where that pays; results in order."""
+    from joblib import Parallel, delayed
+
+    work = sum(int(inputs.fit.sum()) for _, inputs in tasks)
+    jobs = params.jobs if work >= WORTH_PROCESSES else 1
+    calls = (
+        delayed(fit_and_predict)(inputs, rate, FfnnParams(), params.seed + marker)
+        for marker, inputs in tasks
+    )
+    results = Parallel(n_jobs=jobs or -1, return_as="generator", pre_dispatch="2*n_jobs")(calls)
+    try:
+        yield from results
+    finally:
+        results.close()
+
+
+def _judge(
+    marker: int,
+    inputs: Inputs,
+    predicted: FloatArray,
+    seen: BoolArray,
+    rate: float,
+    params: PaperParams,
+) -> list[Finding]:
+    """Look for hills and valleys in the residual of one marker."""
+    judged = inputs.fit & ~np.isnan(predicted[:, 0])
+    if judged.sum() < LEAST_SAMPLES:
+        return []
+    residual = bridge(inputs.own - predicted, np.repeat(judged[:, None], 3, axis=1))
+    residual[~(seen & inputs.usable)] = 0.0
+    sigma = spread(residual, np.repeat(judged[:, None], 3, axis=1))
+    m = 2 * params.slow_window + 1 if params.slow_half_window else params.slow_window
+    window = scaled_odd(m, rate, least=params.slow_order + 2)
+    smooth = savgol_low_pass(residual, params.slow_order, window)
+
+    found = []
+    for axis in range(3):
+        top, base = params.slow_k_top * sigma[axis], params.slow_k_base * sigma[axis]
+        for sign in (1.0, -1.0):
+            hills = hysteresis(
+                sign * smooth[:, axis],
+                top,
+                base,
+                scaled(params.slow_top_length, rate),
+                scaled(params.slow_length, rate),
+            )
+            for start, stop in hills:
+                height = float((sign * smooth[start:stop, axis]).max())
+                found.append(
+                    Finding(
+                        3 * marker + axis,
+                        int(start),
+                        int(stop),
+                        Kind.SLOW,
+                        height / top,
+                        float(np.abs(residual[start:stop, axis]).max()),
+                    )
+                )
+    return found
+
+
+def hysteresis(
+    signal: FloatArray, top: float, base: float, shortest_top: int, shortest: int
+) -> IntArray:
+    """Intervals above ``base`` that hold a long enough stretch above ``top``.
+
+    Parameters
+    ----------
+    signal : (frames,)
+    top, base : upper and lower threshold
+    shortest_top, shortest : least length above ``top``, and of the whole interval, in frames
+
+    Returns
+    -------
+    (k, 2) half-open intervals, in order (skurowski2022, section 3.4.5, steps 2 to 5)
+    """
+    tops = runs(signal > top)
+    tops = tops[tops[:, 1] - tops[:, 0] >= shortest_top]
+    hills = runs(signal > base)
+    hills = hills[hills[:, 1] - hills[:, 0] >= shortest]
+    held = np.searchsorted(tops[:, 0], hills[:, 1]) - np.searchsorted(tops[:, 0], hills[:, 0])
+    return hills[held > 0]
