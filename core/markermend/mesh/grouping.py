@@ -15,7 +15,10 @@ NEARNESS = 0.1
 # proportion. Values found on eleven marker sets of standing, walking, rolling and break-dancing
 # people.
 WIDTH = 0.05
-TYPICAL_MOTION, LEAST_MOTION, MOTION_EXPONENT = 0.2, 0.02, 0.4
+TYPICAL_MOTION, LEAST_MOTION, MOTION_EXPONENT = 0.2, 0.05, 0.5
+# A body is one rigid thing when its distances vary by less than this share of how its lines swing
+# in space; a thing of few markers also when they vary by less than this share of its size.
+RIGID_TO_TURNING, RIGID_TO_SIZE, FEW_MARKERS = 0.15, 0.01, 8
 # A marker alone joins a group up to this many times the limit away.
 LONER_REACH = 2.0
 # A marker changes its group for one that is this much nearer.
@@ -51,9 +54,22 @@ def group_markers(pairs: Pairs) -> IntArray:
         return np.zeros(markers, dtype=np.int64)
     upper = np.triu_indices(markers, 1)
     cost = rigidity_cost(pairs)
+    if _is_one_thing(pairs, upper):
+        return np.zeros(markers, dtype=np.int64)
     limit = _limit(pairs.distance[upper], pairs.spread[upper])
     label = fcluster(linkage(cost[upper], "complete"), limit, "distance").astype(np.int64) - 1
     return _in_order(_settle(cost, label, limit))
+
+
+def _is_one_thing(pairs: Pairs, upper: tuple[IntArray, ...]) -> bool:
+    """Whether the whole body is rigid, as a prop or a cluster on one segment is."""
+    width = float(np.quantile(pairs.spread[upper], 0.9))
+    if len(pairs.distance) <= FEW_MARKERS:
+        return width < max(
+            RIGID_TO_TURNING * pairs.turning,
+            RIGID_TO_SIZE * float(np.quantile(pairs.distance[upper], 0.9)),
+        )
+    return width < RIGID_TO_TURNING * pairs.turning
 
 
 def _limit(distance: FloatArray, spread: FloatArray) -> float:

@@ -20,7 +20,7 @@ from markermend.progress import Progress, quiet
 from markermend.take import Take, is_unlabelled
 
 # Markers seen in a smaller share of their body's frames belong to no group.
-LEAST_SEEN = 0.1
+LEAST_SEEN = 0.2
 
 
 def infer_mesh(take: Take, *, progress: Progress | None = None) -> Mesh:
@@ -28,7 +28,7 @@ def infer_mesh(take: Take, *, progress: Progress | None = None) -> Mesh:
 
     Nothing but the take is needed: any subject, any marker set. Each subject (the part of the
     labels before the colon) becomes one tree. Unlabelled markers, and those seen in less than a
-    tenth of the frames, get no group. Where nothing moves, nearness alone decides. The result
+    fifth of the frames, get no group. Where nothing moves, nearness alone decides. The result
     depends on the take only: no chance is involved.
 
     Parameters

@@ -24,11 +24,13 @@ class Pairs:
     distance : median distance, mm
     spread : width of the middle 80 % of the distance, mm; 0 on the diagonal
     coherence : correlation of the velocities in [-1, 1], 0 where unknown
+    turning : how far the line between two markers swings in space, mm, median over all pairs
     """
 
     distance: FloatArray
     spread: FloatArray
     coherence: FloatArray
+    turning: float
 
 
 def measure_pairs(positions: FloatArray, rate: float) -> Pairs:
@@ -53,8 +55,10 @@ def measure_pairs(positions: FloatArray, rate: float) -> Pairs:
     """
     frames = positions.shape[0]
     chosen = np.unique(np.linspace(0, frames - 1, min(frames, SAMPLED_FRAMES)).round().astype(int))
-    distance, spread = _distances(positions[chosen])
-    return Pairs(distance, spread, _coherence(positions, chosen, rate))
+    sample = positions[chosen]
+    distance, spread = _distances(sample)
+    coherence = _coherence(positions, chosen, rate)
+    return Pairs(distance, spread, coherence, _turning(sample[::4]))
 
 
 def _distances(sample: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -71,6 +75,17 @@ def _distances(sample: FloatArray) -> tuple[FloatArray, FloatArray]:
         _close(_square(np.where(known, middle, np.inf), markers)),
         _close(_square(np.where(known, high - low, np.inf), markers)),
     )
+
+
+def _turning(sample: FloatArray) -> float:
+    """Median over pairs of the median swing of the vector between two markers."""
+    i, j = np.triu_indices(sample.shape[1], 1)
+    vector = sample[:, i] - sample[:, j]
+    vector = vector[:, np.isfinite(vector[:, :, 0]).any(axis=0)]
+    if vector.size == 0:
+        return 0.0
+    swing = np.sqrt(((vector - np.nanmedian(vector, axis=0)) ** 2).sum(axis=2))
+    return float(np.median(np.nanmedian(swing, axis=0)))
 
 
 def _square(values: FloatArray, markers: int) -> FloatArray:
