@@ -1,0 +1,74 @@
+"""``markermend clean``: detect, repair, and write the repaired take."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import markermend as mm
+from markermend.artifact import Artifact
+from markermend.artifact_json import artifacts_of, document
+from markermend.cli.console import STDOUT, Bar, check_outputs, read_json, say, write_json
+from markermend.cli.detect import find, summary
+from markermend.cli.repairing import Outcome, left_over, listing, outcomes, summary_table
+from markermend.detectors import find_detector
+from markermend.mesh import Mesh
+from markermend.patch import patched
+from markermend.progress import Progress, part
+from markermend.repairs import find_method, repair_all
+from markermend.take import Take
+
+
+def run(options: argparse.Namespace) -> int:
+    """Clean one take."""
+    check_outputs([options.output, options.json], source=options.take, force=options.force)
+    if options.method != "auto":
+        find_method(options.method)
+    find_detector(options.detector)
+    take = mm.read(options.take)
+    with Bar() as bar:
+        bar(0.0, "Working out the body")
+        mesh = mm.infer_mesh(take)
+        found, method = _artifacts(take, mesh, options, part(bar, 0.0, 0.8))
+        pairs = repair_all(
+            take,
+            found,
+            method=options.method,
+            min_confidence=options.min_confidence,
+            mesh=mesh,
+            progress=part(bar, 0.8, 1.0),
+        )
+    clean = patched(take, (patch for _, repair in pairs for patch in repair.patches))
+    mm.write(clean, options.output)
+    done = outcomes(found, pairs, options.min_confidence)
+    if options.json is not None:
+        write_json(options.json, _report(take, done, method, options.take))
+    if options.json != STDOUT:
+        for line in listing(take, done) if options.list else ():
+            say(line)
+        say(summary([o.artifact for o in done]))
+        for line in [*summary_table(done), *left_over(done), "", f"Written: {options.output}"]:
+            say(line)
+    return 0
+
+
+def _artifacts(
+    take: Take, mesh: Mesh, options: argparse.Namespace, progress: Progress
+) -> tuple[tuple[Artifact, ...], str]:
+    """What is to be repaired, listed in a file or detected, and what found it."""
+    if options.artifacts is None:
+        return find(take, mesh, options, progress), options.detector
+    listed = read_json(options.artifacts)
+    return artifacts_of(listed), str(listed.get("method", ""))
+
+
+def _report(take: Take, done: Sequence[Outcome], method: str, path: str) -> dict[str, Any]:
+    """JSON of ``detect`` with what was done about each artifact."""
+    artifacts = [o.artifact for o in done]
+    report = document(take, artifacts, method, mm.__version__, name=Path(path).name)
+    for item, o in zip(report["artifacts"], done, strict=True):
+        error = None if o.error_mm is None else float(o.error_mm)
+        item["repair"] = {"method": o.method, "error_mm": error, "reason": o.reason}
+    return report

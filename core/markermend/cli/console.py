@@ -1,0 +1,169 @@
+"""What commands share: text on the terminal, a progress bar, files written whole or not at all."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import sys
+import time
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+from markermend.errors import ExportError, MarkermendError
+
+STDOUT = "-"
+_BAR_WIDTH = 24
+_REDRAW_S = 0.1
+
+
+def say(text: str = "") -> None:
+    """Write a line to standard output."""
+    sys.stdout.write(text + "\n")
+
+
+def warn(text: str) -> None:
+    """Write a line to standard error."""
+    sys.stderr.write(text + "\n")
+
+
+class Bar:
+    """Progress bar on a terminal, nothing in a pipe; call it as any progress function."""
+
+    def __init__(self) -> None:
+        self._shown = sys.stderr.isatty()
+        self._drawn = 0.0
+
+    def __enter__(self) -> Bar:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        if self._drawn:
+            sys.stderr.write("\r\033[K")
+            sys.stderr.flush()
+
+    def __call__(self, share: float, doing: str) -> None:
+        """Show the share done in [0, 1] and what is being done."""
+        now = time.monotonic()
+        if not self._shown or now - self._drawn < _REDRAW_S:
+            return
+        self._drawn = now
+        full = round(_BAR_WIDTH * min(max(share, 0.0), 1.0))
+        bar = "█" * full + "░" * (_BAR_WIDTH - full)
+        room = shutil.get_terminal_size().columns - _BAR_WIDTH - 8
+        sys.stderr.write(f"\r\033[K{bar} {share:4.0%} {doing[: max(room, 0)]}")
+        sys.stderr.flush()
+
+
+def table(head: Sequence[str], rows: Iterable[Sequence[str]], right: str = "") -> list[str]:
+    """Align columns.
+
+    Parameters
+    ----------
+    head : column titles
+    rows : cells as text
+    right : one letter a column, ``r`` for aligned to the right, anything else to the left
+
+    Returns
+    -------
+    Lines without trailing blanks, cut to the terminal's width when there is one.
+    """
+    cells = [list(head), *(list(row) for row in rows)]
+    widths = [max(len(row[i]) for row in cells) for i in range(len(head))]
+    right = right.ljust(len(head))
+    lines = [
+        "  ".join(
+            cell.rjust(width) if side == "r" else cell.ljust(width)
+            for cell, width, side in zip(row, widths, right, strict=True)
+        ).rstrip()
+        for row in cells
+    ]
+    if not sys.stdout.isatty():
+        return lines
+    room = shutil.get_terminal_size().columns
+    return [line if len(line) <= room else line[: room - 1] + "…" for line in lines]
+
+
+def count(number: int, noun: str) -> str:
+    """Write a number with its noun: ``1 gap``, ``2 gaps``."""
+    return f"{number:,} {noun}{'' if number == 1 else 's'}"
+
+
+def check_outputs(paths: Sequence[str | None], *, source: str | None, force: bool) -> None:
+    """Refuse, before any work is done, what could not or should not be written.
+
+    Parameters
+    ----------
+    paths : files to be written; None and ``"-"`` are passed over
+    source : the take that is read
+    force : existing files may be overwritten
+
+    Raises
+    ------
+    ExportError
+        when a path is the source, exists, is named twice, or lies in no folder; and when two
+        want standard output
+    """
+    if sum(path == STDOUT for path in paths) > 1:
+        raise ExportError("Only one result can go to standard output.")
+    seen: set[Path] = set()
+    for path in (Path(p) for p in paths if p is not None and p != STDOUT):
+        where = path.resolve()
+        if not where.parent.is_dir():
+            raise ExportError(f"There is no folder “{path.parent}” to write “{path.name}” into.")
+        if where.is_dir():
+            raise ExportError(f"“{path}” is a folder; name a file to write.")
+        if where in seen:
+            raise ExportError(f"“{path}” is named for two results; give each its own file.")
+        seen.add(where)
+        if where.exists():
+            if source is not None and Path(source).exists() and where.samefile(source):
+                raise ExportError(f"“{path}” is the take itself; name another file to write.")
+            if not force:
+                raise ExportError(f"“{path}” exists already; add --force to overwrite it.")
+
+
+def write_text(path: str, text: str) -> None:
+    """Write a text file whole or not at all; ``"-"`` is standard output."""
+    if path == STDOUT:
+        if hasattr(sys.stdout, "reconfigure"):
+            sys.stdout.reconfigure(encoding="utf-8")
+        sys.stdout.write(text)
+        return
+    target = Path(path)
+    partial = target.with_name(f".{target.name}.{os.getpid()}.part")
+    try:
+        with partial.open("w", encoding="utf-8", newline="") as file:
+            file.write(text)
+        partial.replace(target)
+    finally:
+        partial.unlink(missing_ok=True)
+
+
+def write_json(path: str, document: dict[str, Any]) -> None:
+    """Write a JSON document; numbers that JSON does not know are a mistake, never ``NaN``."""
+    write_text(path, json.dumps(document, ensure_ascii=False, indent=1, allow_nan=False) + "\n")
+
+
+def read_json(path: str) -> dict[str, Any]:
+    """Read a JSON document.
+
+    Raises
+    ------
+    MarkermendError
+        when the file is no JSON object
+    """
+    try:
+        document = json.loads(Path(path).read_text(encoding="utf-8"))
+    except ValueError as error:
+        raise MarkermendError(f"“{path}” is not JSON: {error}.") from error
+    if not isinstance(document, dict):
+        raise MarkermendError(f"“{path}” is not a JSON object.")
+    return document

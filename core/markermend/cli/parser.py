@@ -1,0 +1,221 @@
+"""Commands, options and help of the command line; nothing here imports the engine."""
+
+from __future__ import annotations
+
+import argparse
+import math
+import re
+
+import markermend
+
+ABOUT = """\
+Find, name and repair damaged intervals in optical motion capture takes.
+
+A gap, a spike, a stretch of noise, two swapped markers, a slow drift: Markermend finds
+them from the body's own movement, says how sure it is, repairs each with a method that fits,
+and writes a file in which only the repaired samples differ from yours."""
+
+EXAMPLES = """\
+examples:
+  markermend take.c3d                            review it in the window
+  markermend detect take.c3d                     list what is damaged
+  markermend clean take.c3d -o take_clean.c3d    repair it
+
+Nothing is overwritten without --force, and the take that is read never is.
+Exit codes: 0 done, 1 the work could not be done, 2 bad usage."""
+
+COMMANDS = {
+    "open": "review a take in the desktop window",
+    "info": "what a take holds: markers, gaps, bodies, events",
+    "detect": "list the damaged intervals, each with class and confidence",
+    "clean": "detect and repair, and write the repaired take",
+    "fill": "fill the gaps and change nothing else",
+    "simulate": "make a take of a synthetic performer, damaged, with the truth",
+}
+
+
+class Span:
+    """A length of time as people type it: ``20`` frames, ``0.2s`` or ``200ms``."""
+
+    def __init__(self, text: str) -> None:
+        found = re.fullmatch(r"(\d+(?:\.\d+)?|\.\d+)\s*(ms|s)?", text.strip())
+        if found is None or (found[2] is None and not found[1].isdigit()):
+            raise argparse.ArgumentTypeError(
+                f"“{text}” is no length; write frames (20), seconds (0.2s) or milliseconds (200ms)"
+            )
+        self.value = float(found[1])
+        self.seconds_per_unit = {None: 0.0, "s": 1.0, "ms": 0.001}[found[2]]
+
+    def frames(self, rate: float) -> int:
+        """Return the number of frames at a rate in Hz, rounded."""
+        return round(self.value * (self.seconds_per_unit * rate or 1.0))
+
+
+def make_parser() -> argparse.ArgumentParser:
+    """Build the parser of all commands."""
+    parser = argparse.ArgumentParser(
+        "markermend",
+        description=ABOUT,
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument(
+        "--version", action="version", version=f"markermend {markermend.__version__}"
+    )
+    adders = {
+        "open": _add_open,
+        "info": _add_info,
+        "detect": _add_detect,
+        "clean": _add_clean,
+        "fill": _add_fill,
+        "simulate": _add_simulate,
+    }
+    commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
+    for name, summary in COMMANDS.items():
+        adders[name](
+            commands.add_parser(
+                name, help=summary, description=f"{summary[0].upper()}{summary[1:]}."
+            )
+        )
+    return parser
+
+
+def _add_open(p: argparse.ArgumentParser) -> None:
+    p.add_argument("take", metavar="TAKE", nargs="?", help="recording to open")
+
+
+def _add_info(p: argparse.ArgumentParser) -> None:
+    _take(p)
+    _json(p)
+    _force(p)
+
+
+def _add_detect(p: argparse.ArgumentParser) -> None:
+    _take(p)
+    _detection(p, "--method")
+    _json(p)
+    p.add_argument("--csv", metavar="FILE", help="write a table as CSV; “-” for standard output")
+    _force(p)
+
+
+def _add_clean(p: argparse.ArgumentParser) -> None:
+    _take(p)
+    _output(p)
+    _repairing(p)
+    p.add_argument(
+        "--min-confidence",
+        metavar="P",
+        type=_share,
+        default=0.5,
+        help="repair what is at least this sure, from 0 to 1 (default: 0.5)",
+    )
+    p.add_argument(
+        "--artifacts",
+        metavar="FILE",
+        help="repair what this JSON of “detect” lists, for example after editing it, "
+        "instead of detecting; what it calls rejected is left alone",
+    )
+    _detection(p, "--detector")
+    p.add_argument("--list", action="store_true", help="show every single repair")
+    _json(p)
+    _force(p)
+
+
+def _add_fill(p: argparse.ArgumentParser) -> None:
+    _take(p)
+    _output(p)
+    _repairing(p)
+    p.add_argument(
+        "--max-gap",
+        metavar="LENGTH",
+        type=Span,
+        help="leave longer gaps alone: frames (20), seconds (0.2s) or milliseconds (200ms)",
+    )
+    p.add_argument("--list", action="store_true", help="show every single gap")
+    _force(p)
+
+
+def _add_simulate(p: argparse.ArgumentParser) -> None:
+    _output(p)
+    p.add_argument("--duration", metavar="S", type=_positive, default=40.0, help="seconds")
+    p.add_argument("--rate", metavar="HZ", type=_positive, default=100.0, help="frames per second")
+    p.add_argument(
+        "--height", metavar="M", type=_positive, default=1.75, help="the performer's, in metres"
+    )
+    p.add_argument("--seed", metavar="N", type=int, default=0, help="same seed, same take")
+    p.add_argument("--clean", action="store_true", help="leave the take undamaged")
+    p.add_argument(
+        "--truth", metavar="FILE", help="write where the damage is, as JSON; “-” as for --json"
+    )
+    _force(p)
+
+
+def _take(p: argparse.ArgumentParser) -> None:
+    p.add_argument("take", metavar="TAKE", help="recording to read")
+
+
+def _output(p: argparse.ArgumentParser) -> None:
+    p.add_argument("-o", "--output", metavar="OUT", required=True, help="take to write")
+
+
+def _json(p: argparse.ArgumentParser) -> None:
+    p.add_argument("--json", metavar="FILE", help="write JSON; “-” for standard output")
+
+
+def _force(p: argparse.ArgumentParser) -> None:
+    p.add_argument(
+        "--force",
+        action="store_true",
+        help="overwrite what is there already (never the take that is read)",
+    )
+
+
+def _repairing(p: argparse.ArgumentParser) -> None:
+    p.add_argument(
+        "--method",
+        metavar="NAME",
+        default="auto",
+        help="repair with this method only; a wrong name lists those there are (default: auto)",
+    )
+
+
+def _detection(p: argparse.ArgumentParser, option: str) -> None:
+    p.add_argument(
+        option,
+        dest="detector",
+        metavar="NAME",
+        default="paper",
+        help="how to detect (default: paper, the four stages as published)",
+    )
+    p.add_argument(
+        "--no-slow",
+        action="store_true",
+        help="skip slow changes, which need a trained predictor: seconds instead of minutes",
+    )
+
+
+def _share(text: str) -> float:
+    """Read a number from 0 to 1."""
+    value = _number(text)
+    if not 0.0 <= value <= 1.0:
+        raise argparse.ArgumentTypeError(f"“{text}” does not lie between 0 and 1")
+    return value
+
+
+def _positive(text: str) -> float:
+    """Read a number above 0."""
+    value = _number(text)
+    if value <= 0.0:
+        raise argparse.ArgumentTypeError(f"“{text}” is not above 0")
+    return value
+
+
+def _number(text: str) -> float:
+    """Read a finite number."""
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"“{text}” is not a number")
+    return value

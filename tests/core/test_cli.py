@@ -1,0 +1,348 @@
+"""The command line: exit codes, sentences, tables, JSON, and files never half written."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import ezc3d
+import numpy as np
+import pytest
+
+import markermend as mm
+from markermend.cli import main
+from markermend.cli.console import check_outputs, count, table, write_json, write_text
+from markermend.cli.parser import COMMANDS, Span
+from markermend.errors import ExportError
+
+FRAMES, RATE, GAP = 400, 100.0, slice(150, 160)
+
+
+@pytest.fixture(scope="module")
+def recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Write a C3D of two rigid plates that swing, with one gap and one spike."""
+    rng = np.random.default_rng(1)
+    time = np.arange(FRAMES) / RATE
+    corners = np.array([[0, 0, 0], [200, 0, 0], [0, 150, 0], [200, 150, 30.0]])
+    points = []
+    for plate, (height, speed) in enumerate(((1000.0, 0.4), (400.0, 0.7))):
+        turn = 0.5 * np.sin(2 * np.pi * speed * time)
+        sway = 80 * np.sin(2 * np.pi * 0.5 * speed * time + plate)
+        for x, y, z in corners:
+            points.append(
+                [
+                    np.cos(turn) * x - np.sin(turn) * y + sway,
+                    np.sin(turn) * x + np.cos(turn) * y,
+                    np.full(FRAMES, z + height),
+                ]
+            )
+    positions = np.array(points).transpose(1, 0, 2) + rng.normal(0, 0.2, (3, 8, FRAMES))
+    positions[2, 2, 300] += 40.0
+    positions[:, 1, GAP] = np.nan
+    file = ezc3d.c3d()
+    file["parameters"]["POINT"]["RATE"]["value"] = [RATE]
+    file["parameters"]["POINT"]["UNITS"]["value"] = ["mm"]
+    names = [f"{plate}{i}" for plate in ("TOP", "LOW") for i in range(4)]
+    file["parameters"]["POINT"]["LABELS"]["value"] = names
+    file["data"]["points"] = np.concatenate([positions, np.ones((1, 8, FRAMES))])
+    path = tmp_path_factory.mktemp("take") / "swing.c3d"
+    file.write(str(path))
+    return path
+
+
+def run(*words: object) -> int:
+    return main([str(word) for word in words])
+
+
+def strict(text: str) -> dict[str, object]:
+    """Parse JSON, refusing NaN and Infinity, which are not JSON."""
+
+    def refuse(name: str) -> None:
+        raise AssertionError(f"{name} is not JSON")
+
+    return json.loads(text, parse_constant=refuse)
+
+
+def test_help_and_version_need_no_numpy() -> None:
+    code = (
+        "import sys, markermend.cli as c\n"
+        "assert c.main(['--version']) == 0 and c.main(['clean', '--help']) == 0\n"
+        "assert 'numpy' not in sys.modules and 'importlib.metadata' not in sys.modules\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert mm.__version__ in done.stdout
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_every_command_has_help(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(command, "--help") == 0
+    assert "usage: markermend " + command in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["nonsense"],
+        ["clean", "take.c3d"],
+        ["fill", "a.c3d", "-o", "b.c3d", "--max-gap", "soon"],
+        ["clean", "a.c3d", "-o", "b.c3d", "--min-confidence", "2"],
+        ["simulate", "-o", "a.c3d", "--rate", "0"],
+    ],
+)
+def test_bad_usage_is_two(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(*words) == 2
+    assert "usage:" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["info", "missing.c3d"],
+        ["missing.c3d"],
+        ["detect", "missing.c3d", "--method", "magic"],
+        ["clean", "missing.c3d", "-o", "missing/out.c3d"],
+        ["clean", "missing.c3d", "-o", "out.c3d", "--method", "magic"],
+        ["fill", "missing.c3d", "-o", "out.c3d"],
+    ],
+)
+def test_failure_is_one_sentence(
+    words: list[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert run(*words) == 1
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err.count("\n") == 1
+    assert err.rstrip().endswith(".")
+    assert "Traceback" not in err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_unexpected_errors_become_a_sentence_too(
+    recording: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def broken(*_: object, **__: object) -> None:
+        raise ZeroDivisionError("by zero")
+
+    monkeypatch.delenv("MARKERMEND_DEBUG", raising=False)
+    monkeypatch.setattr(mm, "infer_mesh", broken)
+    assert run("info", recording) == 1
+    assert "ZeroDivisionError" in capsys.readouterr().err
+    monkeypatch.setenv("MARKERMEND_DEBUG", "1")
+    with pytest.raises(ZeroDivisionError):
+        run("info", recording)
+
+
+def test_interrupt_stops(
+    recording: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture
+) -> None:
+    def interrupted(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(mm, "infer_mesh", interrupted)
+    assert run("clean", recording, "-o", tmp_path / "out.c3d") == 1
+    assert capsys.readouterr().err == "Stopped.\n"
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_info_as_json(recording: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run("info", recording, "--json", "-") == 0
+    told = strict(capsys.readouterr().out)
+    assert (told["frames"], told["rate"], told["take"]) == (FRAMES, RATE, "swing.c3d")
+    marker = {m["label"]: m for m in told["markers"]}["TOP1"]
+    assert (marker["gaps"], marker["longest_gap"]) == (1, 10)
+    assert marker["seen"] == pytest.approx(390 / 400)
+
+
+def test_info_for_people(recording: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run("info", recording) == 0
+    out = capsys.readouterr().out
+    assert "400 frames at 100 Hz" in out
+    assert "TOP1" in out
+
+
+def test_detect_finds_gap_and_spike(recording: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run("detect", recording, "--no-slow", "--json", "-") == 0
+    told = strict(capsys.readouterr().out)
+    assert set(told) >= {"take", "rate", "first_frame", "frames", "method", "version", "artifacts"}
+    found = {(a["marker"], a["kind"], a["start"], a["stop"]) for a in told["artifacts"]}
+    assert ("TOP1", "gap", 150, 160) in found
+    assert any(m == "TOP2" and k == "peak" and a <= 300 < b for m, k, a, b in found)
+
+
+def test_detect_table_counts_in_c3d_frames(
+    recording: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run("detect", recording, "--no-slow") == 0
+    out = capsys.readouterr().out
+    first = mm.read(recording).first_frame
+    row = next(line for line in out.splitlines() if " gap " in line)
+    assert row.split()[:3] == [f"{150 + first}–{159 + first}", "1.50–1.60", "TOP1"]
+    assert "1 gap" in out.splitlines()[-1]
+
+
+def test_detect_csv(recording: Path, tmp_path: Path) -> None:
+    path = tmp_path / "found.csv"
+    assert run("detect", recording, "--no-slow", "--csv", path) == 0
+    rows = list(csv.DictReader(io.StringIO(path.read_text())))
+    gap = next(row for row in rows if row["kind"] == "gap")
+    assert (gap["start"], gap["stop"], gap["amplitude_mm"]) == ("150", "160", "")
+    assert (gap["start_s"], gap["stop_s"]) == ("1.5", "1.6")
+
+
+def test_clean_repairs_only_what_it_names(
+    recording: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out, report = tmp_path / "out.c3d", tmp_path / "report.json"
+    assert run("clean", recording, "-o", out, "--no-slow", "--json", report) == 0
+    assert "Written" in capsys.readouterr().out
+    told = strict(report.read_text())
+    before, after = mm.read(recording), mm.read(out)
+    allowed = np.zeros(before.positions.shape, dtype=bool)
+    for a in told["artifacts"]:
+        assert set(a["repair"]) == {"method", "error_mm", "reason"}
+        if a["status"] == "repaired":
+            columns = ["xyz".index(axis) for axis in a["axes"]]
+            allowed[a["start"] : a["stop"], before.index(a["marker"]), columns] = True
+    same = (before.positions == after.positions) | (
+        np.isnan(before.positions) & np.isnan(after.positions)
+    )
+    assert not (~same & ~allowed).any()
+    assert not np.isnan(after.positions[GAP, 1]).any()
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["out.c3d", "report.json"]
+
+
+def test_clean_obeys_a_reviewed_list(recording: Path, tmp_path: Path) -> None:
+    listed, out = tmp_path / "found.json", tmp_path / "out.c3d"
+    assert run("detect", recording, "--no-slow", "--json", listed) == 0
+    told = strict(listed.read_text())
+    for a in told["artifacts"]:
+        a["status"] = "rejected"
+    listed.write_text(json.dumps(told))
+    assert run("clean", recording, "-o", out, "--artifacts", listed) == 0
+    assert out.read_bytes() == recording.read_bytes()
+
+
+def test_clean_refuses_a_list_that_is_none(
+    recording: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    listed = tmp_path / "found.json"
+    for text in ("not json", "[1]", "{}", '{"artifacts": [{"marker": "TOP0"}]}'):
+        listed.write_text(text)
+        assert run("clean", recording, "-o", tmp_path / "x.c3d", "--artifacts", listed) == 1
+        assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_fill_touches_gaps_only(recording: Path, tmp_path: Path) -> None:
+    out = tmp_path / "filled.c3d"
+    assert run("fill", recording, "-o", out, "--method", "linear") == 0
+    before, after = mm.read(recording), mm.read(out)
+    seen = before.present
+    np.testing.assert_array_equal(after.positions[seen], before.positions[seen])
+    assert after.present.all()
+
+
+def test_fill_leaves_longer_gaps(
+    recording: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for length, missing in (("9", 10), ("0.09s", 10), ("100ms", 0), ("10", 0)):
+        out = tmp_path / f"{length}.c3d"
+        assert run("fill", recording, "-o", out, "--max-gap", length, "--method", "linear") == 0
+        assert (~mm.read(out).present).sum() == missing
+    assert "Longer than asked for and left: 1 gap." in capsys.readouterr().out
+
+
+def test_span_counts_frames() -> None:
+    assert [Span(t).frames(120.0) for t in ("20", "0.2s", "200ms", ".5 s")] == [20, 24, 24, 60]
+
+
+def test_nothing_is_overwritten_unasked(
+    recording: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "out.c3d"
+    out.write_text("mine")
+    assert run("fill", recording, "-o", out, "--method", "linear") == 1
+    assert "--force" in capsys.readouterr().err
+    assert out.read_text() == "mine"
+    assert run("fill", recording, "-o", out, "--method", "linear", "--force") == 0
+    assert mm.read(out).frames == FRAMES
+
+
+def test_the_take_itself_is_never_overwritten(
+    recording: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    link = tmp_path / "link.c3d"
+    os.link(recording, link)
+    for target in (recording, link):
+        assert run("fill", recording, "-o", target, "--force") == 1
+        assert "the take itself" in capsys.readouterr().err
+
+
+def test_outputs_are_checked_before_work(tmp_path: Path) -> None:
+    same = str(tmp_path / "a")
+    for paths in ([same, same], ["-", "-"], [str(tmp_path)], [str(tmp_path / "no" / "a")]):
+        with pytest.raises(ExportError):
+            check_outputs(paths, source=None, force=True)
+    check_outputs([same, None, "-"], source=None, force=False)
+
+
+def test_text_is_written_whole_or_not(tmp_path: Path) -> None:
+    path = tmp_path / "a.json"
+    write_text(str(path), "old")
+    with pytest.raises(ValueError, match="JSON"):
+        write_json(str(path), {"bad": float("nan")})
+    with pytest.raises(UnicodeEncodeError):
+        write_text(str(path), "\ud800")
+    assert path.read_text() == "old"
+    assert [p.name for p in tmp_path.iterdir()] == ["a.json"]
+
+
+def test_table_aligns() -> None:
+    lines = table(["A", "Long"], [["1", "x"], ["22", "yy"]], "rl")
+    assert lines == [" A  Long", " 1  x", "22  yy"]
+    assert (count(1, "gap"), count(1200, "gap")) == ("1 gap", "1,200 gaps")
+
+
+def test_open_starts_the_app_by_its_entry_point(
+    recording: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from markermend.cli import open as command
+
+    opened: list[list[str]] = []
+
+    class Entry:
+        def load(self) -> object:
+            return lambda words: opened.append(words) or 3
+
+    monkeypatch.setattr(command, "entry_points", lambda group: [Entry()])
+    assert run(recording) == run("open", recording) == run() == 3
+    assert opened == [[str(recording)], [str(recording)], []]
+
+    class Broken:
+        def load(self) -> object:
+            raise ModuleNotFoundError("No module named 'PySide6'")
+
+    for found in ([], [Broken()]):
+        monkeypatch.setattr(command, "entry_points", lambda group, found=found: found)
+        assert run() == 1
+        assert "markermend[app]" in capsys.readouterr().err
+
+
+@pytest.mark.slow
+def test_clean_never_ends_in_a_traceback(
+    shared_data: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for take in sorted(p for p in shared_data.rglob("*") if p.suffix.lower() == ".c3d"):
+        code = run("clean", take, "-o", tmp_path / "out.c3d", "--no-slow", "--force")
+        err = capsys.readouterr().err
+        assert code == (1 if err else 0), take
+        assert "itself failed" not in err, (take, err)
+        assert err.count("\n") <= 1, (take, err)
