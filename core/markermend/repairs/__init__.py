@@ -1,1 +1,40 @@
-"""Repairs."""
+"""Repairs: putting back what a marker did over a damaged interval.
+
+Importing this package registers every method in :data:`REPAIRS`.
+"""
+
+from markermend.repairs import (  # noqa: F401, importing a module registers its methods
+    empty,
+    ffnn_loose,
+    interpolation,
+    local_regression,
+    savgol,
+    swap,
+)
+from markermend.repairs.choice import choose
+from markermend.repairs.registry import REPAIRS, Evidence, Method, Repair, find_method
+from markermend.repairs.run import (
+    evidence_for,
+    fill,
+    find_gaps,
+    propose,
+    propose_from,
+    repair,
+    repair_all,
+)
+
+__all__ = [
+    "REPAIRS",
+    "Evidence",
+    "Method",
+    "Repair",
+    "choose",
+    "evidence_for",
+    "fill",
+    "find_gaps",
+    "find_method",
+    "propose",
+    "propose_from",
+    "repair",
+    "repair_all",
+]

@@ -30,12 +30,12 @@ class Evidence:
     take : the recording as it stands
     trusted : (frames, markers, 3) bool; false where missing or flagged as damaged, the
         artifact under repair included
-    mesh : the body's structure
+    mesh : the body's structure, or None when nobody has worked it out yet
     """
 
     take: Take
     trusted: BoolArray
-    mesh: Mesh
+    mesh: Mesh | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,7 +46,7 @@ class Repair:
     ----------
     method : name in the registry
     patches : new values; empty when the method cannot repair here
-    reason : why there are none, or empty
+    reason : why there are none, or why another method than the first choice was used
     error_mm : expected mean Euclidean error over the interval, or None when unknown
     band_mm : (stop - start,) expected deviation per frame (one standard deviation), or None
     params : parameters used
@@ -75,6 +75,7 @@ class Method:
     params : frozen dataclass; each field's metadata may give ``unit``, ``min``, ``max``, ``help``
     run : ``(evidence, artifact, params) -> Repair``
     source : paper and equation, or empty
+    key : the number key that picks it in a review, or None
     """
 
     name: str
@@ -83,6 +84,7 @@ class Method:
     params: type
     run: MethodFunction
     source: str = ""
+    key: int | None = None
 
 
 _methods: dict[str, Method] = {}
@@ -91,12 +93,24 @@ REPAIRS: Mapping[str, Method] = MappingProxyType(_methods)
 
 
 def register(
-    name: str, *, label: str, summary: str, params: type, source: str = ""
+    name: str,
+    *,
+    label: str,
+    summary: str,
+    params: type,
+    source: str = "",
+    key: int | None = None,
 ) -> Callable[[MethodFunction], MethodFunction]:
-    """Add a method to :data:`REPAIRS`; used as a decorator."""
+    """Add a method to :data:`REPAIRS`; used as a decorator.
+
+    Methods with a number key come first, in that order, then the others by name.
+    """
 
     def add(run: MethodFunction) -> MethodFunction:
-        _methods[name] = Method(name, label, summary, params, run, source)
+        _methods[name] = Method(name, label, summary, params, run, source, key)
+        ordered = sorted(_methods.values(), key=lambda m: (m.key is None, m.key or 0, m.name))
+        _methods.clear()
+        _methods.update({m.name: m for m in ordered})
         return run
 
     return add

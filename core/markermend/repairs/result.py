@@ -1,0 +1,105 @@
+"""What every method does alike: read its parameters, refuse with a reason, make its patch."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, fields
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from markermend.arrays import FloatArray
+from markermend.artifact import Artifact, Kind, axis_columns
+from markermend.errors import MethodError
+from markermend.patch import Patch
+from markermend.repairs.registry import Evidence, Method, Repair
+from markermend.take import AXES
+
+# Mean length of a three-dimensional Gaussian vector over its root mean square.
+MEAN_OVER_RMS = 0.921
+
+
+def read_params(method: Method, params: Mapping[str, Any] | object | None) -> Any:
+    """Turn what a caller gives into the method's own parameter dataclass.
+
+    Parameters
+    ----------
+    method : whose parameters they are
+    params : None for the defaults, a mapping of names to values, or the dataclass itself
+
+    Raises
+    ------
+    MethodError
+        when a name is unknown or a value lies outside the range its field declares
+    """
+    if isinstance(params, method.params):
+        made = params
+    elif params is None or isinstance(params, Mapping):
+        given = dict(params or {})
+        known = {f.name for f in fields(method.params)}
+        for name in given:
+            if name not in known:
+                raise MethodError(f"The method “{method.name}” has no parameter “{name}”.")
+        made = method.params(**given)
+    else:
+        raise MethodError(f"“{params}” are not parameters of the method “{method.name}”.")
+    for f in fields(method.params):
+        low, high = f.metadata.get("min"), f.metadata.get("max")
+        value = getattr(made, f.name)
+        if (low is not None and value < low) or (high is not None and value > high):
+            raise MethodError(
+                f"“{f.name}” of the method “{method.name}” must lie "
+                f"between {low} and {high}, not at {value}."
+            )
+    return made
+
+
+def refuse(method: str, reason: str, params: Any = None) -> Repair:
+    """A repair without patches, saying why."""
+    return Repair(method, reason=reason, params=as_mapping(params))
+
+
+def as_mapping(params: Any) -> Mapping[str, Any]:
+    """Parameters as a read-only mapping, for files and reports."""
+    return MappingProxyType({} if params is None else asdict(params))
+
+
+def axes_of(artifact: Artifact) -> str:
+    """Axes a repair may replace: all three in a gap, else those the artifact names."""
+    return AXES if artifact.kind is Kind.GAP else artifact.axes
+
+
+def make_repair(
+    method: str,
+    evidence: Evidence,
+    artifact: Artifact,
+    values: FloatArray,
+    params: Any,
+    deviation: FloatArray | None = None,
+) -> Repair:
+    """Turn values for the interval into a repair of the artifact's axes.
+
+    Where only some axes are named, samples that are missing stay missing: half a sample cannot
+    be put back.
+
+    Parameters
+    ----------
+    method : name in the registry
+    evidence, artifact : what was repaired
+    values : (stop - start, 3) float64, mm; axes that are not replaced may hold anything
+    params : the method's parameters
+    deviation : (stop - start, 3) expected standard deviation of each coordinate in mm, or None
+    """
+    axes = axes_of(artifact)
+    columns = axis_columns(axes)
+    wanted = values[:, columns].copy()
+    if axes != AXES:
+        marker = evidence.take.index(artifact.marker)
+        wanted[~evidence.take.present[artifact.start : artifact.stop, marker]] = np.nan
+    band, error = None, None
+    if deviation is not None:
+        band = np.sqrt(np.sum(deviation[:, columns] ** 2, axis=1))
+        error = float(MEAN_OVER_RMS * band.mean())
+    patch = Patch(artifact.marker, axes, artifact.start, artifact.stop, wanted)
+    return Repair(method, (patch,), error_mm=error, band_mm=band, params=as_mapping(params))

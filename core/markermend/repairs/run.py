@@ -1,0 +1,313 @@
+"""Proposing repairs for artifacts, and carrying them out on a take."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from typing import Any
+
+from threadpoolctl import threadpool_limits
+
+from markermend.arrays import runs
+from markermend.artifact import Artifact, Kind, Status, damage_mask, in_order
+from markermend.errors import DataError
+from markermend.mesh import Mesh
+from markermend.patch import Patch, patched
+from markermend.progress import Progress, quiet
+from markermend.repairs.choice import alternatives, choose
+from markermend.repairs.registry import Evidence, Repair, find_method
+from markermend.repairs.result import read_params, refuse
+from markermend.take import AXES, Take, is_unlabelled
+
+AUTO = "auto"
+# A repair this short is as good as measured, and may serve as evidence for the next.
+TRUSTED_REPAIR_S = 0.1
+
+
+def evidence_for(
+    take: Take, artifacts: Iterable[Artifact] = (), mesh: Mesh | None = None
+) -> Evidence:
+    """Say which samples of a take may be believed.
+
+    Not believed are missing samples and those covered by an artifact that was not rejected.
+    Repaired ones are believed again where little was invented: swaps, peaks, and intervals of
+    up to 0.1 s. Longer repairs are never evidence for others, so that errors do not spread.
+
+    Parameters
+    ----------
+    take : the recording as it stands
+    artifacts : all that are known about it
+    mesh : the body's structure, if it was worked out before
+    """
+    doubtful = [
+        a for a in artifacts if not (a.status is Status.REPAIRED and _as_good_as_new(take, a))
+    ]
+    trusted = take.present[:, :, None] & ~damage_mask(take, doubtful)
+    trusted.flags.writeable = False
+    return Evidence(take, trusted, mesh)
+
+
+def propose(
+    take: Take,
+    artifact: Artifact,
+    artifacts: Iterable[Artifact] = (),
+    *,
+    method: str = AUTO,
+    params: Mapping[str, Any] | object | None = None,
+    mesh: Mesh | None = None,
+) -> Repair:
+    """Propose a repair for one artifact, changing nothing.
+
+    Parameters
+    ----------
+    take : the recording as it stands
+    artifact : what is to be repaired
+    artifacts : all others known; what is not rejected is not used as evidence
+    method : name in the registry, or ``"auto"`` for :func:`choose` with fallbacks
+    params : parameters of a named method, as a mapping or its dataclass; None for the defaults
+    mesh : the body's structure, if it was worked out before
+
+    Returns
+    -------
+    Repair
+        without patches, and with the reason, when it cannot be repaired
+
+    Raises
+    ------
+    DataError
+        when the marker is not in the take or the interval reaches beyond its end
+    MethodError
+        when there is no such method or a parameter is out of range
+    """
+    others = tuple(artifacts)
+    # It may stand among the others with an older status or interval.
+    evidence = evidence_for(take, (*(a for a in others if a.id != artifact.id), artifact), mesh)
+    twin = _mirror(artifact, (a for a in others if a.status is Status.REPAIRED))
+    if twin is not None and method in (AUTO, "swap"):
+        return refuse("swap", _swapped(twin))
+    return propose_from(evidence, artifact, method=method, params=params)
+
+
+def propose_from(
+    evidence: Evidence,
+    artifact: Artifact,
+    *,
+    method: str = AUTO,
+    params: Mapping[str, Any] | object | None = None,
+) -> Repair:
+    """Propose a repair for one artifact from evidence made by :func:`evidence_for`.
+
+    Parameters, result and errors are those of :func:`propose`. The artifact's own samples are
+    never believed, whatever the evidence says.
+    """
+    if artifact.stop > evidence.take.frames:
+        raise DataError(
+            f"The interval of {artifact.marker} ends at frame {artifact.stop}, "
+            f"the take has {evidence.take.frames}."
+        )
+    evidence = _without(evidence, artifact)
+    with threadpool_limits(1):
+        if method != AUTO:
+            found = find_method(method)
+            return found.run(evidence, artifact, read_params(found, params))
+        first = _by_defaults(evidence, artifact, choose(artifact))
+        if first.patches:
+            return first
+        for name in alternatives(evidence.take, artifact):
+            other = _by_defaults(evidence, artifact, name)
+            if other.patches:
+                return replace(other, reason=first.reason)
+    return first
+
+
+def repair_all(
+    take: Take,
+    artifacts: Iterable[Artifact],
+    *,
+    method: str = AUTO,
+    min_confidence: float = 0.5,
+    mesh: Mesh | None = None,
+    progress: Progress | None = None,
+) -> tuple[tuple[Artifact, Repair], ...]:
+    """Propose a repair for every artifact that is sure enough and was not rejected.
+
+    First come swaps, then peaks and what is no longer than 0.1 s, then the rest. What an
+    earlier stage repaired is evidence for the next; within a stage all see the same evidence,
+    so that their order does not matter.
+
+    Parameters
+    ----------
+    take : the recording
+    artifacts : all that are known; rejected ones are believed, repaired ones not done again
+    method : for all of them, ``"auto"`` chooses for each
+    min_confidence : below it an artifact is left, though still not used as evidence
+    mesh : the body's structure, if it was worked out before
+    progress : told the share of artifacts done; may raise ``Cancelled``
+
+    Returns
+    -------
+    Pairs of artifact and repair in the order of the stages: applying their patches one after
+    the other gives what :func:`repair` returns.
+    """
+    return tuple(_run(take, artifacts, method, min_confidence, mesh, progress)[1])
+
+
+def repair(
+    take: Take,
+    artifacts: Iterable[Artifact],
+    *,
+    method: str = AUTO,
+    min_confidence: float = 0.5,
+    mesh: Mesh | None = None,
+    progress: Progress | None = None,
+) -> Take:
+    """Repair a take: every artifact that is sure enough and was not rejected.
+
+    Parameters are those of :func:`repair_all`. What cannot be repaired is left as it is.
+
+    Returns
+    -------
+    Take
+        a new one; only the artifacts' intervals and axes (and the counterpart's of a swap)
+        differ, and their samples' origin says filled or edited
+    """
+    return _run(take, artifacts, method, min_confidence, mesh, progress)[0]
+
+
+def find_gaps(take: Take, *, max_gap: int | None = None) -> tuple[Artifact, ...]:
+    """Every interval in which a named marker is missing.
+
+    Parameters
+    ----------
+    take : the recording
+    max_gap : longest gap to name, in frames; None for all
+
+    Returns
+    -------
+    Artifacts of kind gap, in order. Unlabelled trajectories and markers that are never seen
+    have none.
+    """
+    found = []
+    for column, label in enumerate(take.labels):
+        if is_unlabelled(label) or not take.present[:, column].any():
+            continue
+        for start, stop in runs(~take.present[:, column]):
+            if max_gap is None or stop - start <= max_gap:
+                why = f"Not seen for {stop - start} frames."
+                found.append(Artifact(label, AXES, int(start), int(stop), Kind.GAP, why=why))
+    return in_order(found)
+
+
+def fill(
+    take: Take,
+    *,
+    method: str = AUTO,
+    max_gap: int | None = None,
+    mesh: Mesh | None = None,
+    progress: Progress | None = None,
+) -> Take:
+    """Fill the gaps of a take and change nothing else.
+
+    Parameters
+    ----------
+    take : the recording
+    method : name in the registry, or ``"auto"``
+    max_gap : longest gap to fill, in frames; None for all
+    mesh : the body's structure, if it was worked out before
+    progress : told the share of gaps done; may raise ``Cancelled``
+
+    Returns
+    -------
+    Take
+        a new one; what cannot be filled stays missing
+    """
+    gaps = find_gaps(take, max_gap=max_gap)
+    return repair(take, gaps, method=method, mesh=mesh, progress=progress)
+
+
+def _run(
+    take: Take,
+    artifacts: Iterable[Artifact],
+    method: str,
+    min_confidence: float,
+    mesh: Mesh | None,
+    progress: Progress | None,
+) -> tuple[Take, list[tuple[Artifact, Repair]]]:
+    """Repair stage by stage; returns the repaired take and each artifact with its repair."""
+    report = progress or quiet
+    if method != AUTO:
+        find_method(method)
+    known = in_order(artifacts)
+    todo = [
+        a
+        for a in known
+        if a.status not in (Status.REJECTED, Status.REPAIRED) and a.confidence >= min_confidence
+    ]
+    pairs: list[tuple[Artifact, Repair]] = []
+    swapped = [a for a in known if a.status is Status.REPAIRED]
+    states = {a.id: a for a in known}
+    for stage in range(3):
+        evidence = evidence_for(take, states.values(), mesh)
+        patches: list[Patch] = []
+        for artifact in (a for a in todo if _stage(take, a) == stage):
+            report(len(pairs) / len(todo), f"Repairing {artifact.marker}")
+            twin = _mirror(artifact, swapped)
+            if twin is not None and method in (AUTO, "swap"):
+                done = refuse("swap", _swapped(twin))
+            else:
+                done = propose_from(evidence, artifact, method=method)
+            pairs.append((artifact, done))
+            if done.patches or twin is not None:
+                patches.extend(done.patches)
+                repaired = artifact.with_status(Status.REPAIRED)
+                states[artifact.id] = repaired
+                if done.method == "swap":
+                    swapped.append(repaired)
+        take = patched(take, patches) if patches else take
+    report(1.0, "Repaired")
+    return take, pairs
+
+
+def _stage(take: Take, artifact: Artifact) -> int:
+    """0 for swaps, 1 for what is short, 2 for the rest."""
+    if artifact.kind is Kind.STEP and artifact.counterpart is not None:
+        return 0
+    return 1 if _as_good_as_new(take, artifact) else 2
+
+
+def _as_good_as_new(take: Take, artifact: Artifact) -> bool:
+    """Whether a repair of this artifact invents so little that it may be believed."""
+    swap = artifact.kind is Kind.STEP and artifact.counterpart is not None
+    return swap or artifact.kind is Kind.PEAK or artifact.length <= TRUSTED_REPAIR_S * take.rate
+
+
+def _without(evidence: Evidence, artifact: Artifact) -> Evidence:
+    """The same evidence, not believing the artifact's own samples."""
+    own = damage_mask(evidence.take, [artifact.with_status(Status.PENDING)])
+    if not (evidence.trusted & own).any():
+        return evidence
+    return replace(evidence, trusted=evidence.trusted & ~own)
+
+
+def _by_defaults(evidence: Evidence, artifact: Artifact, name: str) -> Repair:
+    """Run a method with its default parameters."""
+    method = find_method(name)
+    return method.run(evidence, artifact, method.params())
+
+
+def _mirror(artifact: Artifact, done: Iterable[Artifact]) -> Artifact | None:
+    """The other half of a swap that was already carried out, or None."""
+    for a in done:
+        if (
+            a.counterpart is not None
+            and (a.marker, a.counterpart) == (artifact.counterpart, artifact.marker)
+            and a.overlaps(artifact.start, artifact.stop)
+            and set(a.axes) & set(artifact.axes)
+        ):
+            return a
+    return None
+
+
+def _swapped(twin: Artifact) -> str:
+    """Why the second half of a swap has nothing left to do."""
+    return f"Already exchanged together with {twin.marker}."
