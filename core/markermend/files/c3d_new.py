@@ -1,0 +1,219 @@
+"""Write a C3D file for a take that has no C3D source: simulated, or read from TRC or CSV."""
+
+from __future__ import annotations
+
+from typing import IO
+
+import numpy as np
+
+import markermend
+from markermend.arrays import BoolArray, Float32Array
+from markermend.errors import ExportError
+from markermend.files.c3d_build import (
+    FLOAT,
+    INTEGER,
+    group_record,
+    header_bytes,
+    number_records,
+    scalar_record,
+    section_bytes,
+    text_records,
+)
+from markermend.files.c3d_numbers import Processor
+from markermend.files.c3d_records import BLOCK
+from markermend.progress import Progress
+from markermend.take import Take
+
+_INTEL = Processor.INTEL
+_BLOCK_FRAMES = 2048
+_MOST = 0xFFFF
+_LISTS = {
+    "angle": "ANGLES",
+    "force": "FORCES",
+    "moment": "MOMENTS",
+    "power": "POWERS",
+    "scalar": "SCALARS",
+    "reaction": "REACTIONS",
+}
+
+
+def write_new(take: Take, file: IO[bytes], progress: Progress) -> None:
+    """Write a take as a C3D file of its own: Intel order, floats, millimetres.
+
+    Parameters
+    ----------
+    take : any take; its markers come first, then its other points, then its analog channels
+    file : written from its beginning
+    progress : told the share of frames written
+
+    Raises
+    ------
+    ExportError
+        when the take has more points or samples a frame than a C3D file can hold
+    """
+    others = take.points.labels if take.points else ()
+    points = take.markers + len(others)
+    channels, each = _analog_shape(take)
+    if points > _MOST or channels * each > _MOST:
+        raise ExportError(
+            f"{points} points and {channels * each} analog samples a frame are more than a C3D"
+            " file can hold (65,535); drop some first."
+        )
+    residual_scale = _residual_scale(take)
+    records = _records(take, (*take.labels, *others), channels, each, residual_scale, 0)
+    section = section_bytes(records, _INTEL, "The take")
+    data_block = 2 + len(section) // BLOCK
+    records = _records(take, (*take.labels, *others), channels, each, residual_scale, data_block)
+    file.write(
+        header_bytes(
+            b"",
+            _INTEL,
+            points=points,
+            analog_words=channels * each,
+            analog_per_frame=each,
+            first_frame=take.first_frame,
+            frames=take.frames,
+            scale=-residual_scale,
+            data_block=data_block,
+            rate=take.rate,
+        )
+    )
+    file.write(section_bytes(records, _INTEL, "The take"))
+    for start in range(0, take.frames, _BLOCK_FRAMES):
+        progress(start / take.frames, "Writing frames")
+        stop = min(start + _BLOCK_FRAMES, take.frames)
+        file.write(_frames(take, start, stop, residual_scale, channels * each).tobytes())
+
+
+def _frames(take: Take, start: int, stop: int, residual_scale: float, analog: int) -> Float32Array:
+    """Encode some frames: (frames, words)."""
+    rows, others = stop - start, take.points.values[start:stop] if take.points else None
+    points = take.markers + (others.shape[1] if others is not None else 0)
+    words = np.zeros((rows, 4 * points + analog), dtype="<f4")
+    quads = words[:, : 4 * points].reshape(rows, points, 4)
+    values = take.positions[start:stop]
+    if others is not None:
+        values = np.concatenate([values, others], axis=1)
+    missing: BoolArray = np.asarray(np.isnan(values).any(axis=2))
+    quads[..., :3] = np.where(missing[..., None], 0.0, values)
+    own = quads[:, : take.markers, 3]
+    if take.residuals is not None:
+        steps = np.rint(np.nan_to_num(take.residuals[start:stop]) / residual_scale)
+        own += np.clip(steps, 0, 255).astype(np.float32)
+    if take.cameras is not None:
+        # The mask tells which cameras saw the marker; only their number is known here.
+        own += 256.0 * ((1 << np.minimum(take.cameras[start:stop], 7).astype(np.int64)) - 1)
+    quads[..., 3] = np.where(missing, -1.0, quads[..., 3])
+    if analog and take.analog is not None:
+        each = analog // len(take.analog.labels)
+        block = take.analog.values[start * each : stop * each]
+        words[:, 4 * points :] = block.reshape(rows, analog)
+    return words
+
+
+def _analog_shape(take: Take) -> tuple[int, int]:
+    """Number of analog channels, and of samples of each in a frame."""
+    if take.analog is None or not take.analog.labels or not take.frames:
+        return 0, 0
+    samples, channels = take.analog.values.shape
+    each, rest = divmod(samples, take.frames)
+    if rest or not each:
+        raise ExportError(
+            f"{samples} analog samples do not divide into {take.frames} frames; drop the channels."
+        )
+    return channels, each
+
+
+def _residual_scale(take: Take) -> float:
+    """Millimetres of one residual step, so that the largest one fits."""
+    if take.residuals is None or not take.present.any():
+        return 0.1
+    return max(float(np.nanmax(take.residuals, initial=0.0)) / 255.0, 0.01)
+
+
+def _records(
+    take: Take,
+    labels: tuple[str, ...],
+    channels: int,
+    each: int,
+    residual_scale: float,
+    data_block: int,
+) -> list[bytes]:
+    """Encode the parameters."""
+
+    def one(group: int, name: str, kind: int, value: float) -> bytes:
+        return scalar_record(group, name, kind, value, _INTEL)
+
+    def texts(group: int, name: str, values: tuple[str, ...], length: int = 0) -> list[bytes]:
+        return text_records(group, name, values, _INTEL, length)
+
+    def numbers(
+        group: int, name: str, kind: int, values: list[float], rows: int = 0
+    ) -> list[bytes]:
+        return number_records(group, name, kind, values, _INTEL, rows)
+
+    last = take.first_frame + take.frames - 1
+    records = [
+        group_record(1, "POINT", "", _INTEL),
+        one(1, "USED", INTEGER, len(labels)),
+        one(1, "FRAMES", INTEGER, min(take.frames, _MOST)),
+        one(1, "DATA_START", INTEGER, data_block),
+        one(1, "SCALE", FLOAT, -residual_scale),
+        one(1, "RATE", FLOAT, take.rate),
+        *texts(1, "UNITS", ("mm",)),
+        *texts(1, "LABELS", labels, 4),
+        *texts(1, "DESCRIPTIONS", ("",) * len(labels), 1),
+    ]
+    if take.frames > _MOST:
+        records.append(one(1, "LONG_FRAMES", FLOAT, take.frames))
+    for key, name in (("x_screen", "X_SCREEN"), ("y_screen", "Y_SCREEN")):
+        if key in take.info:
+            records += texts(1, name, (take.info[key],))
+    if take.points is not None:
+        for kind, name in _LISTS.items():
+            listed = tuple(
+                label
+                for label, k in zip(take.points.labels, take.points.kinds, strict=True)
+                if k == kind
+            )
+            records += texts(1, name, listed) if listed else []
+        modelled = tuple(
+            label
+            for label, k in zip(take.points.labels, take.points.kinds, strict=True)
+            if k not in _LISTS
+        )
+        records += texts(1, "MODELED_MARKERS", modelled) if modelled else []
+    records += [
+        group_record(2, "ANALOG", "", _INTEL),
+        one(2, "USED", INTEGER, channels),
+        one(2, "RATE", FLOAT, take.rate * each),
+        one(2, "GEN_SCALE", FLOAT, 1.0),
+        *numbers(2, "SCALE", FLOAT, [1.0] * channels),
+        *numbers(2, "OFFSET", INTEGER, [0] * channels),
+    ]
+    if take.analog is not None and channels:
+        records += texts(2, "LABELS", take.analog.labels)
+        records += texts(2, "DESCRIPTIONS", ("",) * channels, 1)
+        records += texts(2, "UNITS", take.analog.units, 1)
+    records += [
+        group_record(3, "FORCE_PLATFORM", "", _INTEL),
+        one(3, "USED", INTEGER, 0),
+        group_record(4, "TRIAL", "", _INTEL),
+        *numbers(4, "ACTUAL_START_FIELD", INTEGER, [take.first_frame, take.first_frame >> 16]),
+        *numbers(4, "ACTUAL_END_FIELD", INTEGER, [last, last >> 16]),
+        one(4, "CAMERA_RATE", FLOAT, take.rate),
+        group_record(5, "MANUFACTURER", "", _INTEL),
+        *texts(5, "COMPANY", ("Markermend",)),
+        *texts(5, "SOFTWARE", ("Markermend",)),
+        *texts(5, "VERSION_LABEL", (markermend.__version__,)),
+    ]
+    if take.events:
+        times = [part for e in take.events for part in divmod(e.time_s, 60.0)]
+        records += [
+            group_record(6, "EVENT", "", _INTEL),
+            one(6, "USED", INTEGER, len(take.events)),
+            *texts(6, "CONTEXTS", tuple(e.context for e in take.events), 16),
+            *texts(6, "LABELS", tuple(e.label for e in take.events), 32),
+            *numbers(6, "TIMES", FLOAT, times, rows=2),
+        ]
+    return records
