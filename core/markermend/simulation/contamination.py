@@ -45,8 +45,8 @@ def contaminate(
     Every class gets ``share × frames`` samples; one coordinate of one marker is damaged at a
     time, never two in the same frame. Bulk damage (noise, step, slow) is laid out first, with
     Poisson lengths, then peaks of one sample are seeded in the frames left over. Amplitudes are
-    the absolute value of N(μ, 0.4 μ) with random sign: the height of the rectangle (step), of the triangle (slow)
-    or of the peak, and the standard deviation of the white noise.
+    the absolute value of N(μ, 0.4 μ) with random sign: the height of the rectangle (step), of
+    the triangle (slow) or of the peak, and the standard deviation of the white noise.
 
     Parameters
     ----------
