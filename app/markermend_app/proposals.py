@@ -36,7 +36,9 @@ class Proposals(QObject):
         super().__init__(parent)
         self._lane = Lane("proposals", self)
         self._known: dict[Key, Any] = {}
-        self._asked: set[Key] = set()
+        # The object that marks one request; a request made anew after a change gets another, so
+        # that the answer to the old one is not taken for the new.
+        self._asked: dict[Key, object] = {}
 
     def get(self, artifact: Artifact, method: str) -> Any:
         """The proposal, or None while it is not there."""
@@ -48,20 +50,21 @@ class Proposals(QObject):
         for key in wanted:
             if key in self._known or key in self._asked:
                 continue
-            self._asked.add(key)
+            token = object()
+            self._asked[key] = token
             self._lane.submit(
                 "Propose",
                 _work(take, key, artifacts, mesh),
-                lambda repair, key=key: self._came(key, repair),
-                lambda error, key=key: self._broke(key, error),
+                lambda repair, key=key, token=token: self._came(key, token, repair),
+                lambda error, key=key, token=token: self._broke(key, token, error),
             )
 
     def invalidate(self, markers: Iterable[str]) -> None:
         """Forget proposals that rest on changed samples of these markers."""
         touched = set(markers)
-        for key in [k for k in self._known if touched & {k[0].marker, k[0].counterpart}]:
-            del self._known[key]
-        self._asked -= {k for k in self._asked if touched & {k[0].marker, k[0].counterpart}}
+        for book in (self._known, self._asked):
+            for key in [k for k in book if touched & {k[0].marker, k[0].counterpart}]:
+                del book[key]
 
     def forget(self) -> None:
         """Forget everything and stop what is under way."""
@@ -73,17 +76,18 @@ class Proposals(QObject):
         """End the worker."""
         self._lane.close()
 
-    def _came(self, key: Key, repair: Any) -> None:
+    def _came(self, key: Key, token: object, repair: Any) -> None:
         """Keep a proposal unless it was invalidated meanwhile."""
-        if key in self._asked:
-            self._asked.discard(key)
+        if self._asked.get(key) is token:
+            del self._asked[key]
             self._known[key] = repair
             self.ready.emit(key[0].id)
 
-    def _broke(self, key: Key, error: Exception) -> None:
+    def _broke(self, key: Key, token: object, error: Exception) -> None:
         """Tell of a proposal that could not be made."""
-        self._asked.discard(key)
-        self.failed.emit(error)
+        if self._asked.get(key) is token:
+            del self._asked[key]
+            self.failed.emit(error)
 
 
 def _work(take: Any, key: Key, artifacts: tuple[Artifact, ...], mesh: Mesh) -> Any:

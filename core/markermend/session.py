@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -25,8 +26,11 @@ from markermend.edits import (
     restoring,
 )
 from markermend.errors import DataError
-from markermend.repairs.registry import Repair
 from markermend.take import Take
+
+if TYPE_CHECKING:
+    # The repair methods bring SciPy along; a review can be opened without it.
+    from markermend.repairs.registry import Repair
 
 
 @dataclass(frozen=True)

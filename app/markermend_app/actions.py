@@ -1,0 +1,305 @@
+"""Every action of the app, declared once: menus, toolbar and the shortcut sheet come from here."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from PySide6.QtCore import QCoreApplication
+from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QWidget
+
+from markermend_app import theme
+from markermend_app.document import Document
+
+
+def _anything(document: Document) -> bool:
+    return True
+
+
+def _opened(document: Document) -> bool:
+    return document.session is not None
+
+
+def _editable(document: Document) -> bool:
+    return document.editable
+
+
+def _current(document: Document) -> bool:
+    return document.editable and document.current is not None
+
+
+def _artifacts(document: Document) -> bool:
+    return document.session is not None and bool(document.session.artifacts)
+
+
+def _undoable(document: Document) -> bool:
+    return document.editable and document.session is not None and bool(document.session.history)
+
+
+def _redoable(document: Document) -> bool:
+    return document.editable and document.session is not None and bool(document.session.undone)
+
+
+def _swept(document: Document) -> bool:
+    return document.editable and document.selection is not None
+
+
+@dataclass(frozen=True)
+class Action:
+    """One action.
+
+    Attributes
+    ----------
+    name : also the name of the verb of :class:`markermend_app.commands.Commands` that does it
+    text : as menus show it
+    menu : the menu it stands in; a leading ``|`` puts a separator before it
+    keys : shortcuts, the first one is shown
+    icon : name in ``resources/markermend_resources/icons``; empty for none
+    tip : one sentence for the tooltip; the text when empty
+    enabled : whether it can be used, given the document
+    checkable : it switches something on and off
+    toolbar : not empty when it also stands in the toolbar; ``|`` after a separator
+    """
+
+    name: str
+    text: str
+    menu: str
+    keys: tuple[str, ...] = ()
+    icon: str = ""
+    tip: str = ""
+    enabled: Callable[[Document], bool] = _opened
+    checkable: bool = False
+    toolbar: str = ""
+
+
+ACTIONS: tuple[Action, ...] = (
+    Action("open", "Open take…", "File", ("Ctrl+O",), "open", "Open a take", _anything, False, "+"),
+    Action("open_demo", "Open the demo take", "File", (), "", "", _anything),
+    Action(
+        "export",
+        "Export repaired take…",
+        "|File",
+        ("Ctrl+S",),
+        "export",
+        "Write a copy in which only repaired samples differ",
+        _opened,
+        False,
+        "+",
+    ),
+    Action("close_take", "Close take", "|File", ("Ctrl+W",)),
+    Action("quit", "Quit", "|File", ("Ctrl+Q",), "", "", _anything),
+    Action("undo", "Undo", "Edit", ("Ctrl+Z",), "undo", "", _undoable, False, "|"),
+    Action("redo", "Redo", "Edit", ("Ctrl+Shift+Z", "Ctrl+Y"), "redo", "", _redoable, False, "+"),
+    Action(
+        "clear_selection",
+        "Clear selection",
+        "|Edit",
+        ("Esc",),
+        "",
+        "Forget the swept range",
+        _swept,
+    ),
+    Action(
+        "detect",
+        "Detect artifacts",
+        "Review",
+        ("D",),
+        "detect",
+        "Look for gaps, peaks, heavy noise and steps in the whole take",
+        _editable,
+        False,
+        "|",
+    ),
+    Action(
+        "detect_slow",
+        "Detect slow drifts too",
+        "Review",
+        ("Shift+D",),
+        "slow",
+        "Look for every class; slow drifts train a predictor for each marker, about a minute",
+        _editable,
+    ),
+    Action(
+        "detect_on_open",
+        "Detect after opening",
+        "Review",
+        tip="Look for gaps, peaks, noise and steps as soon as a take is open",
+        enabled=_anything,
+        checkable=True,
+    ),
+    Action(
+        "accept",
+        "Accept",
+        "|Review",
+        ("A",),
+        "accept",
+        "The flag is right; the samples stay for now",
+        _current,
+        False,
+        "|",
+    ),
+    Action("reject", "Reject", "Review", ("R",), "reject", "A false alarm", _current, False, "+"),
+    Action(
+        "repair",
+        "Repair",
+        "Review",
+        ("F",),
+        "repair",
+        "Replace the samples by the repair shown",
+        _current,
+        False,
+        "+",
+    ),
+    Action("reopen", "Reopen", "Review", ("U",), "", "Take the decision back", _current),
+    Action("remove", "Remove from the list", "Review", ("Delete",), "delete", "", _current),
+    Action(
+        "repair_accepted",
+        "Repair all accepted",
+        "|Review",
+        ("Ctrl+R",),
+        "repair-all",
+        "Repair every accepted artifact with its best method, as one step",
+        _editable,
+        False,
+        "+",
+    ),
+    Action(
+        "previous",
+        "Previous artifact",
+        "|Review",
+        ("P", "Ctrl+Left"),
+        "previous",
+        "",
+        _artifacts,
+        False,
+        "|",
+    ),
+    Action(
+        "next", "Next artifact", "Review", ("N", "Ctrl+Right"), "next", "", _artifacts, False, "+"
+    ),
+    Action(
+        "mark_selection",
+        "Mark selection",
+        "|Review",
+        ("M",),
+        "mark",
+        "Make an artifact of the swept range",
+        _swept,
+    ),
+    Action(
+        "repair_selection",
+        "Repair selection",
+        "Review",
+        ("Shift+F",),
+        "repair",
+        "Replace the swept range of the marker by the best repair",
+        _swept,
+    ),
+    Action("play", "Play or pause", "Time", ("Space",), "play"),
+    Action("frame_forward", "One frame forward", "|Time", ("Right",), "step-forward"),
+    Action("frame_back", "One frame back", "Time", ("Left",), "step-back"),
+    Action("frames_forward", "Ten frames forward", "Time", ("Shift+Right",)),
+    Action("frames_back", "Ten frames back", "Time", ("Shift+Left",)),
+    Action("to_start", "To the first frame", "|Time", ("Home",), "first"),
+    Action("to_end", "To the last frame", "Time", ("End",), "last"),
+    Action("fit", "Show the whole take", "View", ("Ctrl+0",), "frame"),
+    Action("zoom_in", "Zoom in", "View", ("Ctrl++", "Ctrl+="), "zoom-in"),
+    Action("zoom_out", "Zoom out", "View", ("Ctrl+-",), "zoom-out"),
+    Action(
+        "before_after",
+        "Show the samples before repair",
+        "|View",
+        ("B",),
+        "eye",
+        "Swap the curves before and after repair",
+        _opened,
+        True,
+        "|",
+    ),
+    Action(
+        "prediction",
+        "Show the body's prediction",
+        "View",
+        ("L",),
+        "body",
+        "Where the rest of the body says the marker should be",
+        _opened,
+        True,
+        "+",
+    ),
+    Action("theme_light", "Light theme", "|View", enabled=_anything, checkable=True),
+    Action("theme_dark", "Dark theme", "View", enabled=_anything, checkable=True),
+    Action("theme_system", "Theme of the system", "View", enabled=_anything, checkable=True),
+    Action("reset_layout", "Reset the layout", "|View", enabled=_anything),
+    Action("shortcuts", "Keyboard shortcuts", "Help", ("?", "F1"), "keyboard", "", _anything),
+    Action("about", "About Markermend", "Help", (), "", "", _anything),
+)
+
+METHOD_KEYS = tuple("123456789")
+
+
+def build(owner: QWidget, document: Document, run: Callable[[str], None]) -> dict[str, QAction]:
+    """Make a QAction for each entry; ``run`` gets the name of the one that was triggered."""
+    made: dict[str, QAction] = {}
+    for spec in ACTIONS:
+        action = QAction(_translated(spec.text), owner)
+        action.setObjectName(spec.name)
+        action.setShortcuts([QKeySequence(k) for k in spec.keys])
+        action.setCheckable(spec.checkable)
+        tip = _translated(spec.tip or spec.text.rstrip("…"))
+        shown = QKeySequence(spec.keys[0]).toString(QKeySequence.SequenceFormat.NativeText)
+        action.setToolTip(f"{tip}  ({shown})" if spec.keys else tip)
+        action.setStatusTip(tip)
+        action.triggered.connect(lambda _checked=False, name=spec.name: run(name))
+        owner.addAction(action)
+        made[spec.name] = action
+
+    def refresh() -> None:
+        for spec in ACTIONS:
+            made[spec.name].setEnabled(spec.enabled(document))
+
+    def recolour() -> None:
+        for spec in ACTIONS:
+            if spec.icon:
+                made[spec.name].setIcon(theme.icon(spec.icon))
+
+    for signal in (
+        document.opened,
+        document.history_changed,
+        document.current_changed,
+        document.selection_changed,
+        document.artifacts_changed,
+    ):
+        signal.connect(refresh)
+    theme.watcher.changed.connect(recolour)
+    refresh()
+    recolour()
+    return made
+
+
+def fill_menus(bar: QMenuBar, made: dict[str, QAction]) -> dict[str, QMenu]:
+    """Put the actions into menus; returns the menus by name."""
+    menus: dict[str, QMenu] = {}
+    for spec in ACTIONS:
+        name = spec.menu.lstrip("|")
+        if name not in menus:
+            menus[name] = bar.addMenu(_translated(name))
+            menus[name].setToolTipsVisible(True)
+        if spec.menu.startswith("|"):
+            menus[name].addSeparator()
+        menus[name].addAction(made[spec.name])
+    return menus
+
+
+def fill_toolbar(bar: QToolBar, made: dict[str, QAction]) -> None:
+    """Put those meant for it into the toolbar."""
+    for spec in ACTIONS:
+        if spec.toolbar:
+            if spec.toolbar == "|":
+                bar.addSeparator()
+            bar.addAction(made[spec.name])
+
+
+def _translated(text: str) -> str:
+    return QCoreApplication.translate("actions", text)

@@ -1,0 +1,366 @@
+"""What the actions do. Asking (dialogs) and doing (engine work, document verbs) are kept apart."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
+
+from markermend.artifact import Artifact, Kind, Status
+from markermend.progress import Progress, part
+from markermend.take import Origin, Take
+from markermend_app import dialogs, settings
+from markermend_app.document import Document
+from markermend_app.jobs import Lane
+
+OPEN_FILTER = "Takes (*.c3d *.C3D *.trc *.TRC *.csv *.CSV);;All files (*)"
+EXPORT_FILTER = "C3D (*.c3d);;TRC (*.trc);;CSV (*.csv)"
+
+
+class Commands(QObject):
+    """The verbs behind the actions.
+
+    Signals
+    -------
+    said(str) : a sentence for the status bar
+    """
+
+    said = Signal(str)
+
+    def __init__(self, document: Document, lane: Lane, window: QWidget) -> None:
+        super().__init__(window)
+        self._document = document
+        self._lane = lane
+        self._window = window
+        document.failed.connect(self.show_problem)
+        document.proposals.failed.connect(self.show_problem)
+
+    # Opening and closing
+
+    def open(self) -> None:
+        """Ask for a take and open it."""
+        start = str(self._document.path.parent) if self._document.path else ""
+        name, _ = QFileDialog.getOpenFileName(
+            self._window, self.tr("Open take"), start, OPEN_FILTER
+        )
+        if name:
+            self.open_path(Path(name))
+
+    def open_demo(self) -> None:
+        """Open the take that comes with Markermend."""
+        from markermend_resources import demo_take
+
+        self.open_path(demo_take())
+
+    def open_path(self, path: Path) -> None:
+        """Open a take, after asking what becomes of the one that is open."""
+        if not self.let_go():
+            return
+
+        def work(progress: Progress) -> Any:
+            return _load(path, progress)
+
+        def done(result: Any) -> None:
+            file, mesh = result
+            self._document.open(file, mesh)
+            settings.add_recent(path)
+            self._tell_opened()
+            stored = bool(file.session.artifacts)
+            if not stored and not file.read_only and settings.flag("detect_on_open", True):
+                self.detect()
+
+        self._lane.submit(self.tr("Opening {0}").format(path.name), work, done, self.show_problem)
+
+    def close_take(self) -> None:
+        """Close the take, after asking what becomes of unexported work."""
+        if self.let_go():
+            self._document.open(None, None)
+
+    def quit(self) -> None:
+        """Close the window."""
+        self._window.close()
+
+    def let_go(self) -> bool:
+        """Ask what becomes of unexported work; False to stay with it."""
+        document = self._document
+        if document.file is None or document.session is None:
+            return True
+        self._lane.cancel()
+        if not document.editable:
+            return True
+        if document.session.exported:
+            if document.session.history:
+                document.file.save()
+            return True
+        answer = dialogs.ask_unexported(self._window, document.path)
+        if answer == "cancel":
+            return False
+        if answer == "discard":
+            document.file.discard()
+        elif answer == "export":
+            return self.export(wait=True)
+        else:
+            document.file.save()
+        return True
+
+    # Detecting and repairing
+
+    def detect(self) -> None:
+        """Look for sudden artifacts and gaps."""
+        self._detect(slow=False)
+
+    def detect_slow(self) -> None:
+        """Look for every class."""
+        self._detect(slow=True)
+
+    def _detect(self, *, slow: bool) -> None:
+        session, mesh = self._document.session, self._document.mesh
+        if session is None or mesh is None:
+            return
+        take = session.original
+
+        def work(progress: Progress) -> Any:
+            from markermend.detectors import detect
+            from markermend.detectors.params import PaperParams
+
+            return detect(take, params=PaperParams(slow=slow), mesh=mesh, progress=progress)
+
+        def done(found: Sequence[Artifact]) -> None:
+            if self._document.session is not session:
+                return
+            self._document.add_detected(found, "paper")
+            self.said.emit(self.tr("{0} artifacts found.").format(len(found)))
+            if self._document.current is None and self._document.queue:
+                self._document.select(self._document.queue[0])
+
+        self._lane.submit(self.tr("Looking for artifacts"), work, done, self.show_problem)
+
+    def accept(self) -> None:
+        """Accept the current artifact."""
+        self._document.accept_current()
+
+    def reject(self) -> None:
+        """Reject the current artifact."""
+        self._document.reject_current()
+
+    def repair(self) -> None:
+        """Repair the current artifact by the method shown."""
+        self._document.repair_current()
+
+    def reopen(self) -> None:
+        """Take the decision on the current artifact back."""
+        if self._document.current is not None:
+            self._document.reopen([self._document.current.id])
+
+    def remove(self) -> None:
+        """Take the current artifact off the list."""
+        if self._document.current is not None:
+            self._document.remove([self._document.current.id])
+
+    def repair_accepted(self) -> None:
+        """Repair every accepted artifact, as one step."""
+        session = self._document.session
+        if session is not None:
+            ids = [a.id for a in session.with_status(Status.ACCEPTED)]
+            self.repair_many(ids, self.tr("Repair all accepted"))
+
+    def repair_many(self, ids: Sequence[str], label: str = "") -> None:
+        """Repair artifacts with their best methods, as one step."""
+        session, mesh = self._document.session, self._document.mesh
+        if session is None or mesh is None:
+            return
+        chosen = [session.artifact(i) for i in ids]
+        chosen = [a for a in chosen if a.status is not Status.REPAIRED]
+        if not chosen:
+            self.said.emit(self.tr("There is nothing to repair: no artifact is accepted."))
+            return
+        take, everything, revision = session.take, session.artifacts, session.revision
+
+        def work(progress: Progress) -> Any:
+            from markermend.repairs import repair_all
+
+            return repair_all(
+                take, chosen, others=everything, min_confidence=0.0, mesh=mesh, progress=progress
+            )
+
+        def done(repairs: Any) -> None:
+            if self._document.session is not session or session.revision != revision:
+                self.said.emit(self.tr("The review changed meanwhile; repair again."))
+                return
+            good = [(a.id, r) for a, r in repairs if r.patches]
+            if good:
+                name = label or self.tr("Repair {0} artifacts").format(len(good))
+                self._document.repair_many(good, name)
+            left = len(repairs) - len(good)
+            text = self.tr("{0} repaired.").format(len(good))
+            if left:
+                why = next(r.reason for _, r in repairs if not r.patches)
+                text += " " + self.tr("{0} left as they are: {1}").format(left, why)
+            self.said.emit(text)
+
+        self._lane.submit(self.tr("Repairing"), work, done, self.show_problem)
+
+    # Hand work
+
+    def mark_selection(self, kind: Kind | None = None) -> None:
+        """Make an artifact of the swept range; by default a gap if nothing is seen, else noise."""
+        artifact = self._swept_artifact(kind)
+        if artifact is not None:
+            self._document.sweep(None)
+            self._document.mark(artifact)
+
+    def repair_selection(self) -> None:
+        """Make an artifact of the swept range and repair it as soon as the repair is there."""
+        artifact = self._swept_artifact(None)
+        if artifact is not None:
+            self._document.sweep(None)
+            self._document.mark(artifact)
+            self._document.repair_current()
+
+    def clear_selection(self) -> None:
+        """Forget the swept range."""
+        self._document.sweep(None)
+
+    def _swept_artifact(self, kind: Kind | None) -> Artifact | None:
+        """Describe the swept range as an artifact."""
+        swept, session = self._document.selection, self._document.session
+        if swept is None or session is None:
+            return None
+        if kind is None:
+            column = session.original.index(swept.marker)
+            origin = session.origin[swept.start : swept.stop, column]
+            kind = Kind.GAP if (origin == Origin.MISSING).all() else Kind.NOISE
+        why = self.tr("marked by hand")
+        return Artifact(swept.marker, "xyz", swept.start, swept.stop, kind, 1.0, why=why)
+
+    # Walking
+
+    def next(self) -> None:
+        """Go to the next artifact."""
+        self._document.step(1)
+
+    def previous(self) -> None:
+        """Go to the previous artifact."""
+        self._document.step(-1)
+
+    def undo(self) -> None:
+        """Undo."""
+        self._document.undo()
+
+    def redo(self) -> None:
+        """Redo."""
+        self._document.redo()
+
+    # Exporting
+
+    def export(self, *, wait: bool = False) -> bool:
+        """Ask about undecided artifacts and for a file, and write it.
+
+        With ``wait`` the answer is whether the file was written; else whether writing began.
+        """
+        document = self._document
+        session = document.session
+        if session is None:
+            return False
+        pending = session.with_status(Status.PENDING)
+        accepted = session.with_status(Status.ACCEPTED)
+        if (pending or accepted) and not dialogs.ask_export(self._window, pending, accepted):
+            return False
+        target = self._ask_target()
+        if target is None:
+            return False
+        overwrite = False
+        if document.path is not None and target.exists() and target.samefile(document.path):
+            if not dialogs.ask_replace_source(self._window, target):
+                return False
+            overwrite = True
+        elif target.exists():
+            overwrite = True
+        return self.export_to(target, overwrite=overwrite, wait=wait)
+
+    def export_to(self, target: Path, *, overwrite: bool = False, wait: bool = False) -> bool:
+        """Write the take as it stands; says so when done."""
+        session = self._document.session
+        if session is None:
+            return False
+        # A copy, so that decisions made while the file is written do not get into it.
+        take = session.take.with_positions(session.positions.copy(), session.origin.copy())
+        revision = session.revision
+        written: list[bool] = []
+
+        def work(progress: Progress) -> Any:
+            from markermend.files import write
+
+            write(take, target, overwrite=overwrite, progress=progress)
+
+        def done(_: Any) -> None:
+            if session.revision == revision:
+                session.mark_exported()
+            if self._document.file is not None and self._document.session is session:
+                self._document.file.save()
+            self._document.history_changed.emit()
+            written.append(True)
+            self.said.emit(self.tr("Exported to {0}.").format(target))
+
+        def failed(error: Exception) -> None:
+            written.append(False)
+            self.show_problem(error)
+
+        self._lane.submit(self.tr("Exporting {0}").format(target.name), work, done, failed)
+        while wait and not written:
+            QApplication.processEvents()
+        return written[0] if wait else True
+
+    def _ask_target(self) -> Path | None:
+        """Ask where to write; never proposes the source."""
+        path = self._document.path
+        proposal = str(path.with_name(path.stem + "_clean.c3d")) if path else "take_clean.c3d"
+        name, chosen = QFileDialog.getSaveFileName(
+            self._window, self.tr("Export repaired take"), proposal, EXPORT_FILTER
+        )
+        if not name:
+            return None
+        target = Path(name)
+        if not target.suffix:
+            target = target.with_suffix(chosen[chosen.find("*") + 1 : chosen.find(")")])
+        return target
+
+    # Telling
+
+    def show_problem(self, error: Exception) -> None:
+        """Show an error as one sentence, with details folded away."""
+        dialogs.show_problem(self._window, error)
+
+    def _tell_opened(self) -> None:
+        """Say what was opened and anything odd about it."""
+        file = self._document.file
+        if file is None:
+            return
+        take = file.session.original
+        text = self.tr("{0} markers, {1} frames at {2:g} Hz.").format(
+            take.markers, take.frames, take.rate
+        )
+        if file.read_only:
+            text = self.tr("Open in another window: this one is read-only.")
+        elif file.recovered:
+            text = self.tr("Recovered {0} steps of an interrupted review.").format(file.recovered)
+        elif file.warning:
+            text = file.warning
+        elif take.warnings:
+            text = take.warnings[0]
+        self.said.emit(text)
+
+
+def _load(path: Path, progress: Progress) -> Any:
+    """Read a take, infer its body and open its review; runs on the worker."""
+    from markermend.files import read
+    from markermend.mesh import infer_mesh
+    from markermend.session_file import open_session
+
+    take: Take = read(path, progress=part(progress, 0.0, 0.5))
+    mesh = infer_mesh(take, progress=part(progress, 0.5, 0.95))
+    progress(0.95, "Opening the review")
+    return open_session(take), mesh

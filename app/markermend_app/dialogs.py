@@ -1,0 +1,186 @@
+"""The questions the app asks, and how it tells of a problem."""
+
+from __future__ import annotations
+
+import traceback
+from collections.abc import Sequence
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QGridLayout,
+    QLabel,
+    QMessageBox,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
+
+import markermend
+from markermend.artifact import Artifact
+from markermend.errors import MarkermendError
+from markermend_app.actions import ACTIONS
+
+Buttons = QMessageBox.StandardButton
+Role = QMessageBox.ButtonRole
+
+
+def _tr(text: str) -> str:
+    return QCoreApplication.translate("dialogs", text)
+
+
+def show_problem(parent: QWidget, error: Exception) -> None:
+    """Show one sentence; where the error is not one of ours, the traceback is folded away."""
+    box = QMessageBox(parent)
+    box.setIcon(QMessageBox.Icon.Warning)
+    box.setWindowTitle(_tr("Markermend"))
+    if isinstance(error, MarkermendError):
+        box.setText(str(error))
+        if error.__cause__ is not None:
+            box.setDetailedText(f"{type(error.__cause__).__name__}: {error.__cause__}")
+    else:
+        box.setText(_tr("That did not work; nothing was changed. The details tell what happened."))
+        box.setDetailedText("".join(traceback.format_exception(error)))
+    box.exec()
+
+
+def ask_unexported(parent: QWidget, path: Path | None) -> str:
+    """Ask what becomes of work not yet exported: ``export, keep, discard`` or ``cancel``."""
+    box = QMessageBox(parent)
+    box.setIcon(QMessageBox.Icon.Question)
+    box.setWindowTitle(_tr("Work not yet exported"))
+    name = path.name if path else _tr("this take")
+    box.setText(_tr("Your repairs of {0} are not exported yet.").format(name))
+    box.setInformativeText(
+        _tr("Keep the review to go on later: it is saved beside the take, with its full history.")
+    )
+    export = box.addButton(_tr("Export…"), Role.AcceptRole)
+    keep = box.addButton(_tr("Keep review"), Role.AcceptRole)
+    discard = box.addButton(_tr("Discard"), Role.DestructiveRole)
+    cancel = box.addButton(Buttons.Cancel)
+    box.setDefaultButton(keep)
+    box.setEscapeButton(cancel)
+    box.exec()
+    answers = {export: "export", keep: "keep", discard: "discard"}
+    return answers.get(box.clickedButton(), "cancel")
+
+
+def ask_export(parent: QWidget, pending: Sequence[Artifact], accepted: Sequence[Artifact]) -> bool:
+    """List what export leaves as it is and ask whether to go on."""
+    box = QMessageBox(parent)
+    box.setIcon(QMessageBox.Icon.Question)
+    box.setWindowTitle(_tr("Export"))
+    parts = []
+    if pending:
+        parts.append(_tr("{0} not decided").format(len(pending)))
+    if accepted:
+        parts.append(_tr("{0} accepted but not repaired").format(len(accepted)))
+    box.setText(_tr("Export with artifacts left as they are: {0}?").format(", ".join(parts)))
+    box.setInformativeText(
+        _tr("Export repairs nothing by itself; their samples stay as they were measured.")
+    )
+    lines = [
+        f"{a.kind.value:6} {a.marker:12} {a.axes:3} {a.start}–{a.stop - 1}  {a.status.value}"
+        for a in (*accepted, *pending)
+    ]
+    box.setDetailedText("\n".join(lines))
+    go = box.addButton(_tr("Export"), Role.AcceptRole)
+    box.addButton(Buttons.Cancel)
+    box.setDefaultButton(go)
+    box.exec()
+    return box.clickedButton() is go
+
+
+def ask_replace_source(parent: QWidget, target: Path) -> bool:
+    """Ask before the original is replaced."""
+    box = QMessageBox(parent)
+    box.setIcon(QMessageBox.Icon.Warning)
+    box.setWindowTitle(_tr("Replace the original"))
+    box.setText(_tr("{0} is the take you opened. Replace it?").format(target.name))
+    box.setInformativeText(_tr("A backup of the original is kept beside it."))
+    go = box.addButton(_tr("Replace"), Role.DestructiveRole)
+    cancel = box.addButton(Buttons.Cancel)
+    box.setDefaultButton(cancel)
+    box.exec()
+    return box.clickedButton() is go
+
+
+def show_shortcuts(parent: QWidget) -> None:
+    """Show every shortcut, from the table of actions."""
+    dialog = QDialog(parent)
+    dialog.setWindowTitle(_tr("Keyboard and mouse"))
+    inner = QWidget()
+    grid = QGridLayout(inner)
+    grid.setHorizontalSpacing(24)
+    grid.setVerticalSpacing(4)
+    row = 0
+    for menu in dict.fromkeys(a.menu.lstrip("|") for a in ACTIONS):
+        specs = [a for a in ACTIONS if a.menu.lstrip("|") == menu and a.keys]
+        if specs:
+            row = _section(grid, row, menu)
+        for spec in specs:
+            keys = [
+                QKeySequence(k).toString(QKeySequence.SequenceFormat.NativeText) for k in spec.keys
+            ]
+            row = _line(grid, row, "  or  ".join(keys), _tr(spec.text))
+    row = _section(grid, row, _tr("In the plots"))
+    for keys, text in (
+        ("1 … 9", _tr("Choose a repair method")),
+        (_tr("Click on an interval"), _tr("Select it; double click repairs")),
+        (_tr("Wheel, Ctrl+wheel"), _tr("Zoom time, zoom values")),
+        (_tr("Middle or right drag"), _tr("Pan")),
+        (_tr("Shift+drag"), _tr("Select a range of frames")),
+        (_tr("Drag an edge"), _tr("Move the edge of the selected artifact")),
+    ):
+        row = _line(grid, row, keys, text)
+    row = _section(grid, row, _tr("In the 3D view"))
+    for keys, text in (
+        (_tr("Drag"), _tr("Orbit")),
+        (_tr("Shift+drag or middle drag"), _tr("Pan")),
+        (_tr("Wheel"), _tr("Zoom")),
+        (_tr("Ctrl+drag"), _tr("Scrub through time")),
+    ):
+        row = _line(grid, row, keys, text)
+    scroll = QScrollArea()
+    scroll.setWidget(inner)
+    scroll.setWidgetResizable(True)
+    scroll.setFrameShape(QScrollArea.Shape.NoFrame)
+    buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+    buttons.rejected.connect(dialog.reject)
+    box = QVBoxLayout(dialog)
+    box.addWidget(scroll)
+    box.addWidget(buttons)
+    dialog.resize(520, 640)
+    dialog.exec()
+
+
+def _section(grid: QGridLayout, row: int, title: str) -> int:
+    """Add a heading."""
+    label = QLabel(f"<b>{_tr(title)}</b>")
+    label.setContentsMargins(0, 12 if row else 0, 0, 4)
+    grid.addWidget(label, row, 0, 1, 2)
+    return row + 1
+
+
+def _line(grid: QGridLayout, row: int, keys: str, text: str) -> int:
+    """Add a shortcut and what it does."""
+    grid.addWidget(QLabel(keys), row, 0, Qt.AlignmentFlag.AlignLeft)
+    grid.addWidget(QLabel(text), row, 1)
+    grid.setColumnStretch(1, 1)
+    return row + 1
+
+
+def show_about(parent: QWidget) -> None:
+    """Say what this is and which version."""
+    QMessageBox.about(
+        parent,
+        _tr("About Markermend"),
+        _tr(
+            "<h3>Markermend {0}</h3><p>Finds damaged intervals in optical motion capture takes, "
+            "says what they are and how sure it is, and repairs them under your eyes.</p>"
+            "<p>Free software under the MIT licence.</p>"
+        ).format(markermend.__version__),
+    )
