@@ -7,9 +7,16 @@ of the sums: a lone peak makes a run of candidates one frame shorter than that, 
 and peaks close to each other make longer runs, which are left to the heavy noise stage. Such a
 run is wider than the peak in it; what is reported are the samples between its first and its
 last differential above the threshold.
+
+Beyond the paper: a moving median cuts the corners of fast motion, and what it cuts looks like
+small peaks; so does the edge of a step in motion. A peak is kept only if interpolation across it
+moves it by more than threshold₁, and its first and last sample to the same side, each by half of
+that at least.
 """
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 import numpy as np
 from scipy.ndimage import uniform_filter1d
@@ -22,6 +29,8 @@ from markermend.detectors.highpass import differential, median_high_pass, scaled
 from markermend.detectors.morphology import top_hat
 from markermend.detectors.params import PaperParams
 from markermend.predictors.bridging import bridge
+
+LEAST_FLANK = 0.5
 
 
 def find_peaks(
@@ -61,7 +70,19 @@ def find_peaks(
             start, stop = int(flanks[0]), int(flanks[-1])
             ratio = float(strength[start : stop + 1].max() / threshold[channel])
             found.append(Finding(int(channel), start, stop, Kind.PEAK, ratio, 0.0))
-    return _with_amplitudes(signal, seen, found)
+    deviation = signal - bridge(signal, seen & ~mask_of(found, signal.shape))
+    kept = []
+    for f in found:
+        out = deviation[f.start : f.stop, f.channel]
+        size = float(np.abs(out).max())
+        if size > threshold[f.channel] and _one_sided(out, size):
+            kept.append(replace(f, amplitude_mm=size))
+    return kept
+
+
+def _one_sided(out: FloatArray, size: float) -> bool:
+    """Whether first and last sample stick out to the same side, as those of a step's edge do not."""
+    return bool(out[0] * out[-1] > 0 and min(abs(out[0]), abs(out[-1])) > LEAST_FLANK * size)
 
 
 def _balance(change: FloatArray, window: int) -> FloatArray:
@@ -72,20 +93,3 @@ def _balance(change: FloatArray, window: int) -> FloatArray:
     dust = 1e-9 * np.abs(change).max(initial=0.0)
     magnitude[magnitude <= dust] = 0.0
     return magnitude / np.maximum(total, max(dust, np.finfo(np.float64).tiny))
-
-
-def _with_amplitudes(signal: FloatArray, seen: BoolArray, found: list[Finding]) -> list[Finding]:
-    """Measure each peak against the interpolation across it."""
-    bridged = bridge(signal, seen & ~mask_of(found, signal.shape))
-    deviation = np.abs(signal - bridged)
-    return [
-        Finding(
-            f.channel,
-            f.start,
-            f.stop,
-            f.kind,
-            f.ratio,
-            float(deviation[f.start : f.stop, f.channel].max()),
-        )
-        for f in found
-    ]

@@ -4,8 +4,9 @@ Section 3.4.4 of skurowski2022. Its ``find_derivate_pairs`` is described in word
 our reading of it. A jump rings in the high pass for half a filter window to either side, so of
 the differentials above the threshold only those count that are the largest within that reach.
 A pair are two of them with opposite signs, no nearer than the shortest and no farther than the
-longest step, and the smaller at least half the larger, since a step comes back as far as it
-went. The largest jump chooses its opponent first.
+longest step, and the smaller at least two thirds of the larger, since a step comes back as far as
+it went. The largest jump chooses its opponent first. A jump taken back within a few frames is the
+flank of a peak that an earlier stage left, and does not count.
 """
 
 from __future__ import annotations
@@ -22,7 +23,9 @@ from markermend.detectors.noise import high_passed_differential
 from markermend.detectors.params import PaperParams
 
 # A step comes back about as far as it went; noise adds to both jumps.
-LEAST_BALANCE = 0.5
+LEAST_BALANCE = 2 / 3
+# The ringing of a lone jump reaches 0.43 of it at the default filter.
+LARGEST_RINGING = 0.6
 
 
 def find_steps(
@@ -48,6 +51,7 @@ def find_steps(
     window = scaled_odd(params.savgol_window, rate, least=params.savgol_order + 2)
     magnitude = np.abs(change)
     jumps = (magnitude > threshold) & (magnitude >= dilate(magnitude, window))
+    jumps &= ~_flanks(change, 2 * scaled(params.peak_size, rate) + 1)
 
     shortest, longest = scaled(params.step_length, rate), scaled(params.step_distance, rate)
     found = []
@@ -104,6 +108,16 @@ def find_derivate_pairs(
                 free[[i, j]] = False
                 break
     return sorted(pairs)
+
+
+def _flanks(change: FloatArray, window: int) -> BoolArray:
+    """Jumps that are taken back within a few frames: flanks of a peak left over."""
+    up, down = np.maximum(change, 0.0), np.maximum(-change, 0.0)
+    return np.where(
+        change > 0,
+        dilate(down, window) > LARGEST_RINGING * up,
+        dilate(up, window) > LARGEST_RINGING * down,
+    )
 
 
 def _jump(x: FloatArray, frame: int) -> float:
