@@ -276,6 +276,13 @@ def test_nothing_is_overwritten_unasked(
     assert mm.read(out).frames == FRAMES
 
 
+def test_a_take_is_written_under_its_formats_name(
+    recording: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run("fill", recording, "-o", tmp_path / "out.trc") == 1
+    assert ".c3d" in capsys.readouterr().err
+
+
 def test_the_take_itself_is_never_overwritten(
     recording: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

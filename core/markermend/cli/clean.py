@@ -10,7 +10,16 @@ from typing import Any
 import markermend as mm
 from markermend.artifact import Artifact
 from markermend.artifact_json import artifacts_of, document
-from markermend.cli.console import STDOUT, Bar, check_outputs, read_json, say, write_json
+from markermend.cli.console import (
+    STDOUT,
+    Bar,
+    check_outputs,
+    check_take_output,
+    read_json,
+    say,
+    write_json,
+    written,
+)
 from markermend.cli.detect import find, summary
 from markermend.cli.repairing import Outcome, left_over, listing, outcomes, summary_table
 from markermend.detectors import find_detector
@@ -24,6 +33,7 @@ from markermend.take import Take
 def run(options: argparse.Namespace) -> int:
     """Clean one take."""
     check_outputs([options.output, options.json], source=options.take, force=options.force)
+    check_take_output(options.output)
     if options.method != "auto":
         find_method(options.method)
     find_detector(options.detector)
@@ -41,7 +51,7 @@ def run(options: argparse.Namespace) -> int:
             progress=part(bar, 0.8, 1.0),
         )
     clean = patched(take, (patch for _, repair in pairs for patch in repair.patches))
-    mm.write(clean, options.output)
+    export = mm.write(clean, options.output)
     done = outcomes(found, pairs, options.min_confidence)
     if options.json is not None:
         write_json(options.json, _report(take, done, method, options.take))
@@ -49,7 +59,7 @@ def run(options: argparse.Namespace) -> int:
         for line in listing(take, done) if options.list else ():
             say(line)
         say(summary([o.artifact for o in done]))
-        for line in [*summary_table(done), *left_over(done), "", f"Written: {options.output}"]:
+        for line in [*summary_table(done), *left_over(done), "", written(export)]:
             say(line)
     return 0
 

@@ -10,9 +10,12 @@ import time
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from types import TracebackType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from markermend.errors import ExportError, MarkermendError
+
+if TYPE_CHECKING:
+    from markermend.files import Export
 
 STDOUT = "-"
 _BAR_WIDTH = 24
@@ -128,6 +131,19 @@ def check_outputs(paths: Sequence[str | None], *, source: str | None, force: boo
                 raise ExportError(f"“{path}” is the take itself; name another file to write.")
             if not force:
                 raise ExportError(f"“{path}” exists already; add --force to overwrite it.")
+
+
+def check_take_output(path: str) -> None:
+    """Refuse a take's name that would promise another format than the one written."""
+    if Path(path).suffix.lower() != ".c3d":
+        raise ExportError(f"“{path}” must end in .c3d, the format Markermend writes.")
+
+
+def written(export: Export) -> str:
+    """Say where a take went and how much of it changed."""
+    if export.samples == 0:
+        return f"Written: {export.path}, the same as what was read, byte for byte."
+    return f"Written: {export.path}, with {count(export.samples, 'sample')} replaced."
 
 
 def write_text(path: str, text: str) -> None:

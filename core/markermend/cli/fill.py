@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 
 import markermend as mm
-from markermend.cli.console import Bar, check_outputs, count, say
+from markermend.cli.console import Bar, check_outputs, check_take_output, count, say, written
 from markermend.cli.repairing import left_over, listing, outcomes, summary_table
 from markermend.patch import patched
 from markermend.repairs import find_gaps, find_method, repair_all
@@ -14,6 +14,7 @@ from markermend.repairs import find_gaps, find_method, repair_all
 def run(options: argparse.Namespace) -> int:
     """Fill the gaps of one take."""
     check_outputs([options.output], source=options.take, force=options.force)
+    check_take_output(options.output)
     if options.method != "auto":
         find_method(options.method)
     take = mm.read(options.take)
@@ -25,7 +26,7 @@ def run(options: argparse.Namespace) -> int:
             take, short, method=options.method, mesh=mm.infer_mesh(take), progress=bar
         )
     filled = patched(take, (patch for _, repair in pairs for patch in repair.patches))
-    mm.write(filled, options.output)
+    export = mm.write(filled, options.output)
     done = outcomes(short, pairs)
     for line in listing(take, done) if options.list else ():
         say(line)
@@ -33,5 +34,5 @@ def run(options: argparse.Namespace) -> int:
         say(line)
     if len(gaps) > len(short):
         say(f"Longer than asked for and left: {count(len(gaps) - len(short), 'gap')}.")
-    say(f"Written: {options.output}")
+    say(written(export))
     return 0
