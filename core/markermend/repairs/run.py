@@ -124,6 +124,7 @@ def repair_all(
     take: Take,
     artifacts: Iterable[Artifact],
     *,
+    others: Iterable[Artifact] = (),
     method: str = AUTO,
     min_confidence: float = 0.5,
     mesh: Mesh | None = None,
@@ -138,7 +139,8 @@ def repair_all(
     Parameters
     ----------
     take : the recording
-    artifacts : all that are known; rejected ones are believed, repaired ones not done again
+    artifacts : those to repair; rejected ones are believed, repaired ones not done again
+    others : further known ones that are not repaired now, but not used as evidence either
     method : for all of them, ``"auto"`` chooses for each
     min_confidence : below it an artifact is left, though still not used as evidence
     mesh : the body's structure, if it was worked out before
@@ -149,7 +151,7 @@ def repair_all(
     Pairs of artifact and repair in the order of the stages: applying their patches one after
     the other gives what :func:`repair` returns.
     """
-    return tuple(_run(take, artifacts, method, min_confidence, mesh, progress)[1])
+    return tuple(_run(take, artifacts, method, min_confidence, mesh, progress, others)[1])
 
 
 def repair(
@@ -232,15 +234,18 @@ def _run(
     min_confidence: float,
     mesh: Mesh | None,
     progress: Progress | None,
+    others: Iterable[Artifact] = (),
 ) -> tuple[Take, list[tuple[Artifact, Repair]]]:
     """Repair stage by stage; returns the repaired take and each artifact with its repair."""
     report = progress or quiet
     if method != AUTO:
         find_method(method)
-    known = in_order(artifacts)
+    chosen = in_order(artifacts)
+    ids = {a.id for a in chosen}
+    known = [*chosen, *(a for a in others if a.id not in ids)]
     todo = [
         a
-        for a in known
+        for a in chosen
         if a.status not in (Status.REJECTED, Status.REPAIRED) and a.confidence >= min_confidence
     ]
     pairs: list[tuple[Artifact, Repair]] = []
