@@ -193,6 +193,21 @@ def test_root_on_debian_installs_them(
     assert calls.commands == [["apt-get", "update"], install]
 
 
+def test_a_debian_without_venv_is_told_the_package(
+    bootstrap: ModuleType, calls: Calls, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def ask(command: list[str], **_: object) -> str | None:
+        return None if "ensurepip" in command[-1] else "3.11"
+
+    monkeypatch.setattr(bootstrap, "ask", ask)
+    monkeypatch.setattr(bootstrap, "is_debian", lambda: True)
+    monkeypatch.setattr(bootstrap.os, "geteuid", lambda: 1000, raising=False)
+    with pytest.raises(bootstrap.SetupError, match=r"install .* python3\.11-venv"):
+        bootstrap.make_venv("/usr/bin/python3.11")
+    assert not bootstrap.VENV.exists()
+    assert calls.commands == []
+
+
 def test_other_systems_get_the_names(
     bootstrap: ModuleType, monkeypatch: pytest.MonkeyPatch
 ) -> None:
