@@ -196,6 +196,17 @@ def icon(name: str) -> QIcon:
     return _icon(name, current().name)
 
 
+@cache
+def app_icon() -> QIcon:
+    """Markermend's own icon, in its own colours."""
+    path = files("markermend_resources").joinpath("icons", "markermend.svg")
+    renderer = QSvgRenderer(QByteArray(path.read_bytes()))
+    result = QIcon()
+    for size in (16, 32, 48, 64, 96, 128, 256):
+        result.addPixmap(_drawn(renderer, size))
+    return result
+
+
 def marker_color(index: int) -> QColor:
     """Colour of the marker shown at this place, going round when there are many."""
     colors = current().markers
@@ -219,8 +230,11 @@ def faded(color: QColor, alpha: float) -> QColor:
 
 def blend(color: QColor, other: QColor, share: float) -> QColor:
     """A colour mixed with a share of another."""
-    mixed = [a + (b - a) * share for a, b in zip(color.getRgbF(), other.getRgbF(), strict=True)]
-    return QColor.fromRgbF(*mixed)
+    return QColor.fromRgbF(
+        color.redF() + (other.redF() - color.redF()) * share,
+        color.greenF() + (other.greenF() - color.greenF()) * share,
+        color.blueF() + (other.blueF() - color.blueF()) * share,
+    )
 
 
 def _follow(app: QApplication) -> None:
@@ -290,10 +304,15 @@ def _icon(name: str, theme_name: str) -> QIcon:
             return result
         renderer = QSvgRenderer(QByteArray(text.encode()))
         for size in (16, 20, 24, 32, 48, 64, 128):
-            pixmap = QPixmap(size, size)
-            pixmap.fill(Qt.GlobalColor.transparent)
-            painter = QPainter(pixmap)
-            renderer.render(painter, QRectF(0, 0, size, size))
-            painter.end()
-            result.addPixmap(pixmap, mode)
+            result.addPixmap(_drawn(renderer, size), mode)
     return result
+
+
+def _drawn(renderer: QSvgRenderer, size: int) -> QPixmap:
+    """A square picture of an SVG."""
+    pixmap = QPixmap(size, size)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    renderer.render(painter, QRectF(0, 0, size, size))
+    painter.end()
+    return pixmap
