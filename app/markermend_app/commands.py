@@ -10,7 +10,9 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from markermend.artifact import Artifact, Kind, Status
+from markermend.mesh import Mesh
 from markermend.progress import Progress, part
+from markermend.session_file import SessionFile, open_session
 from markermend.take import Origin, Take
 from markermend_app import dialogs, settings
 from markermend_app.document import Document
@@ -61,7 +63,7 @@ class Commands(QObject):
             return
 
         def work(progress: Progress) -> Any:
-            return _load(path, progress)
+            return load(path, progress)
 
         def done(result: Any) -> None:
             file, mesh = result
@@ -354,11 +356,10 @@ class Commands(QObject):
         self.said.emit(text)
 
 
-def _load(path: Path, progress: Progress) -> Any:
-    """Read a take, infer its body and open its review; runs on the worker."""
+def load(path: Path, progress: Progress) -> tuple[SessionFile, Mesh]:
+    """Read a take, infer its body and open its review."""
     from markermend.files import read
     from markermend.mesh import infer_mesh
-    from markermend.session_file import open_session
 
     take: Take = read(path, progress=part(progress, 0.0, 0.5))
     mesh = infer_mesh(take, progress=part(progress, 0.5, 0.95))

@@ -1,0 +1,118 @@
+"""Start the app: ``python -m markermend_app [TAKE] [--screenshot PNG]``."""
+
+from __future__ import annotations
+
+import argparse
+import logging
+import os
+import sys
+import threading
+import time
+from collections.abc import Sequence
+from pathlib import Path
+from types import TracebackType
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from markermend_app.window import MainWindow
+
+# Two BLAS threads on few cores are many times slower than one, and NumPy reads this on import.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+SCREENSHOT_LIMIT_S, SETTLED_ROUNDS = 120.0, 30
+
+log = logging.getLogger("markermend")
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Open the window, with a take when one is named; returns the exit code."""
+    parser = argparse.ArgumentParser(prog="markermend open", description=__doc__)
+    parser.add_argument("take", nargs="?", type=Path, help="a C3D, TRC or CSV file to open")
+    parser.add_argument(
+        "--screenshot", type=Path, metavar="PNG", help="open, detect, save a picture and leave"
+    )
+    parser.add_argument("--theme", choices=("light", "dark", "system"), help="look of this start")
+    chosen = parser.parse_args(arguments)
+    if chosen.take is not None and not chosen.take.is_file():
+        print(f"markermend: there is no file {chosen.take}", file=sys.stderr)  # noqa: T201
+        return 1
+    problem = no_display()
+    if problem:
+        print(f"markermend: {problem}", file=sys.stderr)  # noqa: T201
+        return 1
+
+    from PySide6.QtWidgets import QApplication
+
+    from markermend_app import settings, theme
+    from markermend_app.window import MainWindow
+
+    app = QApplication.instance() or QApplication(sys.argv[:1])
+    assert isinstance(app, QApplication)
+    app.setApplicationName("Markermend")
+    app.setDesktopFileName("markermend")
+    theme.apply(app, chosen.theme or settings.text("theme", "system"))
+    window = MainWindow()
+    _report_crashes(window)
+    window.show()
+    if chosen.screenshot is not None:
+        return take_screenshot(window, chosen.take, chosen.screenshot)
+    if chosen.take is not None:
+        window.commands.open_path(chosen.take.absolute())
+    return app.exec()
+
+
+def no_display() -> str:
+    """Why no window can be shown here, or empty; Qt itself would abort the process."""
+    if not sys.platform.startswith("linux"):
+        return ""
+    if os.environ.get("QT_QPA_PLATFORM", "") not in ("", "xcb", "wayland"):
+        return ""
+    if os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"):
+        return ""
+    return "there is no display here; use “markermend clean TAKE -o OUT” to work without a window"
+
+
+def take_screenshot(window: MainWindow, take: Path | None, target: Path) -> int:
+    """Open a take, detect, wait for the first repair to be proposed; save a picture and leave."""
+    from PySide6.QtWidgets import QApplication
+
+    from markermend.errors import MarkermendError
+    from markermend.progress import quiet
+    from markermend_app.commands import load
+
+    document = window.document
+    try:
+        if take is not None:
+            document.open(*load(take.absolute(), quiet))
+            window.commands.detect()
+    except MarkermendError as error:
+        print(f"markermend: {error}", file=sys.stderr)  # noqa: T201
+        window.close()
+        return 1
+    until = time.monotonic() + SCREENSHOT_LIMIT_S
+    settled = 0
+    # Some rounds more after the work is done, so that everything is laid out and painted.
+    while settled < SETTLED_ROUNDS and time.monotonic() < until:
+        QApplication.processEvents()
+        time.sleep(0.01)
+        waiting = document.current is not None and document.proposal is None
+        settled = 0 if window.lane.busy or waiting else settled + 1
+    saved = window.grab().save(str(target))
+    if document.file is not None:
+        document.file.discard()
+    window.close()
+    if not saved:
+        print(f"markermend: the picture could not be saved to {target}", file=sys.stderr)  # noqa: T201
+    return 0 if saved else 1
+
+
+def _report_crashes(window: MainWindow) -> None:
+    """Show what nobody caught as one sentence with details, and keep running."""
+    from markermend_app.dialogs import show_problem
+
+    def hook(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
+        log.error("unexpected", exc_info=(kind, error, trace))
+        if isinstance(error, Exception) and threading.current_thread() is threading.main_thread():
+            show_problem(window, error)
+
+    sys.excepthook = hook

@@ -1,0 +1,87 @@
+"""The status line: what was said last, how far the review is, and work under way with cancel."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar, QToolButton, QWidget
+
+from markermend.artifact import Status
+from markermend_app import theme
+from markermend_app.document import Document
+from markermend_app.jobs import Lane
+
+
+class StatusLine(QStatusBar):
+    """Shows progress only while something runs.
+
+    Parameters
+    ----------
+    document : whose review is counted
+    lane : whose jobs are shown
+    """
+
+    def __init__(self, document: Document, lane: Lane, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._lane = lane
+        self._said = QLabel()
+        self._doing = QLabel()
+        self._bar = QProgressBar()
+        self._bar.setRange(0, 1000)
+        self._bar.setFixedWidth(180)
+        self._bar.setTextVisible(False)
+        self._bar.setAccessibleName(self.tr("Progress"))
+        self._cancel = QToolButton()
+        self._cancel.setToolTip(self.tr("Cancel"))
+        self._cancel.setAccessibleName(self.tr("Cancel"))
+        self._cancel.clicked.connect(lane.cancel)
+        self._counts = QLabel()
+        self.addWidget(self._said, 1)
+        for widget in (self._doing, self._bar, self._cancel, self._counts):
+            self.addPermanentWidget(widget)
+        self._label = ""
+        lane.started.connect(self._started)
+        lane.progressed.connect(self._progressed)
+        lane.finished.connect(self._finished)
+        document.artifacts_changed.connect(self._count)
+        document.opened.connect(self._count)
+        theme.watcher.changed.connect(self._recolour)
+        self._recolour()
+        self._show_work(False)
+        self._count()
+
+    def say(self, text: str) -> None:
+        """Show a sentence until the next one."""
+        self._said.setText(text)
+        self._said.setToolTip(text)
+
+    def _started(self, label: str) -> None:
+        self._label = label
+        self._doing.setText(f"{label}…")
+        self._bar.setValue(0)
+        self._show_work(True)
+
+    def _progressed(self, share: float, doing: str) -> None:
+        self._bar.setValue(round(share * 1000))
+        self._doing.setText(f"{self._label}: {doing}")
+
+    def _finished(self) -> None:
+        if not self._lane.busy:
+            self._show_work(False)
+
+    def _show_work(self, shown: bool) -> None:
+        for widget in (self._doing, self._bar, self._cancel):
+            widget.setVisible(shown)
+
+    def _count(self) -> None:
+        session = self._document.session
+        if session is None:
+            self._counts.clear()
+            return
+        total = len(session.artifacts)
+        left = len(session.with_status(Status.PENDING))
+        self._counts.setText(
+            self.tr("{0} of {1} decided").format(total - left, total) if total else ""
+        )
+
+    def _recolour(self) -> None:
+        self._cancel.setIcon(theme.icon("cancel"))

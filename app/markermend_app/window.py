@@ -1,0 +1,292 @@
+"""The main window: lays panels out and connects them. It decides nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QByteArray, Qt
+from PySide6.QtGui import (
+    QAction,
+    QActionGroup,
+    QCloseEvent,
+    QDragEnterEvent,
+    QDropEvent,
+    QKeySequence,
+    QShortcut,
+)
+from PySide6.QtWidgets import (
+    QApplication,
+    QDockWidget,
+    QMainWindow,
+    QSplitter,
+    QStackedWidget,
+    QToolBar,
+    QVBoxLayout,
+    QWidget,
+)
+
+from markermend_app import actions, dialogs, settings, theme
+from markermend_app.commands import Commands
+from markermend_app.document import Document
+from markermend_app.jobs import Lane
+from markermend_app.panels.history import HistoryPanel
+from markermend_app.panels.inspector import Inspector
+from markermend_app.panels.marker_tree import MarkerTree
+from markermend_app.panels.overview import Overview
+from markermend_app.panels.review_queue import ReviewQueue
+from markermend_app.panels.scene import Scene
+from markermend_app.panels.status import StatusLine
+from markermend_app.panels.trajectories import TrajectoryPanel
+from markermend_app.panels.transport import Transport
+from markermend_app.panels.welcome import Welcome
+
+LAYOUT_VERSION = 1
+
+
+class MainWindow(QMainWindow):
+    """One window, one take."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("main")
+        self.document = Document(self)
+        self.lane = Lane("engine", self)
+        self.commands = Commands(self.document, self.lane, self)
+        self.setWindowIcon(theme.app_icon())
+        self.setAcceptDrops(True)
+        self.setDockNestingEnabled(True)
+        self._make_panels()
+        self._make_actions()
+        self._connect()
+        self.resize(1500, 940)
+        self._default_state = self.saveState(LAYOUT_VERSION)
+        self._restore_layout()
+        self._retitle()
+
+    # Construction
+
+    def _make_panels(self) -> None:
+        document = self.document
+        self.trajectories = TrajectoryPanel(document)
+        self.overview = Overview(document)
+        self.tree = MarkerTree(document)
+        self.queue = ReviewQueue(document)
+        self.inspector = Inspector(document)
+        self.history = HistoryPanel(document)
+        self.scene = Scene(document)
+        self.transport = Transport(document)
+        self.welcome = Welcome(document)
+        self.status = StatusLine(document, self.lane)
+        self.setStatusBar(self.status)
+
+        plots = QSplitter(Qt.Orientation.Vertical)
+        plots.addWidget(self.trajectories)
+        plots.addWidget(self.overview)
+        plots.setStretchFactor(0, 1)
+        plots.setSizes([620, 120])
+        plots.setChildrenCollapsible(False)
+        self.centre = QStackedWidget()
+        self.centre.addWidget(self.welcome)
+        self.centre.addWidget(plots)
+        self.setCentralWidget(self.centre)
+
+        view = QWidget()
+        box = QVBoxLayout(view)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.setSpacing(0)
+        box.addWidget(self.scene, 1)
+        box.addWidget(self.transport)
+
+        left, right = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
+        bottom = Qt.DockWidgetArea.BottomDockWidgetArea
+        self.docks = {
+            "markers": self._dock("markers", self.tr("Markers"), self.tree, left),
+            "history": self._dock("history", self.tr("History"), self.history, left),
+            "scene": self._dock("scene", self.tr("3D view"), view, right),
+            "inspector": self._dock("inspector", self.tr("Artifact"), self.inspector, right),
+            "queue": self._dock("queue", self.tr("Review queue"), self.queue, bottom),
+        }
+        self.setCorner(Qt.Corner.BottomLeftCorner, left)
+        self.setCorner(Qt.Corner.BottomRightCorner, right)
+        self.resizeDocks([self.docks["markers"], self.docks["scene"]], [270, 400], _H)
+        self.resizeDocks([self.docks["markers"], self.docks["history"]], [640, 200], _V)
+        self.resizeDocks([self.docks["scene"], self.docks["inspector"]], [430, 430], _V)
+        self.resizeDocks([self.docks["queue"]], [230], _V)
+
+    def _dock(self, name: str, title: str, panel: QWidget, area: Qt.DockWidgetArea) -> QDockWidget:
+        dock = QDockWidget(title, self)
+        dock.setObjectName(name)
+        dock.setWidget(panel)
+        self.addDockWidget(area, dock)
+        return dock
+
+    def _make_actions(self) -> None:
+        self.actions_by_name = actions.build(self, self.document, self._run)
+        bar = self.menuBar()
+        self.menus = actions.fill_menus(bar, self.actions_by_name)
+        toolbar = QToolBar(self.tr("Toolbar"))
+        toolbar.setObjectName("toolbar")
+        toolbar.setMovable(False)
+        toolbar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        actions.fill_toolbar(toolbar, self.actions_by_name)
+        for name in ("undo", "redo", "previous", "next"):
+            toolbar.widgetForAction(self.actions_by_name[name]).setProperty("iconOnly", True)
+            button = toolbar.widgetForAction(self.actions_by_name[name])
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
+        for name, text in (
+            ("open", self.tr("Open")),
+            ("export", self.tr("Export")),
+            ("detect", self.tr("Detect")),
+            ("before_after", self.tr("Before")),
+            ("prediction", self.tr("Prediction")),
+        ):
+            self.actions_by_name[name].setIconText(text)
+        self.toolbar = toolbar
+        self.addToolBar(toolbar)
+
+        panels = self.menus["View"].addMenu(self.tr("Panels"))
+        for dock in self.docks.values():
+            panels.addAction(dock.toggleViewAction())
+        self.recent_menu = self.menus["File"].addMenu(self.tr("Recent takes"))
+        self.menus["File"].insertMenu(self.actions_by_name["export"], self.recent_menu)
+        self.recent_menu.aboutToShow.connect(self._fill_recent)
+
+        themes = QActionGroup(self)
+        for name in ("light", "dark", "system"):
+            action = self.actions_by_name[f"theme_{name}"]
+            themes.addAction(action)
+            action.setChecked(settings.text("theme", "system") == name)
+        on_open = self.actions_by_name["detect_on_open"]
+        on_open.setChecked(settings.flag("detect_on_open", True))
+
+        for i, key in enumerate(actions.METHOD_KEYS):
+            shortcut = QShortcut(QKeySequence(key), self)
+            shortcut.activated.connect(lambda i=i: self._choose_method(i))
+
+    def _connect(self) -> None:
+        document = self.document
+        self.commands.said.connect(self.status.say)
+        self.welcome.open_requested.connect(self.commands.open)
+        self.welcome.demo_requested.connect(self.commands.open_demo)
+        self.welcome.path_requested.connect(self.commands.open_path)
+        self.queue.repair_requested.connect(self.commands.repair_many)
+        self.trajectories.mark_requested.connect(self.commands.mark_selection)
+        self.trajectories.repair_selection_requested.connect(self.commands.repair_selection)
+        self.inspector.mark_requested.connect(self.commands.mark_selection)
+        self.trajectories.view_changed.connect(self.overview.set_view)
+        document.opened.connect(self._take_opened)
+        document.history_changed.connect(self._retitle)
+
+    # Actions that are the window's own
+
+    def _run(self, name: str) -> None:
+        """Do what an action names: a verb of the window, of the commands, else of the view."""
+        own: dict[str, Callable[[], object]] = {
+            "play": self.transport.toggle_play,
+            "frame_forward": lambda: self.transport.step(1),
+            "frame_back": lambda: self.transport.step(-1),
+            "frames_forward": lambda: self.transport.step(10),
+            "frames_back": lambda: self.transport.step(-10),
+            "to_start": lambda: self.document.go_to(0),
+            "to_end": lambda: self.document.go_to(1 << 40),
+            "fit": self.trajectories.fit_all,
+            "zoom_in": lambda: self.trajectories.zoom(0.5),
+            "zoom_out": lambda: self.trajectories.zoom(2.0),
+            "before_after": lambda: self.trajectories.set_before_after(
+                self.actions_by_name["before_after"].isChecked()
+            ),
+            "prediction": lambda: self.trajectories.set_prediction_shown(
+                self.actions_by_name["prediction"].isChecked()
+            ),
+            "theme_light": lambda: self._set_theme("light"),
+            "theme_dark": lambda: self._set_theme("dark"),
+            "theme_system": lambda: self._set_theme("system"),
+            "detect_on_open": lambda: settings.remember(
+                "detect_on_open", self.actions_by_name["detect_on_open"].isChecked()
+            ),
+            "reset_layout": lambda: self.restoreState(self._default_state, LAYOUT_VERSION),
+            "shortcuts": lambda: dialogs.show_shortcuts(self),
+            "about": lambda: dialogs.show_about(self),
+        }
+        verb = own.get(name) or getattr(self.commands, name)
+        verb()
+
+    def _choose_method(self, position: int) -> None:
+        """Preview the repair method with that number."""
+        if self.document.current is None:
+            return
+        from markermend.repairs import REPAIRS
+
+        names = list(REPAIRS)
+        if position < len(names):
+            self.document.choose_method(names[position])
+
+    def _set_theme(self, name: str) -> None:
+        settings.remember("theme", name)
+        app = QApplication.instance()
+        if isinstance(app, QApplication):
+            theme.apply(app, name)
+
+    def _fill_recent(self) -> None:
+        self.recent_menu.clear()
+        for path in settings.recent():
+            action = QAction(f"{path.name}   –   {path.parent}", self.recent_menu)
+            action.triggered.connect(lambda _=False, p=path: self.commands.open_path(p))
+            self.recent_menu.addAction(action)
+        if self.recent_menu.isEmpty():
+            self.recent_menu.addAction(self.tr("None yet")).setEnabled(False)
+
+    # Following the document
+
+    def _take_opened(self) -> None:
+        self.centre.setCurrentIndex(0 if self.document.session is None else 1)
+        self._retitle()
+
+    def _retitle(self) -> None:
+        session, path = self.document.session, self.document.path
+        if session is None:
+            self.setWindowTitle("Markermend")
+            self.setWindowModified(False)
+            return
+        name = path.name if path else self.tr("take")
+        suffix = self.tr(" (read-only)") if not self.document.editable else ""
+        self.setWindowTitle(f"{name}[*]{suffix} – Markermend")
+        self.setWindowModified(not session.exported)
+
+    # Window manners
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        """Take a file that is dragged in."""
+        if any(u.isLocalFile() for u in event.mimeData().urls()):
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """Open a file that is dropped."""
+        paths = [Path(u.toLocalFile()) for u in event.mimeData().urls() if u.isLocalFile()]
+        if paths:
+            event.acceptProposedAction()
+            self.commands.open_path(paths[0])
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Ask about unexported work, remember the layout, and stop the workers."""
+        if not self.commands.let_go():
+            event.ignore()
+            return
+        settings.remember("geometry", self.saveGeometry())
+        settings.remember("state", self.saveState(LAYOUT_VERSION))
+        self.document.open(None, None)
+        self.trajectories.close_workers()
+        self.document.proposals.close()
+        self.lane.close()
+        event.accept()
+
+    def _restore_layout(self) -> None:
+        geometry, state = settings.layout("geometry"), settings.layout("state")
+        if isinstance(geometry, QByteArray):
+            self.restoreGeometry(geometry)
+        if isinstance(state, QByteArray):
+            self.restoreState(state, LAYOUT_VERSION)
+
+
+_H, _V = Qt.Orientation.Horizontal, Qt.Orientation.Vertical

@@ -1,0 +1,61 @@
+"""Small takes with planted damage, documents on them, and settings that touch nobody's own."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QSettings
+
+from markermend.artifact import Artifact, Kind
+from markermend.take import Take
+
+
+@pytest.fixture(autouse=True)
+def own_settings(tmp_path, monkeypatch):
+    """Keep settings of the tests in a folder of their own."""
+    path = str(tmp_path / "settings.ini")
+    monkeypatch.setattr(
+        "markermend_app.settings.store", lambda: QSettings(path, QSettings.Format.IniFormat)
+    )
+
+
+def walking_box(frames: int = 400, rate: float = 100.0) -> Take:
+    """Two rigid bodies of four markers that swing against each other, with camera noise."""
+    rng = np.random.default_rng(11)
+    t = np.arange(frames) / rate
+    corners = np.array([[0, 0, 0], [120, 0, 0], [0, 140, 0], [0, 0, 160]], dtype=float)
+    turn = 0.4 * np.sin(2 * np.pi * 0.7 * t)
+    cos, sin = np.cos(turn), np.sin(turn)
+    spin = np.zeros((frames, 3, 3))
+    spin[:, 0, 0], spin[:, 0, 1], spin[:, 1, 0], spin[:, 1, 1] = cos, -sin, sin, cos
+    spin[:, 2, 2] = 1.0
+    way = np.stack([300 * t, 60 * np.sin(2 * np.pi * t), 900 + 20 * np.cos(4 * np.pi * t)], axis=1)
+    chest = way[:, None] + np.einsum("fij,mj->fmi", spin, corners)
+    arm = way[:, None] + [0, 260, -100] + np.einsum("fji,mj->fmi", spin, corners)
+    positions = np.concatenate([chest, arm], axis=1) + rng.normal(0, 0.1, (frames, 8, 3))
+    labels = ("CLAV", "STRN", "C7", "T10", "LSHO", "LELB", "LWRA", "LWRB")
+    return Take(positions, labels, rate, first_frame=101)
+
+
+def damaged_box() -> tuple[Take, tuple[Artifact, ...]]:
+    """The same with a gap, a peak, noise and a step; and where they are."""
+    take = walking_box()
+    positions = take.positions.copy()
+    rng = np.random.default_rng(5)
+    positions[60:90, 0] = np.nan
+    positions[150, 5, 1] += 25.0
+    positions[200:240, 2, 0] += rng.normal(0, 12, 40)
+    positions[280:330, 6, 2] += 30.0
+    truth = (
+        Artifact("CLAV", "xyz", 60, 90, Kind.GAP, 1.0, why="not seen for 30 frames"),
+        Artifact("LELB", "y", 150, 151, Kind.PEAK, 0.95, 25.0, "jumps 25 mm and comes back"),
+        Artifact("C7", "x", 200, 240, Kind.NOISE, 0.9, 12.0, "trembles by 12 mm"),
+        Artifact("LWRA", "z", 280, 330, Kind.STEP, 0.8, 30.0, "jumps 30 mm, back 50 frames later"),
+    )
+    return Take(positions, take.labels, take.rate, take.first_frame), truth
+
+
+@pytest.fixture
+def damaged():
+    """A small damaged take and the artifacts in it."""
+    return damaged_box()
