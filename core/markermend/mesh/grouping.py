@@ -16,6 +16,8 @@ NEARNESS = 0.1
 # people.
 WIDTH = 0.05
 TYPICAL_MOTION, LEAST_MOTION, MOTION_EXPONENT = 0.2, 0.05, 0.5
+# Skin and cameras move markers by millimetres on a hand as on a whole body.
+LEAST_LIMIT_MM = 15.0
 # A body is one rigid thing when its distances vary by less than this share of how its lines swing
 # in space; a thing of few markers also when they vary by less than this share of its size.
 RIGID_TO_TURNING, RIGID_TO_SIZE, FEW_MARKERS = 0.15, 0.01, 8
@@ -76,7 +78,7 @@ def _limit(distance: FloatArray, spread: FloatArray) -> float:
     """Largest cost between two markers of a group."""
     size = np.quantile(distance, 0.9)
     motion = max(np.median(spread) / max(np.median(distance), 1e-9), LEAST_MOTION)
-    return float(WIDTH * size * (motion / TYPICAL_MOTION) ** MOTION_EXPONENT)
+    return max(float(WIDTH * size * (motion / TYPICAL_MOTION) ** MOTION_EXPONENT), LEAST_LIMIT_MM)
 
 
 def _settle(cost: FloatArray, label: IntArray, limit: float) -> IntArray:

@@ -104,7 +104,13 @@ def name_groups(take: Take, groups: Sequence[Group]) -> tuple[Group, ...]:
     for subject in {g.subject for g in groups}:
         own = [m for g in groups if g.subject == subject for m in g.markers]
         parts.update(zip(own, body_parts([bare[m] for m in own]), strict=True))
-    names = [_anatomical([parts[m] for m in g.markers]) or _shared(take, g, bare) for g in groups]
+    bodies = Counter(g.subject for g in groups)
+    names = [
+        _anatomical([parts[m] for m in g.markers])
+        or (g.subject if bodies[g.subject] == 1 else "")
+        or _shared(take, g, bare)
+        for g in groups
+    ]
     return tuple(
         replace(group, name=name)
         for group, name in zip(groups, _unique(names, [g.subject for g in groups]), strict=True)
@@ -142,7 +148,10 @@ def _unique(names: Sequence[str], subjects: Sequence[str]) -> list[str]:
     shared = {
         n for n in names if len({s for m, s in zip(names, subjects, strict=True) if m == n}) > 1
     }
-    told = [f"{s}: {n}" if n in shared and s else n for n, s in zip(names, subjects, strict=True)]
+    told = [
+        f"{s}: {n}" if n in shared and s not in ("", n) else n
+        for n, s in zip(names, subjects, strict=True)
+    ]
     result: list[str] = []
     for name in told:
         number, fresh = 1, name
