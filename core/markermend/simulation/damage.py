@@ -1,0 +1,245 @@
+"""Damage as a real recording has it: every class, at plausible places and of plausible size."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from markermend.arrays import BoolArray, FloatArray
+from markermend.artifact import Artifact, Kind
+from markermend.errors import DataError
+from markermend.simulation.contamination import triangle
+from markermend.simulation.truth import Damage, added, apply_damage, hidden, swapped
+from markermend.take import Take, is_unlabelled
+
+_TRIES = 400
+_APART_S = 0.25
+_EDGE_S = 0.4
+_SWAP_MM = (25.0, 260.0)
+
+
+@dataclass(frozen=True)
+class Amounts:
+    """How much damage 40 seconds get; scaled with the length of the take.
+
+    Attributes
+    ----------
+    short_gaps : of 0.03 to 0.25 s, one marker
+    long_gaps : of 0.6 to 1.6 s, one marker
+    occlusions : of 0.3 to 0.9 s, three neighbouring markers at once
+    peaks : of one frame, 8 to 70 mm
+    bursts : heavy noise for 0.2 to 0.7 s, standard deviation 3 to 9 mm on all axes
+    swaps : two neighbours exchanged for 0.2 to 1.2 s
+    steps : constant offset for 0.15 to 0.9 s, 8 to 45 mm
+    drifts : slow change for 0.3 to 1.2 s, 8 to 35 mm, with sharp, rounded or no kinks
+    """
+
+    short_gaps: float = 9
+    long_gaps: float = 3
+    occlusions: float = 2
+    peaks: float = 11
+    bursts: float = 5
+    swaps: float = 3
+    steps: float = 5
+    drifts: float = 8
+
+
+def hann(length: int) -> FloatArray:
+    """Return a raised cosine of height 1 that is nowhere zero, (length,) float64."""
+    curve = 1 - np.cos(2 * np.pi * np.arange(1, length + 1) / (length + 1))
+    return np.asarray(curve / curve.max())
+
+
+def rounded_triangle(length: int, kink: int) -> FloatArray:
+    """Return a triangle of height 1 whose kinks are rounded over ``kink`` frames."""
+    from scipy.ndimage import gaussian_filter1d
+
+    reach = min(kink // 2, (length - 1) // 2)
+    padded = np.pad(triangle(length - 2 * reach), reach + kink)
+    curve = gaussian_filter1d(padded, kink / 4)[kink : kink + length]
+    return np.asarray(curve / curve.max())
+
+
+def damage(
+    take: Take, *, amounts: Amounts | None = None, seed: int
+) -> tuple[Take, tuple[Artifact, ...]]:
+    """Damage a clean take the way real recordings are.
+
+    Parameters
+    ----------
+    take : clean; NaN = missing, such samples are never touched
+    amounts : how many of each, for every 40 s; see :class:`Amounts`
+    seed : same seed, same damage
+
+    Returns
+    -------
+    the damaged take and the truth in order of start; two artifacts of one marker are at least
+    a quarter of a second apart, different markers may be wrong at once. The amplitude is the
+    length of the largest deviation; for noise the standard deviation per axis, for a swap the
+    median distance between the two
+
+    Raises
+    ------
+    DataError
+        when the take is too short, or has too few markers seen long enough
+    """
+    amounts = amounts or Amounts()
+    rng = np.random.default_rng(seed)
+    site = _Site(take, rng)
+    many = take.duration_s / 40.0
+    # The largest first, while there is room.
+    damages: list[Damage] = []
+    for count, make in (
+        (amounts.long_gaps, _long_gap),
+        (amounts.occlusions, _occlusion),
+        (amounts.swaps, _swap),
+        (amounts.drifts, _drift),
+        (amounts.steps, _step),
+        (amounts.bursts, _burst),
+        (amounts.short_gaps, _short_gap),
+        (amounts.peaks, _peak),
+    ):
+        for i in range(max(1, round(count * many)) if count else 0):
+            damages.append(make(site, i))
+    return apply_damage(take, damages)
+
+
+class _Site:
+    """A take under damage: draws places that are seen and still clean."""
+
+    def __init__(self, take: Take, rng: np.random.Generator) -> None:
+        self.take, self.rng = take, rng
+        self._free = take.present.copy()
+        self._free[:, [i for i, s in enumerate(take.labels) if is_unlabelled(s)]] = False
+
+    def frames(self, low_s: float, high_s: float) -> int:
+        """Draw a length, shorter ones more often."""
+        length_s = np.exp(self.rng.uniform(np.log(low_s), np.log(high_s)))
+        return max(1, round(float(length_s) * self.take.rate))
+
+    def size(self, low_mm: float, high_mm: float) -> float:
+        """Draw an amplitude, smaller ones more often."""
+        return float(np.exp(self.rng.uniform(np.log(low_mm), np.log(high_mm))))
+
+    def place(self, length: int) -> tuple[int, str]:
+        """First frame and marker for ``length`` damaged frames, marked as used."""
+        start, (label,) = self.neighbours(length, 1, (0.0, np.inf))
+        return start, label
+
+    def neighbours(
+        self, length: int, count: int, distances: tuple[float, float]
+    ) -> tuple[int, list[str]]:
+        """First frame, one marker and the nearest others within a range of distances (mm)."""
+        edge = round(_EDGE_S * self.take.rate)
+        if self.take.frames > length + 2 * edge:
+            for _ in range(_TRIES):
+                start = int(self.rng.integers(edge, self.take.frames - length - edge + 1))
+                able = self._open(start, length)
+                if not able.any():
+                    continue
+                first = int(self.rng.choice(np.flatnonzero(able)))
+                rows = self.take.positions[start : start + length]
+                apart = np.linalg.norm(rows - rows[:, first : first + 1], axis=2).min(axis=0)
+                able &= (apart >= distances[0]) & (apart <= distances[1])
+                able[first] = False
+                near = [int(i) for i in np.argsort(apart) if able[i]][: count - 1]
+                if len(near) == count - 1:
+                    return start, [self._use(start, length, i) for i in (first, *near)]
+        raise DataError("The take is too short or too damaged already to put more damage in.")
+
+    def _open(self, start: int, length: int) -> BoolArray:
+        """Markers that are seen and clean over an interval and some time around it."""
+        apart = round(_APART_S * self.take.rate)
+        rows = self._free[max(0, start - apart) : start + length + apart]
+        return np.asarray(rows.all(axis=0))
+
+    def _use(self, start: int, length: int, column: int) -> str:
+        """Mark samples as damaged."""
+        self._free[start : start + length, column] = False
+        return self.take.labels[column]
+
+    def direction(self, axes: str) -> FloatArray:
+        """Unit vector within the named axes, none of its parts negligible."""
+        parts = self.rng.uniform(0.35, 1.0, len(axes))
+        parts *= self.rng.choice([-1.0, 1.0], len(parts))
+        return np.asarray(parts / np.linalg.norm(parts))
+
+    def axes(self) -> str:
+        """One, two or mostly all three axes."""
+        return str(self.rng.choice(["x", "y", "z", "xy", "yz", "xyz", "xyz", "xyz"]))
+
+
+def _long_gap(site: _Site, i: int) -> Damage:
+    length = site.frames(0.6, 1.6)
+    start, marker = site.place(length)
+    return hidden(marker, start, start + length, "simulated long gap")
+
+
+def _short_gap(site: _Site, i: int) -> Damage:
+    length = site.frames(0.03, 0.25)
+    start, marker = site.place(length)
+    return hidden(marker, start, start + length, "simulated short gap")
+
+
+def _occlusion(site: _Site, i: int) -> Damage:
+    """Hide neighbours together, each a little longer or shorter."""
+    length = site.frames(0.3, 0.9)
+    start, markers = site.neighbours(length, 3, (0.0, np.inf))
+    parts = []
+    for marker in markers:
+        late, early = site.rng.integers(0, max(1, length // 6), 2)
+        first, last = start + int(late), start + length - int(early)
+        parts.append(hidden(marker, first, last, "simulated occlusion"))
+    return Damage(
+        tuple(patch for one in parts for patch in one.patches),
+        tuple(artifact for one in parts for artifact in one.artifacts),
+    )
+
+
+def _swap(site: _Site, i: int) -> Damage:
+    length = site.frames(0.2, 1.2)
+    start, (marker, other) = site.neighbours(length, 2, _SWAP_MM)
+    return swapped(site.take, marker, other, start, start + length, "simulated swap")
+
+
+def _drift(site: _Site, i: int) -> Damage:
+    """Slow change: sharp, rounded and smooth shapes take turns."""
+    length, axes, size = site.frames(0.3, 1.2), site.axes(), site.size(8.0, 35.0)
+    start, marker = site.place(length)
+    kink = max(2, round(0.09 * site.take.rate))
+    name, shape = (
+        ("sharp", triangle(length)),
+        ("rounded", rounded_triangle(length, kink)),
+        ("smooth", hann(length)),
+    )[i % 3]
+    deviation = size * shape[:, None] * site.direction(axes)
+    why = f"simulated slow change, {name}"
+    return added(site.take, marker, axes, start, deviation, Kind.SLOW, size, why)
+
+
+def _step(site: _Site, i: int) -> Damage:
+    length, axes, size = site.frames(0.15, 0.9), site.axes(), site.size(8.0, 45.0)
+    start, marker = site.place(length)
+    deviation = np.tile(size * site.direction(axes), (length, 1))
+    return added(
+        site.take, marker, axes, start, deviation, Kind.STEP, size, "simulated step change"
+    )
+
+
+def _burst(site: _Site, i: int) -> Damage:
+    length, size = site.frames(0.2, 0.7), site.size(3.0, 9.0)
+    start, marker = site.place(length)
+    deviation = size * site.rng.standard_normal((length, 3))
+    return added(
+        site.take, marker, "xyz", start, deviation, Kind.NOISE, size, "simulated heavy noise"
+    )
+
+
+def _peak(site: _Site, i: int) -> Damage:
+    axes, size = site.axes(), site.size(8.0, 70.0)
+    start, marker = site.place(1)
+    deviation = size * site.direction(axes)[None, :]
+    return added(
+        site.take, marker, axes, start, deviation, Kind.PEAK, size, "simulated single peak"
+    )
