@@ -14,6 +14,13 @@ ROOT = Path(__file__).resolve().parent.parent
 SHARED = ROOT.parent / "shared"
 
 
+@pytest.fixture(autouse=True)
+def own_user_folder(tmp_path_factory, monkeypatch):
+    """Keep what would go into the user's data folder in one that is thrown away."""
+    folder = tmp_path_factory.mktemp("user")
+    monkeypatch.setattr("platformdirs.user_data_path", lambda *_, **__: folder)
+
+
 @pytest.fixture(scope="session")
 def shared_data() -> Path:
     """Folder of real recordings; the test skips, saying so, where it is missing."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import QByteArray, QSettings
 
@@ -16,8 +17,8 @@ def store() -> QSettings:
 
 def recent() -> list[Path]:
     """Takes opened lately and still there, newest first."""
-    value = store().value("recent", [])
-    names = [value] if isinstance(value, str) else list(value or [])
+    value: Any = store().value("recent", [])
+    names: list[str] = [value] if isinstance(value, str) else list(value or [])
     return [p for p in map(Path, names) if p.exists()]
 
 

@@ -122,6 +122,7 @@ class MainWindow(QMainWindow):
         return dock
 
     def _make_actions(self) -> None:
+        self._own = self._own_verbs()
         self.actions_by_name = actions.build(self, self.document, self._run)
         bar = self.menuBar()
         self.menus = actions.fill_menus(bar, self.actions_by_name)
@@ -180,9 +181,22 @@ class MainWindow(QMainWindow):
 
     # Actions that are the window's own
 
+    def can(self, name: str) -> bool:
+        """Whether an action of that name has a verb."""
+        return name in self._own or hasattr(self.commands, name)
+
     def _run(self, name: str) -> None:
-        """Do what an action names: a verb of the window, of the commands, else of the view."""
-        own: dict[str, Callable[[], object]] = {
+        """Do what an action names: a verb of the window, else of the commands."""
+        verb = self._own.get(name) or getattr(self.commands, name)
+        verb()
+
+    def _own_verbs(self) -> dict[str, Callable[[], object]]:
+        """Actions about what is seen, not about the review."""
+
+        def checked(name: str) -> bool:
+            return self.actions_by_name[name].isChecked()
+
+        return {
             "play": self.transport.toggle_play,
             "frame_forward": lambda: self.transport.step(1),
             "frame_back": lambda: self.transport.step(-1),
@@ -193,24 +207,18 @@ class MainWindow(QMainWindow):
             "fit": self.trajectories.fit_all,
             "zoom_in": lambda: self.trajectories.zoom(0.5),
             "zoom_out": lambda: self.trajectories.zoom(2.0),
-            "before_after": lambda: self.trajectories.set_before_after(
-                self.actions_by_name["before_after"].isChecked()
-            ),
-            "prediction": lambda: self.trajectories.set_prediction_shown(
-                self.actions_by_name["prediction"].isChecked()
-            ),
+            "before_after": lambda: self.trajectories.set_before_after(checked("before_after")),
+            "prediction": lambda: self.trajectories.set_prediction_shown(checked("prediction")),
             "theme_light": lambda: self._set_theme("light"),
             "theme_dark": lambda: self._set_theme("dark"),
             "theme_system": lambda: self._set_theme("system"),
             "detect_on_open": lambda: settings.remember(
-                "detect_on_open", self.actions_by_name["detect_on_open"].isChecked()
+                "detect_on_open", checked("detect_on_open")
             ),
             "reset_layout": lambda: self.restoreState(self._default_state, LAYOUT_VERSION),
             "shortcuts": lambda: dialogs.show_shortcuts(self),
             "about": lambda: dialogs.show_about(self),
         }
-        verb = own.get(name) or getattr(self.commands, name)
-        verb()
 
     def _choose_method(self, position: int) -> None:
         """Preview the repair method with that number."""

@@ -11,7 +11,7 @@ opening gets a read-only review.
 
 from __future__ import annotations
 
-import base64
+import contextlib
 import hashlib
 import json
 import os
@@ -21,13 +21,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, Any
 
-import numpy as np
-
-from markermend.artifact_json import from_dict, to_dict
-from markermend.edits import Edit, Group, RepairNote, SetArtifacts, SetNotes, SetSamples
+from markermend.artifact_json import to_dict
+from markermend.edits import Edit, Group, SetArtifacts, SetNotes, SetSamples
 from markermend.errors import FileFormatError, MarkermendError
-from markermend.patch import Patch
 from markermend.session import Session, Step
+from markermend.session_json import step_from_dict, step_to_dict
 from markermend.take import Take
 
 VERSION = 1
@@ -44,6 +42,14 @@ def source_hash(take: Take) -> str:
         return digest.hexdigest()
     with take.source.path.open("rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def marker_hashes(take: Take) -> dict[str, str]:
+    """Fingerprint of each trajectory and the frame count, to tell which ones a change spared."""
+    return {
+        label: hashlib.sha1(take.positions[:, i].tobytes()).hexdigest()
+        for i, label in enumerate(take.labels)
+    }
 
 
 @dataclass
@@ -78,10 +84,14 @@ class SessionFile:
             "format": "markermend session",
             "version": VERSION,
             "generation": self.generation + 1,
-            "source": {"sha256": self.hash},
+            "source": {
+                "sha256": self.hash,
+                "path": _source_path(self.session.original),
+                "markers": marker_hashes(self.session.original),
+            },
             "artifacts": [to_dict(a) for a in self.session.artifacts],
-            "done": [_step_to_dict(s) for s in done],
-            "undone": [_step_to_dict(s) for s in undone],
+            "done": [step_to_dict(s) for s in done],
+            "undone": [step_to_dict(s) for s in undone],
         }
         part = self.path.with_name(self.path.name + ".part")
         try:
@@ -97,6 +107,9 @@ class SessionFile:
             ) from error
         self.generation += 1
         self._start_journal()
+        # Without it a moved take would only lose the way to its old review.
+        with contextlib.suppress(OSError):
+            _index_entry(self.hash).write_text(str(self.path), encoding="utf-8")
 
     def close(self) -> None:
         """Let go of the lock; an empty journal is removed."""
@@ -138,7 +151,7 @@ class SessionFile:
 
     def _on_step(self, what: str, step: Step) -> None:
         """Journal one step of the session."""
-        self._append({"do": _step_to_dict(step)} if what == "do" else {what: True})
+        self._append({"do": step_to_dict(step)} if what == "do" else {what: True})
 
 
 def open_session(take: Take, *, folder: Path | None = None) -> SessionFile:
@@ -162,24 +175,31 @@ def open_session(take: Take, *, folder: Path | None = None) -> SessionFile:
     journal = path.with_name(path.name[: -len(SUFFIX)] + JOURNAL_SUFFIX)
     handle = _open_locked(journal)
     result.read_only = handle is None
-    stored = _load(path)
-    if stored is not None and stored["source"]["sha256"] != digest:
-        result.warning = (
-            "The take has changed since it was reviewed; "
-            f"the old review stays in “{path.name}.old”."
-        )
+    try:
+        stored = _load(path)
+        if stored is None:
+            stored = _moved(digest, path)
+            if stored is not None:
+                where = stored["source"]["path"]
+                result.warning = f"The review made of this take at “{where}” goes on here."
+        if stored is not None and stored["source"]["sha256"] != digest:
+            result.warning = _carry_over(session, stored, path)
+            if handle is not None:
+                os.replace(path, path.with_name(path.name + ".old"))
+                handle.truncate(0)
+        elif stored is not None:
+            result.generation = int(stored["generation"])
+            _replay_document(session, stored)
+    except BaseException:
         if handle is not None:
-            os.replace(path, path.with_name(path.name + ".old"))
-            handle.truncate(0)
-        stored = None
-    if stored is not None:
-        result.generation = int(stored["generation"])
-        _replay_document(session, stored)
+            handle.close()
+        raise
     if handle is not None:
         handle.seek(0)
         result.recovered = _replay_journal(session, handle.read(), result.generation, digest)
         result._journal = handle
-        if result.recovered:
+        if result.recovered or result.warning:
+            # What came from elsewhere is nowhere at this place yet.
             result.save()
         else:
             result._start_journal()
@@ -246,11 +266,89 @@ def _load(path: Path) -> dict[str, Any] | None:
     return document  # type: ignore[no-any-return]
 
 
+def _carry_over(session: Session, document: Mapping[str, Any], path: Path) -> str:
+    """Apply what a review of another version of the take says of trajectories that are the same.
+
+    Returns one sentence that tells what was kept.
+    """
+    now = marker_hashes(session.original)
+    then = document["source"].get("markers", {})
+    same = {label for label in now if then.get(label) == now[label]}
+    for entry in document["done"]:
+        label, edit = step_from_dict(entry)
+        kept = _restricted(edit, same, set(session.notes) | {a.id for a in session.artifacts})
+        if kept is not None:
+            session.perform(label, kept)
+    changed = len(now) - len(same)
+    return (
+        f"The take has changed since it was reviewed: what was decided on the {len(same)} markers "
+        f"that are the same was kept, on {changed} it was not; the old review stays in "
+        f"“{path.name}.old”."
+    )
+
+
+def _restricted(edit: Edit, markers: set[str], known: set[str]) -> Edit | None:
+    """The part of an edit that concerns only these markers, or None when nothing is left."""
+    if isinstance(edit, Group):
+        parts = []
+        for part in edit.edits:
+            kept = _restricted(part, markers, known)
+            if kept is not None:
+                parts.append(kept)
+        return Group(tuple(parts)) if parts else None
+    if isinstance(edit, SetSamples):
+        patches = tuple(p for p in edit.patches if p.marker in markers)
+        # Half a swap would tear two trajectories apart; half of a restoration (it names the
+        # origin of its samples) is right for the markers that are left.
+        whole = len(patches) == len(edit.patches) or all(p.origin is not None for p in patches)
+        return SetSamples(patches) if patches and whole else None
+    if isinstance(edit, SetArtifacts):
+        changes = {
+            i: a
+            for i, a in edit.changes.items()
+            if (a is None and i in known)
+            or (a is not None and {a.marker, a.counterpart or a.marker} <= markers)
+        }
+        known |= set(changes)
+        return SetArtifacts(changes) if changes else None
+    notes = {i: n for i, n in edit.changes.items() if i in known}
+    return SetNotes(notes) if notes else None
+
+
+def _source_path(take: Take) -> str:
+    """Where the take lay, or empty."""
+    return str(take.source.path) if take.source else ""
+
+
+def _index_entry(digest: str) -> Path:
+    """Small file in the user's data folder that says where the review of a take is."""
+    from platformdirs import user_data_path
+
+    folder = user_data_path("markermend", appauthor=False, ensure_exists=True) / "reviews"
+    folder.mkdir(exist_ok=True)
+    return folder / digest[:32]
+
+
+def _moved(digest: str, path: Path) -> dict[str, Any] | None:
+    """The review of the same take at another place, or None."""
+    try:
+        where = Path(_index_entry(digest).read_text(encoding="utf-8"))
+    except OSError:
+        return None
+    if where == path:
+        return None
+    try:
+        stored = _load(where)
+    except FileFormatError:
+        return None
+    return stored if stored is not None and stored["source"]["sha256"] == digest else None
+
+
 def _replay_document(session: Session, document: Mapping[str, Any]) -> None:
     """Do again every step of a session file, then take back what stood undone."""
-    undone = [_step_from_dict(d) for d in document["undone"]]
+    undone = [step_from_dict(d) for d in document["undone"]]
     for entry in document["done"]:
-        session.perform(*_step_from_dict(entry))
+        session.perform(*step_from_dict(entry))
     for label, edit in reversed(undone):
         session.perform(label, edit)
     for _ in undone:
@@ -269,7 +367,7 @@ def _replay_journal(session: Session, text: bytes, generation: int, digest: str)
         if entry is None:
             break
         if "do" in entry:
-            session.perform(*_step_from_dict(entry["do"]))
+            session.perform(*step_from_dict(entry["do"]))
         elif "undo" in entry:
             session.undo()
         else:
@@ -291,73 +389,3 @@ def _lines(journal: IO[bytes]) -> int:
     """Count the lines of an open journal."""
     journal.seek(0)
     return journal.read().count(b"\n")
-
-
-def _step_to_dict(step: Step) -> dict[str, Any]:
-    return {"label": step.label, "edit": _edit_to_dict(step.edit)}
-
-
-def _step_from_dict(entry: Mapping[str, Any]) -> tuple[str, Edit]:
-    return entry["label"], _edit_from_dict(entry["edit"])
-
-
-def _edit_to_dict(edit: Edit) -> dict[str, Any]:
-    """Write an edit as JSON; samples as base64 of little-endian doubles, to keep every bit."""
-    if isinstance(edit, Group):
-        return {"group": [_edit_to_dict(e) for e in edit.edits]}
-    if isinstance(edit, SetSamples):
-        return {"samples": [_patch_to_dict(p) for p in edit.patches]}
-    if isinstance(edit, SetArtifacts):
-        return {
-            "artifacts": {i: None if a is None else to_dict(a) for i, a in edit.changes.items()}
-        }
-    return {
-        "notes": {
-            i: None if n is None else {"method": n.method, "error_mm": n.error_mm}
-            for i, n in edit.changes.items()
-        }
-    }
-
-
-def _edit_from_dict(entry: Mapping[str, Any]) -> Edit:
-    if "group" in entry:
-        return Group(tuple(_edit_from_dict(e) for e in entry["group"]))
-    if "samples" in entry:
-        return SetSamples(tuple(_patch_from_dict(p) for p in entry["samples"]))
-    if "artifacts" in entry:
-        return SetArtifacts(
-            {i: None if a is None else from_dict(a) for i, a in entry["artifacts"].items()}
-        )
-    return SetNotes(
-        {
-            i: None if n is None else RepairNote(n["method"], n["error_mm"])
-            for i, n in entry["notes"].items()
-        }
-    )
-
-
-def _patch_to_dict(patch: Patch) -> dict[str, Any]:
-    return {
-        "marker": patch.marker,
-        "axes": patch.axes,
-        "start": patch.start,
-        "stop": patch.stop,
-        "values": base64.b64encode(patch.values.astype("<f8").tobytes()).decode(),
-        "origin": None
-        if patch.origin is None
-        else base64.b64encode(patch.origin.tobytes()).decode(),
-    }
-
-
-def _patch_from_dict(entry: Mapping[str, Any]) -> Patch:
-    shape = (entry["stop"] - entry["start"], len(entry["axes"]))
-    values = np.frombuffer(base64.b64decode(entry["values"]), dtype="<f8").reshape(shape)
-    origin = entry["origin"]
-    return Patch(
-        marker=entry["marker"],
-        axes=entry["axes"],
-        start=entry["start"],
-        stop=entry["stop"],
-        values=values.astype(np.float64),
-        origin=None if origin is None else np.frombuffer(base64.b64decode(origin), dtype=np.uint8),
-    )

@@ -281,6 +281,41 @@ def test_a_changed_take_keeps_the_old_review_aside(tmp_path):
     again.close()
 
 
+def test_a_changed_take_keeps_what_was_decided_on_unchanged_trajectories(tmp_path):
+    kept = open_session(make_take(), folder=tmp_path)
+    a, c = artifact("A"), artifact("C")
+    kept.session.add_detected([a, c], "paper")
+    kept.session.repair([(c.id, proposal(c, 7.0)), (a.id, proposal(a, 7.0))])
+    kept.save()
+    kept.close()
+    take = make_take()
+    positions = take.positions.copy()
+    positions[0, 0, 0] += 1.0
+    again = open_session(take.with_positions(positions, take.origin), folder=tmp_path)
+    assert [x.id for x in again.session.with_status(Status.REPAIRED)] == [c.id]
+    assert (again.session.positions[30:40, 2] == 7.0).all()
+    assert (again.session.positions[:, 0] == positions[:, 0]).all()
+    again.close()
+
+
+def test_a_moved_take_finds_its_review(tmp_path):
+    old, new = tmp_path / "old", tmp_path / "new"
+    old.mkdir()
+    new.mkdir()
+    kept = open_session(make_take(), folder=old)
+    kept.session.mark(artifact())
+    kept.save()
+    kept.close()
+    again = open_session(make_take(), folder=new)
+    assert [a.marker for a in again.session.artifacts] == ["A"]
+    assert "goes on here" in again.warning
+    # It is written at the new place at once, so that a crash loses nothing of it.
+    again._journal.close()
+    third = open_session(make_take(), folder=new)
+    assert [a.marker for a in third.session.artifacts] == ["A"]
+    third.close()
+
+
 @pytest.mark.parametrize(
     "text", ["", "{}", "[1]", '{"format": "markermend session", "version": 9}']
 )
@@ -349,7 +384,11 @@ def test_kill_at_random_moments_loses_at_most_the_step_in_flight(tmp_path):
     finally:
         sys.path.remove(str(tmp_path))
     root = Path(__file__).resolve().parents[2]
-    environment = dict(os.environ, PYTHONPATH=os.pathsep.join([str(tmp_path), str(root / "core")]))
+    environment = dict(
+        os.environ,
+        PYTHONPATH=os.pathsep.join([str(tmp_path), str(root / "core")]),
+        XDG_DATA_HOME=str(tmp_path),
+    )
     for _ in range(rounds):
         child = subprocess.Popen(
             [sys.executable, str(script), str(folder)],

@@ -1,0 +1,266 @@
+"""The whole road in the real window: open, detect, decide with the keyboard, undo, export."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtWidgets import QFileDialog, QMessageBox
+
+import markermend as mm
+from markermend.artifact import Artifact, Kind, Status
+from markermend_app import dialogs, settings
+from markermend_app.actions import ACTIONS
+from markermend_app.document import Selection
+from markermend_app.window import MainWindow
+
+WAIT = 20_000
+
+
+@pytest.fixture
+def take_path(tmp_path, damaged):
+    path = tmp_path / "box.c3d"
+    mm.write(damaged[0], path)
+    return path
+
+
+@pytest.fixture
+def window(qtbot):
+    """A real window; whatever is unexported at the end is kept without asking."""
+    made = MainWindow()
+    qtbot.addWidget(made)
+    made.show()
+    made.activateWindow()
+    qtbot.waitExposed(made)
+    yield made
+    if made.document.file is not None:
+        made.document.session.mark_exported()
+    made.close()
+
+
+@pytest.fixture
+def reviewed(window, take_path, qtbot):
+    """The window with the damaged take open and detected."""
+    window.commands.open_path(take_path)
+    qtbot.waitUntil(lambda: window.document.session is not None, timeout=WAIT)
+    qtbot.waitUntil(lambda: not window.lane.busy, timeout=WAIT)
+    qtbot.waitUntil(lambda: window.document.current is not None, timeout=WAIT)
+    return window
+
+
+def key(qtbot, window, what, modifier=Qt.KeyboardModifier.NoModifier):
+    qtbot.keyClick(window, what, modifier)
+
+
+def proposed(qtbot, window):
+    qtbot.waitUntil(lambda: window.document.proposal is not None, timeout=WAIT)
+
+
+def test_opening_shows_the_take_and_detects(reviewed):
+    kinds = {a.kind for a in reviewed.document.session.artifacts}
+    assert {Kind.GAP, Kind.PEAK} <= kinds
+    assert reviewed.centre.currentIndex() == 1
+    assert reviewed.windowTitle().startswith("box.c3d")
+    assert not reviewed.isWindowModified()
+
+
+def test_f_repairs_and_moves_on_then_undo_and_redo(reviewed, qtbot):
+    document = reviewed.document
+    first = document.current
+    before = document.session.positions.tobytes()
+    proposed(qtbot, reviewed)
+    key(qtbot, reviewed, Qt.Key.Key_F)
+    assert document.session.artifact(first.id).status is Status.REPAIRED
+    assert document.current is not None
+    assert document.current.id != first.id
+    assert reviewed.isWindowModified()
+    after = document.session.positions.tobytes()
+    assert after != before
+    key(qtbot, reviewed, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert document.session.positions.tobytes() == before
+    assert document.session.artifact(first.id).status is Status.PENDING
+    both = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
+    key(qtbot, reviewed, Qt.Key.Key_Z, both)
+    assert document.session.positions.tobytes() == after
+
+
+def test_a_and_r_decide_without_touching_samples(reviewed, qtbot):
+    document = reviewed.document
+    before = document.session.positions.tobytes()
+    one = document.current.id
+    key(qtbot, reviewed, Qt.Key.Key_A)
+    two = document.current.id
+    key(qtbot, reviewed, Qt.Key.Key_R)
+    assert document.session.artifact(one).status is Status.ACCEPTED
+    assert document.session.artifact(two).status is Status.REJECTED
+    assert document.session.positions.tobytes() == before
+
+
+def test_f_before_the_proposal_is_there_is_not_lost(reviewed, qtbot):
+    document = reviewed.document
+    document.proposals.forget()
+    target = document.queue[-1]
+    document.select(target)
+    key(qtbot, reviewed, Qt.Key.Key_F)
+    qtbot.waitUntil(
+        lambda: document.session.artifact(target).status is Status.REPAIRED, timeout=WAIT
+    )
+
+
+def test_n_and_p_walk_the_queue(reviewed, qtbot):
+    document = reviewed.document
+    assert document.current.id == document.queue[0]
+    key(qtbot, reviewed, Qt.Key.Key_N)
+    assert document.current.id == document.queue[1]
+    key(qtbot, reviewed, Qt.Key.Key_P)
+    assert document.current.id == document.queue[0]
+
+
+def test_number_keys_choose_a_method(reviewed, qtbot):
+    from markermend.repairs import REPAIRS
+
+    key(qtbot, reviewed, Qt.Key.Key_2)
+    assert reviewed.document.method == list(REPAIRS)[1]
+    proposed(qtbot, reviewed)
+    assert reviewed.document.proposal.method == list(REPAIRS)[1]
+
+
+def test_repair_all_accepted_is_one_step(reviewed, qtbot):
+    document = reviewed.document
+    ids = [a.id for a in document.session.artifacts]
+    document.accept(ids)
+    steps = len(document.session.history)
+    reviewed.actions_by_name["repair_accepted"].trigger()
+    qtbot.waitUntil(lambda: not reviewed.lane.busy, timeout=WAIT)
+    assert len(document.session.history) == steps + 1
+    assert document.session.with_status(Status.REPAIRED)
+    document.undo()
+    assert not document.session.with_status(Status.REPAIRED)
+
+
+def test_marking_a_swept_range_by_hand(reviewed, qtbot):
+    document = reviewed.document
+    document.sweep(Selection("T10", 100, 120))
+    key(qtbot, reviewed, Qt.Key.Key_M)
+    made = document.current
+    assert (made.marker, made.start, made.stop, made.kind) == ("T10", 100, 120, Kind.NOISE)
+    assert document.selection is None
+    key(qtbot, reviewed, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert made.id not in {a.id for a in document.session.artifacts}
+
+
+def export(window, qtbot, monkeypatch, target):
+    monkeypatch.setattr(dialogs, "ask_export", lambda *_: True)
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(target), "C3D (*.c3d)"))
+    key(qtbot, window, Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
+    qtbot.waitUntil(lambda: not window.lane.busy, timeout=WAIT)
+
+
+def test_export_differs_only_at_repaired_samples(reviewed, qtbot, monkeypatch, take_path, tmp_path):
+    document = reviewed.document
+    gap = next(a for a in document.session.artifacts if a.kind is Kind.GAP)
+    document.select(gap.id)
+    proposed(qtbot, reviewed)
+    key(qtbot, reviewed, Qt.Key.Key_F)
+    target = tmp_path / "out.c3d"
+    export(reviewed, qtbot, monkeypatch, target)
+    assert document.session.exported
+    assert not reviewed.isWindowModified()
+    source, result = take_path.read_bytes(), target.read_bytes()
+    assert len(source) == len(result)
+    assert source != result
+    old, new = mm.read(take_path), mm.read(target)
+    same = (old.positions == new.positions) | (np.isnan(old.positions) & np.isnan(new.positions))
+    expected = np.ones_like(same)
+    expected[gap.start : gap.stop, old.index(gap.marker)] = False
+    assert (same == expected).all()
+
+
+def test_export_asks_when_artifacts_are_left_and_no_means_no(
+    reviewed, qtbot, monkeypatch, tmp_path
+):
+    asked = []
+    monkeypatch.setattr(dialogs, "ask_export", lambda *args: asked.append(args) or False)
+    key(qtbot, reviewed, Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
+    assert len(asked) == 1
+    assert list(tmp_path.glob("*_clean*")) == []
+
+
+def test_closing_with_unexported_work_asks(reviewed, monkeypatch):
+    reviewed.document.accept([reviewed.document.queue[0]])
+    monkeypatch.setattr(dialogs, "ask_unexported", lambda *_: "cancel")
+    assert not reviewed.close()
+    assert reviewed.document.session is not None
+
+
+def test_a_kept_review_comes_back(reviewed, qtbot, monkeypatch, take_path):
+    document = reviewed.document
+    chosen = document.queue[0]
+    document.reject([chosen])
+    monkeypatch.setattr(dialogs, "ask_unexported", lambda *_: "keep")
+    reviewed.commands.open_path(take_path)
+    qtbot.waitUntil(lambda: not reviewed.lane.busy, timeout=WAIT)
+    qtbot.waitUntil(lambda: bool(document.session.artifacts), timeout=WAIT)
+    assert document.session.artifact(chosen).status is Status.REJECTED
+    assert len(document.session.history) == 2
+
+
+def test_dropping_a_file_opens_it(window, qtbot, take_path):
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(take_path))])
+    copy, left = Qt.DropAction.CopyAction, Qt.MouseButton.LeftButton
+    none = Qt.KeyboardModifier.NoModifier
+    enter = QDragEnterEvent(QPointF(50, 50).toPoint(), copy, data, left, none)
+    window.dragEnterEvent(enter)
+    assert enter.isAccepted()
+    window.dropEvent(QDropEvent(QPointF(50, 50), copy, data, left, none))
+    qtbot.waitUntil(lambda: window.document.session is not None, timeout=WAIT)
+    qtbot.waitUntil(lambda: not window.lane.busy, timeout=WAIT)
+    assert settings.recent() == [take_path]
+
+
+def test_a_bad_file_is_one_sentence_and_leaves_the_open_take(
+    reviewed, qtbot, monkeypatch, tmp_path
+):
+    bad = tmp_path / "bad.c3d"
+    bad.write_bytes(b"not a recording")
+    shown = []
+    monkeypatch.setattr(QMessageBox, "exec", lambda self: shown.append(self.text()))
+    reviewed.commands.open_path(bad)
+    qtbot.waitUntil(lambda: bool(shown), timeout=WAIT)
+    assert "bad.c3d" in shown[0]
+    assert "Traceback" not in shown[0]
+    assert reviewed.document.path.name == "box.c3d"
+
+
+def test_cancelling_detection_leaves_the_list_as_it_was(reviewed, qtbot):
+    before = reviewed.document.session.artifacts
+    reviewed.actions_by_name["detect_slow"].trigger()
+    reviewed.lane.cancel()
+    qtbot.waitUntil(lambda: not reviewed.lane.busy, timeout=WAIT)
+    assert reviewed.document.session.artifacts == before
+
+
+def test_second_window_is_read_only(reviewed, qtbot, take_path, monkeypatch):
+    shown = []
+    monkeypatch.setattr(QMessageBox, "exec", lambda self: shown.append(self.text()))
+    second = MainWindow()
+    qtbot.addWidget(second)
+    second.show()
+    second.commands.open_path(take_path)
+    qtbot.waitUntil(lambda: second.document.session is not None, timeout=WAIT)
+    assert "read-only" in second.windowTitle()
+    second.document.mark(Artifact("CLAV", "xyz", 1, 5, Kind.NOISE))
+    assert second.document.session.artifacts == ()
+    assert "another window" in shown[0]
+    second.close()
+
+
+def test_every_action_has_a_verb_and_no_shortcut_is_taken_twice(window):
+    keys = [k for a in ACTIONS for k in a.keys]
+    assert len(keys) == len(set(keys))
+    for spec in ACTIONS:
+        if not spec.enabled(window.document):
+            assert not window.actions_by_name[spec.name].isEnabled()
+        assert window.can(spec.name)
