@@ -61,6 +61,9 @@ class Commands(QObject):
         """Open a take, after asking what becomes of the one that is open."""
         if not self.let_go():
             return
+        if self._document.path is not None and path == self._document.path:
+            # The review is locked while it is open, for this window too.
+            self._document.open(None, None)
 
         def work(progress: Progress) -> Any:
             return load(path, progress)
@@ -102,6 +105,7 @@ class Commands(QObject):
             return False
         if answer == "discard":
             document.file.discard()
+            document.open(None, None)
         elif answer == "export":
             return self.export(wait=True)
         else:
