@@ -77,13 +77,19 @@ def body_part(name: str) -> Part | None:
 
 
 def body_parts(names: Sequence[str]) -> list[Part | None]:
-    """Body part of each marker of one subject, without a prefix all share if that tells more."""
-    plain = [body_part(name) for name in names]
-    shared = len(_common_start(names)) if len(names) > 1 else 0
-    if shared == 0:
-        return plain
-    short = [body_part(name[shared:]) for name in names]
-    return short if sum(p is not None for p in short) > sum(p is not None for p in plain) else plain
+    """Side and body part of each marker of one subject, or None.
+
+    A prefix that all names share is ignored where that tells more, and so are sides where most
+    limb markers have none: the L is then no "left" (``LARM`` for the lower arm).
+    """
+    parts = [body_part(name) for name in names]
+    if len(names) > 1 and (shared := len(_common_start(names))):
+        short = [body_part(name[shared:]) for name in names]
+        parts = max(parts, short, key=lambda told: sum(p is not None for p in told))
+    limbs = [p for p in parts if p is not None and p[1] not in _CENTRAL]
+    if 2 * sum(side != "" for side, _ in limbs) < len(limbs):
+        parts = [p and ("", p[1]) for p in parts]
+    return parts
 
 
 def name_groups(take: Take, groups: Sequence[Group]) -> tuple[Group, ...]:

@@ -32,11 +32,8 @@ def grow_tree(cost: FloatArray, members: Members) -> tuple[list[int], list[int |
     the group from which the markers of all others are the fewest groups away.
     """
     groups = len(members)
-    between = np.zeros((groups, groups))
-    for a in range(groups):
-        for b in range(groups):
-            if a != b:
-                between[a, b] = cost[np.ix_(members[a], members[b])].mean(axis=1).min()
+    to_group = np.stack([cost[:, own].mean(axis=1) for own in members], axis=1)
+    between = np.stack([to_group[own].min(axis=0) for own in members])
     edges = spanning_tree(np.minimum(between, between.T))
     neighbours: list[list[int]] = [[] for _ in range(groups)]
     for a, b in edges:
