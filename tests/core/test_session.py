@@ -406,3 +406,28 @@ def test_kill_at_random_moments_loses_at_most_the_step_in_flight(tmp_path):
         again = open_session(same_take(), folder=folder)
         assert told <= len(again.session.history) <= told + 1
         again.close()
+
+
+def stored_take() -> Take:
+    """The take that the stored sessions of every version belong to."""
+    positions = np.arange(40 * 2 * 3, dtype=np.float64).reshape(40, 2, 3)
+    positions[5:9, 1] = np.nan
+    return Take(positions, ("LHEE", "RHEE"), 50.0)
+
+
+@pytest.mark.parametrize("version", [1])
+def test_reviews_of_every_version_keep_opening(tmp_path, version):
+    text = (Path(__file__).parent / "sessions" / f"v{version}.json").read_text(encoding="utf-8")
+    (tmp_path / "take.markermend.json").write_text(text, encoding="utf-8")
+    kept = open_session(stored_take(), folder=tmp_path)
+    assert kept.warning == ""
+    statuses = [(a.marker, a.kind, a.status) for a in kept.session.artifacts]
+    assert statuses == [
+        ("RHEE", Kind.GAP, Status.REPAIRED),
+        ("LHEE", Kind.STEP, Status.REJECTED),
+        ("LHEE", Kind.SLOW, Status.ACCEPTED),
+        ("RHEE", Kind.PEAK, Status.PENDING),
+    ]
+    assert (kept.session.positions[5:9, 1] == 2.5).all()
+    assert kept.session.undone == ("Accept peak on RHEE",)
+    kept.close()

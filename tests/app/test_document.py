@@ -1,0 +1,114 @@
+"""The document: signals tell what changed, decisions move on, proposals stay true."""
+
+from __future__ import annotations
+
+import pytest
+
+from markermend.artifact import Kind, Status
+from markermend.mesh import infer_mesh
+from markermend.session_file import open_session
+from markermend_app.document import Document
+
+WAIT = 20_000
+
+
+@pytest.fixture
+def document(qapp, damaged, tmp_path):
+    take, truth = damaged
+    made = Document()
+    made.open(open_session(take, folder=tmp_path), infer_mesh(take))
+    made.add_detected(truth, "truth")
+    made.set_queue([a.id for a in made.session.artifacts])
+    yield made
+    made.open(None, None)
+    made.proposals.close()
+
+
+def of(document, kind):
+    return next(a for a in document.session.artifacts if a.kind is kind)
+
+
+def test_deciding_moves_to_the_next_undecided_and_wraps(document):
+    gap, peak, noise, step = document.session.artifacts
+    document.reject([peak.id])
+    document.select(gap.id)
+    document.accept_current()
+    assert document.current.id == noise.id
+    document.select(step.id)
+    document.reject_current()
+    assert document.current.id == noise.id
+    document.accept_current()
+    assert document.current.id == noise.id
+    assert not document.session.with_status(Status.PENDING)
+
+
+def test_selecting_shows_the_marker_and_asks_for_its_frames(document, qtbot):
+    peak = of(document, Kind.PEAK)
+    with qtbot.waitSignal(document.frame_requested) as asked:
+        document.select(peak.id)
+    assert asked.args == [peak.start, peak.stop]
+    assert document.shown == (peak.marker,)
+    assert peak.start <= document.frame < peak.stop
+
+
+def test_repair_tells_what_changed(document, qtbot):
+    gap = of(document, Kind.GAP)
+    document.select(gap.id)
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    with qtbot.waitSignal(document.data_changed) as changed:
+        document.repair_current()
+    change = changed.args[0]
+    assert change.markers == (gap.marker,)
+    assert (change.start, change.stop) == (gap.start, gap.stop)
+
+
+def test_a_change_of_its_marker_makes_a_proposal_anew(document, qtbot):
+    noise, gap = of(document, Kind.NOISE), of(document, Kind.GAP)
+    document.select(noise.id)
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    kept = document.proposal
+    document.select(gap.id)
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    document.repair_current()
+    document.select(noise.id)
+    assert document.proposal is kept
+    document.repair_current()
+    document.undo()
+    document.select(noise.id)
+    assert document.proposal is not kept
+
+
+def test_the_next_proposal_is_made_ahead(document, qtbot):
+    first, second = document.queue[:2]
+    document.select(first)
+    ahead = document.session.artifact(second)
+    qtbot.waitUntil(lambda: document.proposals.get(ahead, "auto") is not None, timeout=WAIT)
+
+
+def test_a_method_without_an_answer_is_said_and_changes_nothing(document, qtbot):
+    peak = of(document, Kind.PEAK)
+    document.select(peak.id)
+    document.choose_method("swap")
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    with qtbot.waitSignal(document.failed) as failed:
+        document.repair_current()
+    assert "cannot be repaired" in str(failed.args[0])
+    assert document.session.artifact(peak.id).status is Status.PENDING
+
+
+def test_travelling_through_history(document):
+    first, second, *_ = document.queue
+    document.accept([first])
+    document.reject([second])
+    document.travel(1)
+    assert len(document.session.with_status(Status.PENDING)) == 4
+    document.travel(3)
+    assert document.session.artifact(second).status is Status.REJECTED
+
+
+def test_reading_only_refuses_every_decision(document, qtbot):
+    document.file.read_only = True
+    with qtbot.waitSignal(document.failed):
+        document.accept([document.queue[0]])
+    assert len(document.session.with_status(Status.PENDING)) == 4
+    document.file.read_only = False

@@ -1,0 +1,89 @@
+"""Work off the GUI thread: results arrive in it, progress is seen, cancel stops."""
+
+from __future__ import annotations
+
+import threading
+
+import pytest
+
+from markermend.errors import DataError
+from markermend_app.jobs import Lane
+
+
+@pytest.fixture
+def lane(qapp):
+    made = Lane("test")
+    yield made
+    made.close()
+
+
+def never(error):
+    pytest.fail(f"unexpected: {error}")
+
+
+def test_result_arrives_in_the_gui_thread(lane, qtbot):
+    seen = []
+    lane.submit(
+        "work",
+        lambda progress: threading.current_thread(),
+        lambda worker: seen.append((worker, threading.current_thread())),
+        never,
+    )
+    qtbot.waitUntil(lambda: bool(seen))
+    worker, here = seen[0]
+    assert here is threading.main_thread()
+    assert worker is not here
+
+
+def test_progress_is_told_and_ends(lane, qtbot):
+    told = []
+    lane.progressed.connect(lambda share, doing: told.append((share, doing)))
+
+    def work(progress):
+        progress(0.25, "one")
+        progress(1.0, "two")
+
+    with qtbot.waitSignal(lane.finished):
+        lane.submit("work", work, lambda _: None, never)
+    assert told == [(0.25, "one"), (1.0, "two")]
+    assert not lane.busy
+
+
+def test_an_error_reaches_the_caller(lane, qtbot):
+    errors = []
+
+    def work(progress):
+        raise DataError("no such marker")
+
+    lane.submit("work", work, lambda _: pytest.fail("not done"), errors.append)
+    qtbot.waitUntil(lambda: bool(errors))
+    assert str(errors[0]) == "no such marker"
+
+
+def test_cancel_stops_running_and_waiting_jobs(lane, qtbot):
+    started, ended = threading.Event(), threading.Event()
+
+    def endless(progress):
+        started.set()
+        try:
+            while True:
+                progress(0.5, "on and on")
+        finally:
+            ended.set()
+
+    ran = []
+    lane.submit("endless", endless, ran.append, never)
+    lane.submit("waiting", lambda progress: ran.append("waiting"), ran.append, never)
+    assert started.wait(5)
+    lane.cancel()
+    assert ended.wait(5)
+    qtbot.waitUntil(lambda: not lane.busy)
+    assert ran == []
+
+
+def test_jobs_run_in_order(lane, qtbot):
+    order = []
+    for i in range(5):
+        lane.submit("work", lambda progress, i=i: i, order.append, never)
+    qtbot.waitUntil(lambda: len(order) == 5)
+    assert order == [0, 1, 2, 3, 4]
