@@ -98,8 +98,8 @@ def axis_columns(axes: str) -> list[int]:
 
 
 def in_order(artifacts: Iterable[Artifact]) -> tuple[Artifact, ...]:
-    """Sort by start, then marker, then axes and kind."""
-    return tuple(sorted(artifacts, key=lambda a: (a.start, a.marker, a.axes, a.kind, a.stop)))
+    """Sort by start, then marker, axes and kind; the id settles what is left."""
+    return tuple(sorted(artifacts, key=lambda a: (a.start, a.marker, a.axes, a.kind, a.stop, a.id)))
 
 
 def damage_mask(take: Take, artifacts: Iterable[Artifact]) -> BoolArray:
