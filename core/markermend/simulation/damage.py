@@ -16,7 +16,7 @@ from markermend.take import Take, is_unlabelled
 _TRIES = 400
 _APART_S = 0.25
 _EDGE_S = 0.4
-_SWAP_MM = (25.0, 260.0)
+_SWAP_MM = (25.0, 130.0)
 
 
 @dataclass(frozen=True)

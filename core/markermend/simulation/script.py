@@ -20,8 +20,8 @@ class Activity:
 
 
 DEFAULT_SCRIPT = (
-    Activity("stand", 3.0),
-    Activity("reach", 6.5),
+    Activity("stand", 2.5),
+    Activity("reach", 6.0),
     Activity("walk", 5.5),
     Activity("turn", 4.0),
     Activity("walk", 5.5),
