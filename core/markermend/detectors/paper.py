@@ -7,7 +7,7 @@ rate. Then detections of one kind on the axes of one marker become one artifact,
 another trajectory complements are named as swaps.
 
 How misprints are read stands with each stage. Beyond the paper: thresholds for sudden changes
-are at least 1 mm (``least_mm``), because on a marker that rests three times its spread is a
+are at least 1.5 mm (``least_mm``), because on a marker that rests three times its spread is a
 fraction of a millimetre; samples not seen, and two frames at each edge of a gap, are never
 judged; trajectories without a name are not judged.
 """

@@ -26,7 +26,7 @@ class PaperParams:
     """
 
     slow: bool = _tunable(True, "Look for slow changes, which trains a small network a marker")
-    least_mm: float = _tunable(1.0, "Smallest threshold for sudden changes; 0 as published", "mm")
+    least_mm: float = _tunable(1.5, "Smallest threshold for sudden changes; 0 as published", "mm")
 
     peak_window: int = _tunable(19, "Window of the moving median (eq. 18)", "frames", 3)
     peak_k: float = _tunable(3.0, "threshold₁ in σ of the high-passed differential (eq. 20)")
