@@ -1,0 +1,38 @@
+"""A time axis that people can read: the file's frame number above, seconds below."""
+
+from __future__ import annotations
+
+import math
+
+import pyqtgraph as pg
+
+
+class TimeAxis(pg.AxisItem):
+    """Bottom axis over frame indices, labelled with frame numbers and seconds."""
+
+    def __init__(self) -> None:
+        super().__init__("bottom")
+        self._first_frame = 1
+        self._rate = 100.0
+
+    def set_clock(self, first_frame: int, rate: float) -> None:
+        """Say which number index 0 has in the file, and how many frames a second has."""
+        self._first_frame, self._rate = first_frame, rate
+        self.picture = None
+        self.update()
+
+    def tickValues(
+        self, minVal: float, maxVal: float, size: float
+    ) -> list[tuple[float, list[float]]]:
+        """Ticks at round frame numbers, never between two frames."""
+        shift = self._first_frame
+        levels = super().tickValues(minVal + shift, maxVal + shift, size)
+        return [
+            (spacing, [v - shift for v in values]) for spacing, values in levels if spacing >= 1
+        ]
+
+    def tickStrings(self, values: list[float], scale: float, spacing: float) -> list[str]:
+        """Two lines a tick."""
+        step_s = spacing / self._rate
+        places = min(3, max(1, 1 + math.ceil(-math.log10(step_s) - 1e-9)))
+        return [f"{round(v) + self._first_frame}\n{v / self._rate:.{places}f} s" for v in values]

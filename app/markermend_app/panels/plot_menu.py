@@ -1,0 +1,100 @@
+"""Context menus of the plots: what can be done to an artifact and to a swept range."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QCoreApplication
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QMenu, QWidget
+
+from markermend.artifact import Artifact, Kind, Status
+from markermend_app import theme
+from markermend_app.document import Document
+
+
+def artifact_menu(document: Document, artifact: Artifact, parent: QWidget) -> QMenu:
+    """Decide about an artifact, change it, or take it off the list."""
+    menu = QMenu(parent)
+    name = _tr(theme.KIND_NAME[artifact.kind])
+    menu.addSection(f"{name} · {artifact.marker}")
+    status, ids = artifact.status, [artifact.id]
+    _add(menu, "accept", _tr("Accept"), "A", lambda: document.accept(ids)).setEnabled(
+        status is not Status.ACCEPTED
+    )
+    _add(menu, "reject", _tr("Reject"), "R", lambda: document.reject(ids)).setEnabled(
+        status is not Status.REJECTED
+    )
+    _add(menu, "repair", _tr("Repair"), "F", document.repair_current).setEnabled(
+        status is not Status.REPAIRED
+    )
+    _add(menu, "undo", _tr("Reopen"), "", lambda: document.reopen(ids)).setEnabled(
+        status is not Status.PENDING
+    )
+    menu.addSeparator()
+    classes = menu.addMenu(theme.icon("labels"), _tr("Class"))
+    for kind in Kind:
+        action = classes.addAction(theme.icon(kind), _tr(theme.KIND_NAME[kind]))
+        action.setCheckable(True)
+        action.setChecked(kind is artifact.kind)
+        action.triggered.connect(lambda _=False, k=kind: document.change(artifact.id, kind=k))
+    axes = menu.addMenu(theme.icon("curves"), _tr("Damaged axes"))
+    for axis in "xyz":
+        action = axes.addAction(axis.upper())
+        action.setCheckable(True)
+        action.setChecked(axis in artifact.axes)
+        action.setEnabled(artifact.axes != axis)
+        action.triggered.connect(
+            lambda _=False, a=axis: document.change(artifact.id, axes=_toggled(artifact.axes, a))
+        )
+    menu.addSeparator()
+    _add(menu, "delete", _tr("Remove from the list"), "", lambda: document.remove(ids))
+    if not document.editable:
+        for action in menu.actions():
+            action.setEnabled(False)
+    return menu
+
+
+def sweep_menu(
+    document: Document,
+    mark: Callable[[Kind], None],
+    repair: Callable[[], None],
+    parent: QWidget,
+) -> QMenu:
+    """Mark the swept range as an artifact, or repair what lies in it."""
+    menu = QMenu(parent)
+    if document.selection is not None:
+        menu.addSection(_tr("Selection on {marker}").format(marker=document.selection.marker))
+    for kind in Kind:
+        text = _tr("Mark as {kind}").format(kind=_tr(theme.KIND_NAME[kind]).lower())
+        action = _add(menu, str(kind), text, "", lambda k=kind: mark(k))
+        action.setEnabled(document.editable)
+    menu.addSeparator()
+    _add(menu, "repair-all", _tr("Repair the selection"), "", repair).setEnabled(document.editable)
+    _add(menu, "cancel", _tr("Clear the selection"), "Esc", lambda: document.sweep(None))
+    return menu
+
+
+def plot_menu(fit: Callable[[], None], parent: QWidget) -> QMenu:
+    """What can be done where there is nothing."""
+    menu = QMenu(parent)
+    _add(menu, "overview", _tr("Show the whole take"), "", fit)
+    return menu
+
+
+def _toggled(axes: str, axis: str) -> str:
+    """Axes with one put in or taken out."""
+    chosen = set(axes) ^ {axis}
+    return "".join(a for a in "xyz" if a in chosen)
+
+
+def _add(menu: QMenu, icon: str, text: str, key: str, do: Callable[[], None]) -> QAction:
+    """An entry that names its key; the key itself belongs to the window's action."""
+    action = menu.addAction(theme.icon(icon), f"{text}\t{key}" if key else text)
+    action.triggered.connect(lambda _=False: do())
+    return action
+
+
+def _tr(text: str) -> str:
+    """Translate."""
+    return QCoreApplication.translate("PlotMenu", text)

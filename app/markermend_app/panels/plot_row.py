@@ -1,0 +1,304 @@
+"""One of the stacked plots: an axis of the shown markers, their artifacts and a proposal."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import pyqtgraph as pg
+from PySide6.QtCore import Qt
+
+from markermend.arrays import BoolArray, FloatArray
+from markermend.artifact import Artifact
+from markermend.patch import Patch
+from markermend.take import AXES, Origin, Take
+from markermend_app import theme
+from markermend_app.items.band import Band
+from markermend_app.items.curve import curve, dots, lone_samples, pieces, prepare_plot
+from markermend_app.items.intervals import Intervals
+from markermend_app.items.time_axis import TimeAxis
+from markermend_app.panels.plot_range import value_range
+from markermend_app.panels.plot_view import PlotView
+
+TIME_HEIGHT = 36
+_VALUES_WIDTH = 64
+
+
+@dataclass(frozen=True, eq=False)
+class Trace:
+    """The curves of one marker on one axis.
+
+    Attributes
+    ----------
+    measured : samples as recorded
+    changed : samples that were filled or edited, drawn apart
+    original : samples of the source where the working ones differ
+    lone : samples without neighbours
+    predicted : where the rest of the body says the marker is
+    """
+
+    measured: pg.PlotDataItem
+    changed: pg.PlotDataItem
+    original: pg.PlotDataItem
+    lone: pg.PlotDataItem
+    predicted: pg.PlotDataItem
+
+    def items(self) -> tuple[pg.PlotDataItem, ...]:
+        """All of them."""
+        return (self.original, self.measured, self.changed, self.lone, self.predicted)
+
+
+class PlotRow:
+    """Everything that is drawn for one axis.
+
+    Attributes
+    ----------
+    axis, column : ``"x"``, ``"y"`` or ``"z"``, and its column in positions
+    plot, view : the plot and its area
+    intervals : the artifacts
+    region : edges of the current artifact, to be dragged
+    """
+
+    def __init__(self, axis: str, last: bool) -> None:
+        self.axis, self.column = axis, AXES.index(axis)
+        self.view = PlotView()
+        self.time = TimeAxis()
+        self.plot = pg.PlotItem(viewBox=self.view, axisItems={"bottom": self.time})
+        self.plot.hideButtons()
+        self.plot.setMenuEnabled(False)
+        prepare_plot(self.plot)
+        self.view.setDefaultPadding(0)
+        self.values = self.plot.getAxis("left")
+        self.values.setWidth(_VALUES_WIDTH)
+        self.values.enableAutoSIPrefix(False)
+        self.plot.showGrid(x=True, y=True, alpha=1.0)
+        for side in (self.values, self.time):
+            # Else the grid lies over the curves, and minor lines outnumber what is drawn.
+            side.setZValue(-1000)
+            side.setStyle(maxTickLevel=0)
+        self.time.setStyle(showValues=last)
+        self.time.setHeight(TIME_HEIGHT if last else 0)
+        self.intervals = Intervals()
+        self.band = Band()
+        self.region = pg.LinearRegionItem(movable=True)
+        # Only the edges move; a drag of the middle would shift the interval by accident.
+        self.region.movable = False
+        self.region.setZValue(20)
+        self.sweep = pg.LinearRegionItem(movable=False)
+        self.cursor = pg.InfiniteLine(angle=90, movable=False)
+        self.cursor.setZValue(30)
+        self.proposed: list[pg.PlotDataItem] = []
+        self.traces: dict[str, Trace] = {}
+        self._take: Take | None = None
+        self._before = False
+        for item in (self.intervals, self.band, self.sweep, self.region, self.cursor):
+            self.plot.addItem(item, ignoreBounds=True)
+        self.region.hide()
+        self.sweep.hide()
+        self.view.sigResized.connect(self._resized)
+        self.restyle()
+
+    # Curves
+
+    def show_markers(self, take: Take, original: Take, markers: Sequence[str]) -> None:
+        """Draw these markers and no others."""
+        for name in list(self.traces):
+            for item in self.traces.pop(name).items():
+                self.plot.removeItem(item)
+        self._take = take
+        for i, name in enumerate(markers):
+            self.traces[name] = self._new_trace(i)
+            self.refresh(take, original, name)
+
+    def refresh(self, take: Take, original: Take, name: str) -> None:
+        """Draw the samples of one marker as they stand now."""
+        self._take = take
+        trace, column = self.traces[name], take.index(name)
+        values = np.ascontiguousarray(take.positions[:, column, self.column])
+        source = np.ascontiguousarray(original.positions[:, column, self.column])
+        origin = take.origin[:, column]
+        mended = (origin == Origin.FILLED) | (origin == Origin.EDITED)
+        _fill_whole(trace.measured, np.where(mended, np.nan, values))
+        _fill(trace.changed, values, mended)
+        _fill(trace.lone, values, lone_samples(values), join=0)
+        same = (values == source) | (np.isnan(values) & np.isnan(source))
+        _fill(trace.original, source, ~same)
+
+    def show_prediction(self, predicted: Mapping[str, FloatArray]) -> None:
+        """Draw predicted positions, (frames, 3) by marker; others get none."""
+        for name, trace in self.traces.items():
+            if name in predicted:
+                _fill_whole(trace.predicted, predicted[name][:, self.column])
+            else:
+                trace.predicted.setData([], [])
+
+    def set_before(self, before: bool) -> None:
+        """Bring the source's samples forward and let the repairs step back, or not."""
+        self._before = before
+        for i, trace in enumerate(self.traces.values()):
+            self._style(trace, i)
+
+    # Artifacts and the proposal
+
+    def show_artifacts(self, artifacts: Sequence[Artifact], markers: Sequence[str]) -> None:
+        """Draw the artifacts that name this axis."""
+        self.intervals.show([a for a in artifacts if self.axis in a.axes], markers)
+
+    def show_current(self, artifact: Artifact | None, editable: bool) -> None:
+        """Mark the artifact under review and, where it may be changed, offer its edges."""
+        self.intervals.set_current(None if artifact is None else artifact.id)
+        offered = artifact is not None and self.axis in artifact.axes
+        self.region.setVisible(offered)
+        if artifact is not None and offered:
+            self.set_edges(artifact.start, artifact.stop)
+            for line in self.region.lines:
+                line.setMovable(editable)
+
+    def set_edges(self, start: float, stop: float) -> None:
+        """Put the edges there without telling anyone."""
+        self.region.blockSignals(True)
+        self.region.setRegion((start - 0.5, stop - 0.5))
+        self.region.blockSignals(False)
+
+    def show_sweep(self, start: int, stop: int) -> None:
+        """Draw a swept range; an empty one draws nothing."""
+        self.sweep.setVisible(stop > start)
+        if stop > start:
+            self.sweep.setRegion((start - 0.5, stop - 0.5))
+
+    def show_proposal(self, patches: Sequence[Patch], band_mm: FloatArray | None) -> None:
+        """Draw what a repair would put here; the band goes with the first patch."""
+        for item in self.proposed:
+            self.plot.removeItem(item)
+        self.proposed = []
+        self.band.clear()
+        for i, patch in enumerate(patches):
+            if self.axis not in patch.axes or patch.marker not in self.traces:
+                continue
+            x, y = self._joined(patch)
+            item = curve(theme.current().accent, width=2)
+            item.setZValue(15)
+            self.plot.addItem(item)
+            item.setData(x, y)
+            self.proposed.append(item)
+            if i == 0 and band_mm is not None and len(band_mm) == patch.stop - patch.start:
+                inner = np.arange(patch.start, patch.stop, dtype=np.float64)
+                values = patch.values[:, patch.axes.index(self.axis)]
+                self.band.set_data(inner, values, band_mm)
+
+    def _joined(self, patch: Patch) -> tuple[FloatArray, FloatArray]:
+        """A patch's values on this axis with the samples on either side."""
+        values = patch.values[:, patch.axes.index(self.axis)]
+        x = np.arange(patch.start, patch.stop, dtype=np.float64)
+        if self._take is None:
+            return x, values
+        known = self._take.positions[:, self._take.index(patch.marker), self.column]
+        before = slice(max(0, patch.start - 1), patch.start)
+        after = slice(patch.stop, min(len(known), patch.stop + 1))
+        start = patch.start - len(known[before])
+        joined = np.concatenate((known[before], values, known[after]))
+        return start + np.arange(len(joined), dtype=np.float64), joined
+
+    # The view
+
+    def fit_values(self, start: float, stop: float, current: Artifact | None) -> None:
+        """Show the values that matter within these frames."""
+        take = self._take
+        if take is None or not self.traces:
+            return
+        low, high = max(0, int(start)), max(0, int(np.ceil(stop)) + 1)
+        columns = [take.index(name) for name in self.traces]
+        trusted, special = [], []
+        for name, column in zip(self.traces, columns, strict=True):
+            values = take.positions[low:high, column, self.column]
+            if current is not None and name == current.marker and self.axis in current.axes:
+                mine: BoolArray = np.zeros(len(values), dtype=bool)
+                mine[max(0, current.start - low) : max(0, current.stop - low)] = True
+                special.append(values[mine])
+                values = values[~mine]
+            trusted.append(values)
+        special += [item.yData for item in self.proposed if item.yData is not None]
+        height = max(1.0, self.view.height())
+        bottom = min(0.3, self.intervals.strip_height / height)
+        found = value_range(trusted, special, bottom)
+        if found is not None:
+            self.view.setYRange(*found, padding=0)
+
+    def restyle(self) -> None:
+        """Take over the theme's colours."""
+        look = theme.current()
+        for axis in (self.values, self.time):
+            axis.setPen(pg.mkPen(look.border))
+            axis.setTickPen(pg.mkPen(look.grid))
+            axis.setTextPen(pg.mkPen(look.muted))
+            font = axis.font()
+            font.setPointSize(theme.SMALL_PT)
+            axis.setTickFont(font)
+        name = look.axes[self.axis].name()
+        self.values.setLabel(
+            f"{self.axis.upper()} (mm)", **{"color": name, "font-size": f"{theme.SMALL_PT}pt"}
+        )
+        accent = look.accent
+        self.region.setBrush(pg.mkBrush(None))
+        for line in self.region.lines:
+            line.setPen(pg.mkPen(accent, width=1))
+            line.setHoverPen(pg.mkPen(accent, width=3))
+        self.sweep.setBrush(pg.mkBrush(theme.faded(look.selection, 0.28)))
+        for line in self.sweep.lines:
+            line.setPen(pg.mkPen(look.selection, width=1, style=Qt.PenStyle.DashLine))
+        self.cursor.setPen(pg.mkPen(theme.faded(look.text, 0.75), width=1))
+        self.band.set_color(theme.faded(accent, 0.22))
+        for item in self.proposed:
+            item.setPen(pg.mkPen(accent, width=2, cosmetic=True))
+        for i, trace in enumerate(self.traces.values()):
+            self._style(trace, i)
+        self.intervals.update()
+
+    def _new_trace(self, index: int) -> Trace:
+        """Empty curves for a marker."""
+        color = theme.marker_color(index)
+        trace = Trace(curve(color), curve(color), curve(color), dots(color), curve(color))
+        for depth, item in enumerate(trace.items()):
+            item.setZValue(10 - index * 0.1 + depth * 0.01)
+            self.plot.addItem(item)
+        self._style(trace, index)
+        return trace
+
+    def _style(self, trace: Trace, index: int) -> None:
+        """Give a marker's curves their pens."""
+        look, color = theme.current(), theme.marker_color(index)
+        mended = theme.blend(color, look.accent, 0.55)
+        original = color if self._before else look.original
+        trace.measured.setPen(pg.mkPen(color, width=1))
+        trace.original.setPen(pg.mkPen(original, width=1))
+        style = Qt.PenStyle.DotLine if self._before else Qt.PenStyle.DashLine
+        trace.changed.setPen(
+            pg.mkPen(look.original if self._before else mended, width=1, style=style)
+        )
+        trace.lone.setSymbolBrush(color)
+        trace.predicted.setPen(
+            pg.mkPen(theme.blend(look.accent, color, 0.3), width=1, style=Qt.PenStyle.DotLine)
+        )
+
+    def _resized(self, *_: object) -> None:
+        """Work out anew how many samples a pixel stands for."""
+        for trace in self.traces.values():
+            for item in trace.items():
+                item.viewRangeChanged()
+
+
+def _fill_whole(item: pg.PlotDataItem, values: FloatArray) -> None:
+    """Give a curve one value a frame; a curve without any is emptied."""
+    if np.isnan(values).all():
+        item.setData([], [])
+    else:
+        item.setData(np.arange(len(values), dtype=np.float64), values)
+
+
+def _fill(item: pg.PlotDataItem, values: FloatArray, mask: BoolArray, join: int = 1) -> None:
+    """Give a curve the masked stretches of some values."""
+    if mask.any():
+        item.setData(*pieces(values, mask, join))
+    else:
+        item.setData([], [])
