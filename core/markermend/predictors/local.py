@@ -18,7 +18,10 @@ from markermend.errors import DataError
 FRAME_MARKERS = 6
 INPUT_MARKERS = 12
 COMPONENTS = 8
-RIDGE = 1e-3
+# Ridge per sample and unit of variance. The products bend the fit where the body has been and fling
+# it off where it has not: held back 300 times harder than the inputs, they halve the error in gaps
+# of a calm take (13 to 7 mm before any bridging) and cost a fifth in frames learned from.
+RIDGE, PRODUCT_RIDGE = 3e-4, 0.1
 HUBER_PASSES = 3
 # The other inputs hold the local frame only where too few of its own markers are seen.
 SPARE_WEIGHT = 1e-4
@@ -89,7 +92,7 @@ def predict_local(
         wanted[start:stop] = True
         rows = np.flatnonzero(wanted & (usable[:, chosen].sum(axis=1) >= 3))
         references = np.where(
-            usable[np.ix_(rows, chosen)][:, :, None], positions[rows][:, chosen], np.nan
+            usable[np.ix_(rows, chosen)][:, :, None], positions[rows[:, None], chosen], np.nan
         )
         weight = learn[rows] * _time_weights(rows, start, stop, memory)
         inside = (rows >= start) & (rows < stop)
@@ -167,14 +170,14 @@ def _regress(
 ) -> FloatArray:
     """Fit target on references where weight is positive, and predict the frames inside."""
     motion = _align(references)
-    inputs = _complete(motion.to_local(references).reshape(len(references), -1), weight)
+    inputs = _complete(motion.to_local(references).reshape(len(references), -1))
     known = weight > 0
     goal = motion.to_local(target[:, None])[known, 0]
-    features = _features(inputs, weight)
+    features, ridge = _features(inputs, weight)
     learned, weight = features[known], weight[known]
     robust = np.ones(len(weight))
     for _ in range(HUBER_PASSES):
-        coefficients = _ridge(learned, goal, weight * robust)
+        coefficients = _solve(learned, goal, weight * robust, ridge)
         error = np.sqrt(((goal - learned @ coefficients) ** 2).sum(axis=1))
         robust = 1.0 / np.maximum(1.0, error / max(2.0 * float(np.median(error)), 1e-9))
     inner = _Motion(motion.turn[inside], motion.origin[inside])
@@ -182,16 +185,30 @@ def _regress(
 
 
 def _align(references: FloatArray) -> _Motion:
-    """Fit the typical pose of the references onto every frame (weighted orthogonal Procrustes)."""
+    """Fit the references' typical pose onto every frame."""
     seen = ~np.isnan(references[:, :, 0])
     pose = _typical_pose(references, seen)
-    nearness = np.where(np.arange(references.shape[1]) < FRAME_MARKERS, 1.0, SPARE_WEIGHT)
-    weight = seen * nearness
-    weight /= weight.sum(axis=1, keepdims=True)
+    unplaced = np.isnan(pose[:, 0])
+    motion = _fit(pose, references, seen & ~unplaced)
+    if unplaced.any():
+        firm = (seen & ~unplaced).sum(axis=1) >= 3
+        inner = _Motion(motion.turn[firm], motion.origin[firm]).to_local(references[firm])
+        placed = unplaced & seen[firm].any(axis=0)
+        pose[placed] = np.nanmedian(inner[:, placed], axis=0)
+        motion = _fit(pose, references, seen & ~np.isnan(pose[:, 0]))
+    return motion
+
+
+def _fit(pose: FloatArray, references: FloatArray, seen: BoolArray) -> _Motion:
+    """Rigid motion of the pose nearest to each frame (weighted orthogonal Procrustes)."""
+    nearness = np.where(np.arange(len(pose)) < FRAME_MARKERS, 1.0, SPARE_WEIGHT)
+    weight = np.where(seen, nearness, 0.0)
+    weight = weight / np.maximum(weight.sum(axis=1, keepdims=True), SPARE_WEIGHT)
+    pose = np.nan_to_num(pose)
     points = np.where(seen[:, :, None], references, 0.0)
-    centre = np.einsum("tm,tmk->tk", weight, points)
+    centre = (weight[:, None] @ points)[:, 0]
     pose_centre = weight @ pose
-    arms = np.where(seen[:, :, None], points - centre[:, None], 0.0) * weight[:, :, None]
+    arms = (points - centre[:, None]) * weight[:, :, None]
     left, _, right = np.linalg.svd((pose - pose_centre[:, None]).transpose(0, 2, 1) @ arms)
     right[:, 2] *= np.sign(np.linalg.det(left) * np.linalg.det(right))[:, None]
     turn = left @ right
@@ -206,12 +223,11 @@ def _typical_pose(references: FloatArray, seen: BoolArray) -> FloatArray:
     apart = np.sqrt(((some[:, i] - some[:, j]) ** 2).sum(axis=2))
     known = ~np.isnan(apart).all(axis=0)
     usual = np.nanmedian(apart[:, known], axis=0)
-    pose = some[int(np.nansum(np.abs(apart[:, known] - usual), axis=1).argmin())]
-    whole: FloatArray = np.where(np.isnan(pose), np.nanmean(pose, axis=0), pose)
-    return whole
+    pose: FloatArray = some[int(np.nansum(np.abs(apart[:, known] - usual), axis=1).argmin())]
+    return pose.copy()
 
 
-def _complete(inputs: FloatArray, weight: FloatArray) -> FloatArray:
+def _complete(inputs: FloatArray) -> FloatArray:
     """Replace missing inputs by their linear expectation given the others in the frame."""
     missing = np.isnan(inputs)
     if not missing.any():
@@ -236,8 +252,8 @@ def _complete(inputs: FloatArray, weight: FloatArray) -> FloatArray:
     return filled + mean
 
 
-def _features(inputs: FloatArray, weight: FloatArray) -> FloatArray:
-    """One, the standardised inputs, and products of their leading components, as data allow."""
+def _features(inputs: FloatArray, weight: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """One, the standardised inputs, products of their main components; and the ridge of each."""
     samples = np.count_nonzero(weight)
     share = weight / weight.sum()
     mean = share @ inputs
@@ -245,27 +261,30 @@ def _features(inputs: FloatArray, weight: FloatArray) -> FloatArray:
     # A constant input is left out by an infinite scale rather than blown up by its rounding.
     inputs = (inputs - mean) / np.where(scale > 1e-6, scale, np.inf)
     one = np.ones((len(inputs), 1))
-    if samples < 2 * SAMPLES_PER_FEATURE:
-        return one
     covariance = (inputs * share[:, None]).T @ inputs
     value, vector = np.linalg.eigh(covariance)
     value, vector = value[::-1][:COMPONENTS], vector[:, ::-1][:, :COMPONENTS]
     part = np.clip(inputs @ (vector / np.sqrt(np.maximum(value, 1e-6))), -CLIP, CLIP)
-    if samples < SAMPLES_PER_FEATURE * inputs.shape[1]:
-        return np.hstack([one, part[:, : samples // SAMPLES_PER_FEATURE]])
     i, j = np.triu_indices(part.shape[1])
     products = part[:, i] * part[:, j]
-    if samples < SAMPLES_PER_FEATURE * (inputs.shape[1] + products.shape[1]):
-        return np.hstack([one, inputs])
     products -= share @ products
     products /= np.sqrt(np.maximum(share @ products**2, 1e-12))
-    return np.hstack([one, inputs, products])
+    affordable = samples // SAMPLES_PER_FEATURE
+    if affordable < inputs.shape[1]:
+        linear, products = part[:, : min(affordable, part.shape[1])], products[:, :0]
+    elif affordable < inputs.shape[1] + products.shape[1]:
+        linear, products = inputs, products[:, :0]
+    else:
+        linear = inputs
+    ridge = np.repeat([1e-9, RIDGE, PRODUCT_RIDGE], [1, linear.shape[1], products.shape[1]])
+    return np.hstack([one, linear, products]), ridge
 
 
-def _ridge(features: FloatArray, goal: FloatArray, weight: FloatArray) -> FloatArray:
-    """Weighted ridge regression; the first feature, the constant, is not held back."""
+def _solve(
+    features: FloatArray, goal: FloatArray, weight: FloatArray, ridge: FloatArray
+) -> FloatArray:
+    """Weighted ridge regression."""
     weighted = features * weight[:, None]
-    penalty = np.full(features.shape[1], RIDGE * weight.sum())
-    penalty[0] = 1e-9 * weight.sum()
+    penalty = ridge * weight.sum()
     gram = weighted.T @ features + np.diag(penalty)
     return np.asarray(np.linalg.solve(gram, weighted.T @ goal), dtype=np.float64)
