@@ -64,8 +64,11 @@ def ask_unexported(parent: QWidget, path: Path | None) -> str:
     box.setDefaultButton(keep)
     box.setEscapeButton(cancel)
     box.exec()
-    answers = {export: "export", keep: "keep", discard: "discard"}
-    return answers.get(box.clickedButton(), "cancel")
+    clicked = box.clickedButton()
+    for button, answer in ((export, "export"), (keep, "keep"), (discard, "discard")):
+        if clicked is button:
+            return answer
+    return "cancel"
 
 
 def ask_export(parent: QWidget, pending: Sequence[Artifact], accepted: Sequence[Artifact]) -> bool:
@@ -127,7 +130,7 @@ def show_shortcuts(parent: QWidget) -> None:
             ]
             row = _line(grid, row, "  or  ".join(keys), _tr(spec.text))
     row = _section(grid, row, _tr("In the plots"))
-    for keys, text in (
+    for gesture, text in (
         ("1 … 9", _tr("Choose a repair method")),
         (_tr("Click on an interval"), _tr("Select it; double click repairs")),
         (_tr("Wheel, Ctrl+wheel"), _tr("Zoom time, zoom values")),
@@ -135,15 +138,15 @@ def show_shortcuts(parent: QWidget) -> None:
         (_tr("Shift+drag"), _tr("Select a range of frames")),
         (_tr("Drag an edge"), _tr("Move the edge of the selected artifact")),
     ):
-        row = _line(grid, row, keys, text)
+        row = _line(grid, row, gesture, text)
     row = _section(grid, row, _tr("In the 3D view"))
-    for keys, text in (
+    for gesture, text in (
         (_tr("Drag"), _tr("Orbit")),
         (_tr("Shift+drag or middle drag"), _tr("Pan")),
         (_tr("Wheel"), _tr("Zoom")),
         (_tr("Ctrl+drag"), _tr("Scrub through time")),
     ):
-        row = _line(grid, row, keys, text)
+        row = _line(grid, row, gesture, text)
     scroll = QScrollArea()
     scroll.setWidget(inner)
     scroll.setWidgetResizable(True)

@@ -7,6 +7,7 @@ asked for; changes of other markers do not spoil it.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
@@ -55,8 +56,8 @@ class Proposals(QObject):
             self._lane.submit(
                 "Propose",
                 _work(take, key, artifacts, mesh),
-                lambda repair, key=key, token=token: self._came(key, token, repair),
-                lambda error, key=key, token=token: self._broke(key, token, error),
+                partial(self._came, key, token),
+                partial(self._broke, key, token),
             )
 
     def invalidate(self, markers: Iterable[str]) -> None:

@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
     QSplitter,
     QStackedWidget,
     QToolBar,
+    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -132,9 +133,9 @@ class MainWindow(QMainWindow):
         toolbar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         actions.fill_toolbar(toolbar, self.actions_by_name)
         for name in ("undo", "redo", "previous", "next"):
-            toolbar.widgetForAction(self.actions_by_name[name]).setProperty("iconOnly", True)
             button = toolbar.widgetForAction(self.actions_by_name[name])
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
+            if isinstance(button, QToolButton):
+                button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
         for name, text in (
             ("open", self.tr("Open")),
             ("export", self.tr("Export")),
@@ -284,9 +285,8 @@ class MainWindow(QMainWindow):
         settings.remember("geometry", self.saveGeometry())
         settings.remember("state", self.saveState(LAYOUT_VERSION))
         self.document.open(None, None)
-        self.trajectories.close_workers()
-        self.document.proposals.close()
-        self.lane.close()
+        for lane in self.findChildren(Lane):
+            lane.close()
         event.accept()
 
     def _restore_layout(self) -> None:

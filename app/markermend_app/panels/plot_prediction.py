@@ -31,8 +31,7 @@ class Predictions(QObject):
     def want(self, session: Session, markers: Iterable[str]) -> None:
         """Work these markers out unless they are there or under way."""
         if self._lane is None:
-            self._lane = lane = Lane("prediction")
-            self.destroyed.connect(lambda: lane.close())
+            self._lane = Lane("prediction", self)
         for name in markers:
             if name not in self.known and name not in self._asked:
                 self._asked.add(name)
