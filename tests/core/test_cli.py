@@ -264,6 +264,23 @@ def test_span_counts_frames() -> None:
     assert [Span(t).frames(120.0) for t in ("20", "0.2s", "200ms", ".5 s")] == [20, 24, 24, 60]
 
 
+def test_simulate_tells_the_truth(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    damaged, clean = tmp_path / "damaged.c3d", tmp_path / "clean.c3d"
+    common = ("--duration", 20, "--rate", 50, "--seed", 3)
+    assert run("simulate", "-o", damaged, "--truth", "-", *common) == 0
+    truth = strict(capsys.readouterr().out)
+    assert run("simulate", "-o", clean, "--clean", *common) == 0
+    one, other = mm.read(damaged), mm.read(clean)
+    assert (one.frames, one.rate, one.labels) == (1000, 50.0, other.labels)
+    assert {a["kind"] for a in truth["artifacts"]} == {"gap", "peak", "noise", "step", "slow"}
+    wrong = np.zeros(one.positions.shape[:2], dtype=bool)
+    for a in truth["artifacts"]:
+        wrong[a["start"] : a["stop"], one.index(a["marker"])] = True
+    np.testing.assert_array_equal(one.positions[~wrong], other.positions[~wrong])
+    assert run("simulate", "-o", tmp_path / "again.c3d", *common) == 0
+    assert (tmp_path / "again.c3d").read_bytes() == damaged.read_bytes()
+
+
 def test_nothing_is_overwritten_unasked(
     recording: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
