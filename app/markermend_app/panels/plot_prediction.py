@@ -50,6 +50,11 @@ class Predictions(QObject):
         self._asked.clear()
         self.changed.emit()
 
+    def close(self) -> None:
+        """End the worker."""
+        if self._lane is not None:
+            self._lane.close()
+
     def _came(self, name: str, found: FloatArray) -> None:
         """Keep a prediction that is still wanted."""
         if name in self._asked:

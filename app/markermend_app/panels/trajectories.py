@@ -97,12 +97,12 @@ class TrajectoryPanel(QWidget):
             self._fit_values()
 
     def zoom(self, factor: float) -> None:
-        """Show ``factor`` times less of time, around the cursor when it is in view."""
+        """Show ``factor`` times as much time, around the cursor when it is in view."""
         low, high = self._view
         at = float(self.document.frame)
         if not low <= at <= high:
             at = (low + high) / 2
-        self.set_view(at - (at - low) / factor, at + (high - at) / factor)
+        self.set_view(at - (at - low) * factor, at + (high - at) * factor)
 
     def set_view(self, start: float, stop: float) -> None:
         """Show these frames in all plots, as far as the take reaches."""
@@ -128,6 +128,10 @@ class TrajectoryPanel(QWidget):
         """Bring the source's samples forward, or the working ones."""
         for row in self.rows:
             row.set_before(before)
+
+    def close_workers(self) -> None:
+        """End the thread that predicts."""
+        self.predictions.close()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Esc forgets the swept range."""
@@ -238,9 +242,15 @@ class TrajectoryPanel(QWidget):
                 row.show_sweep(selection.start, selection.stop)
 
     def _show_frame(self, frame: int) -> None:
-        """Move the cursor line."""
+        """Move the cursor line; a cursor that leaves the view takes the view along."""
         for row in self.rows:
             row.cursor.setValue(frame)
+        low, high = self._view
+        if not low <= frame <= high:
+            span = high - low
+            # Going on, most of what is ahead comes into view; a jump lands in the middle.
+            share = 0.1 if high < frame < high + span else 0.5
+            self.set_view(frame - share * span, frame + (1 - share) * span)
         self._show_readout(frame)
 
     def _frame(self, start: int, stop: int) -> None:
