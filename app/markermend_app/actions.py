@@ -248,8 +248,7 @@ def build(owner: QWidget, document: Document, run: Callable[[str], None]) -> dic
         action.setShortcuts([QKeySequence(k) for k in spec.keys])
         action.setCheckable(spec.checkable)
         tip = _translated(spec.tip or spec.text.rstrip("…"))
-        shown = QKeySequence(spec.keys[0]).toString(QKeySequence.SequenceFormat.NativeText)
-        action.setToolTip(f"{tip}  ({shown})" if spec.keys else tip)
+        action.setToolTip(f"{tip}  ({native(spec.keys[0])})" if spec.keys else tip)
         action.setStatusTip(tip)
         action.triggered.connect(lambda _checked=False, name=spec.name: run(name))
         owner.addAction(action)
@@ -299,6 +298,11 @@ def fill_toolbar(bar: QToolBar, made: dict[str, QAction]) -> None:
             if spec.toolbar == "|":
                 bar.addSeparator()
             bar.addAction(made[spec.name])
+
+
+def native(key: str) -> str:
+    """A shortcut as this desktop writes it."""
+    return QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
 
 
 def _translated(text: str) -> str:

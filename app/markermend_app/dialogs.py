@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, Qt
-from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
@@ -22,7 +21,7 @@ from PySide6.QtWidgets import (
 import markermend
 from markermend.artifact import Artifact
 from markermend.errors import MarkermendError
-from markermend_app.actions import ACTIONS
+from markermend_app.actions import ACTIONS, native
 
 Buttons = QMessageBox.StandardButton
 Role = QMessageBox.ButtonRole
@@ -125,10 +124,7 @@ def show_shortcuts(parent: QWidget) -> None:
         if specs:
             row = _section(grid, row, menu)
         for spec in specs:
-            keys = [
-                QKeySequence(k).toString(QKeySequence.SequenceFormat.NativeText) for k in spec.keys
-            ]
-            row = _line(grid, row, "  or  ".join(keys), _tr(spec.text))
+            row = _line(grid, row, _tr("  or  ").join(map(native, spec.keys)), _tr(spec.text))
     row = _section(grid, row, _tr("In the plots"))
     for gesture, text in (
         ("1 … 9", _tr("Choose a repair method")),
