@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
 from typing import IO
 
+import numpy as np
+
+from markermend.arrays import IntArray
 from markermend.errors import ExportError, FileFormatError
 from markermend.progress import Progress, quiet
 from markermend.take import Take
 
-__all__ = ["Export", "read", "write"]
+__all__ = ["Export", "read", "stale_outputs", "write"]
+
+_SNIFFED = 512
 
 
 @dataclass(frozen=True)
@@ -22,13 +28,16 @@ class Export:
     Attributes
     ----------
     path : the file written
-    samples : samples (marker and frame) that differ from the source; all of them in a new file
+    samples : samples (marker and frame) that are not the source's; all of them in a new file
     backup : where the file that was there before is kept, or None
+    outputs : points that a model computed from markers that were changed: angles, moments,
+        powers… in the same file, which no longer match
     """
 
     path: Path
     samples: int
     backup: Path | None = None
+    outputs: tuple[str, ...] = ()
 
 
 def read(path: str | PathLike[str], *, progress: Progress | None = None) -> Take:
@@ -36,7 +45,7 @@ def read(path: str | PathLike[str], *, progress: Progress | None = None) -> Take
 
     Parameters
     ----------
-    path : a C3D file
+    path : a C3D or TRC file, or a table of comma-separated values
     progress : told the share of frames read; may raise to stop
 
     Returns
@@ -50,12 +59,33 @@ def read(path: str | PathLike[str], *, progress: Progress | None = None) -> Take
     """
     where = Path(path)
     try:
-        from markermend.files.c3d import read_c3d
-
-        return read_c3d(where, progress=progress)
+        return _reader(where)(where, progress=progress)
     except OSError as error:
         reason = error.strerror or str(error)
         raise FileFormatError(f"{where.name} cannot be opened: {reason.lower()}.") from error
+
+
+def _reader(path: Path) -> Callable[..., Take]:
+    """Choose a reader by a file's first bytes, and by its name where they say nothing."""
+    from markermend.files.c3d import read_c3d
+    from markermend.files.csv import read_csv
+    from markermend.files.trc import SIGNATURE, read_trc
+
+    with path.open("rb") as file:
+        head = file.read(_SNIFFED)
+    suffix = path.suffix.lower()
+    if head.startswith(SIGNATURE):
+        return read_trc
+    binary = b"\0" in head
+    if suffix == ".c3d" or (binary and head[1:2] == b"P"):
+        return read_c3d
+    if not head:
+        raise FileFormatError(f"{path.name} is empty; look for another copy of it.")
+    if suffix == ".trc":
+        return read_trc
+    if binary:
+        raise FileFormatError(f"{path.name} is of an unknown kind; C3D, TRC and CSV can be read.")
+    return read_csv
 
 
 def write(
@@ -63,18 +93,27 @@ def write(
     path: str | PathLike[str],
     *,
     overwrite: bool = False,
+    as_float: bool = False,
+    record: Sequence[str] = (),
+    mark_outputs: bool = False,
     progress: Progress | None = None,
 ) -> Export:
     """Write a recording, whole or not at all.
 
     A take read from a C3D file is written as that file with only the changed samples replaced;
-    without changes the result is the source, byte for byte. Any other take becomes a new file.
+    without changes the result is the source, byte for byte. Where labels, frames or points are
+    not the source's, its parameters are kept and only those rewritten that must change. Any other
+    take becomes a new file.
 
     Parameters
     ----------
     take : the recording
-    path : where to; a file that is there is replaced, but the take's own source only on request
+    path : where to, ending in ``.c3d``, ``.trc`` or ``.csv``; a file that is there is replaced,
+        but the take's own source only on request
     overwrite : replace the source too; it is kept beside, as ``name.bak``
+    as_float : write a C3D file of floats even where the source has 16-bit integers
+    record : what was done, a line each, written into the C3D file's MARKERMEND group
+    mark_outputs : name in that group the model outputs that no longer match
     progress : told the share of frames written; may raise to stop, then nothing is left behind
 
     Returns
@@ -88,10 +127,8 @@ def write(
         was read, a value does not fit the file's numbers, or the disk does not take the file
     """
     from markermend.files.atomic import write_whole
-    from markermend.files.c3d_new import write_new
-    from markermend.files.c3d_patch import copy_patched, patchable
 
-    target, report = Path(path), progress or quiet
+    target = Path(path)
     onto_source = _is_source(take, target)
     if onto_source and not overwrite:
         raise ExportError(
@@ -100,20 +137,98 @@ def write(
         )
     if onto_source and take.read_only:
         raise ExportError(f"{target.name} is damaged and was opened only to look at it.")
-    if patchable(take):
-        samples = 0
+    fill = _writer(take, target, progress or quiet, as_float, record, mark_outputs)
+    written: list[IntArray] = []
+    backup = write_whole(target, lambda file: written.append(fill(file)), backup=onto_source)
+    changed = tuple(s for s, n in zip(take.labels, written[0], strict=True) if n)
+    patched = take.source is not None and take.source.format == "c3d"
+    outputs = stale_outputs(take, changed) if patched and target.suffix.lower() == ".c3d" else ()
+    return Export(target, int(written[0].sum()), backup, outputs)
 
-        def fill(file: IO[bytes]) -> None:
-            nonlocal samples
-            samples = copy_patched(take, file, report)
-    else:
-        samples = int(take.present.sum())
 
-        def fill(file: IO[bytes]) -> None:
-            write_new(take, file, report)
+def stale_outputs(take: Take, changed: Sequence[str] | None = None) -> tuple[str, ...]:
+    """Name the model outputs of a take that its repairs have made wrong.
 
-    backup = write_whole(target, fill, backup=onto_source)
-    return Export(target, samples, backup)
+    Parameters
+    ----------
+    take : the recording
+    changed : markers that were changed; None takes those with filled or edited samples
+
+    Returns
+    -------
+    labels of the angles, moments, powers and the like that belong to the same subjects as the
+    changed markers. Which marker enters which output a file does not tell, so all are named.
+    """
+    from markermend.take import Origin
+
+    if take.points is None:
+        return ()
+    if changed is None:
+        touched = np.flatnonzero((take.origin >= Origin.FILLED).any(axis=0))
+        changed = [take.labels[i] for i in touched]
+    if not changed:
+        return ()
+    subjects = {take.subject(label) for label in changed}
+    return tuple(
+        label
+        for label in take.points.labels
+        if "" in subjects or take.subject(label) in subjects | {""}
+    )
+
+
+def _writer(
+    take: Take,
+    target: Path,
+    report: Progress,
+    as_float: bool,
+    record: Sequence[str],
+    mark_outputs: bool,
+) -> Callable[[IO[bytes]], IntArray]:
+    """Choose how a take is written; the function returns the samples written of each marker."""
+    from markermend.files.c3d_new import write_new
+    from markermend.files.c3d_patch import copy_patched, patchable
+    from markermend.files.c3d_restructure import copy_restructured, structure_of, to_be_floats
+    from markermend.files.csv import write_csv
+    from markermend.files.trc import write_trc
+
+    present = np.asarray(np.count_nonzero(take.present, axis=0), dtype=np.int64)
+
+    def new(file: IO[bytes]) -> IntArray:
+        match target.suffix.lower():
+            case ".trc":
+                write_trc(take, file, report, name=target.name)
+            case ".csv":
+                write_csv(take, file, report)
+            case _:
+                write_new(take, file, report)
+        return present
+
+    if target.suffix.lower() in (".trc", ".csv"):
+        return new
+    if target.suffix.lower() != ".c3d":
+        raise ExportError(f"{target.name} should end in .c3d, .trc or .csv, to tell what to write.")
+    structure = structure_of(take)
+    if structure is None:
+        return new
+    notes = _notes(take, record, mark_outputs)
+    if patchable(take) and not notes and not (as_float and to_be_floats(take)):
+        return lambda file: copy_patched(take, file, report)
+    return lambda file: copy_restructured(
+        take, structure, file, report, as_float=as_float, notes=notes
+    )
+
+
+def _notes(take: Take, record: Sequence[str], mark_outputs: bool) -> dict[str, list[str]]:
+    """Texts for the MARKERMEND group, by parameter."""
+    from markermend import __version__
+
+    notes: dict[str, list[str]] = {}
+    if record:
+        notes["CHANGES"] = list(record)
+    stale = stale_outputs(take) if mark_outputs else ()
+    if stale:
+        notes["STALE_OUTPUTS"] = list(stale)
+    return notes | ({"VERSION": [__version__]} if notes else {})
 
 
 def _is_source(take: Take, target: Path) -> bool:

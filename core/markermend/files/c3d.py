@@ -184,12 +184,13 @@ def _decode(
         )
         residuals[missing] = np.nan
         cameras[missing] = 0
-        contents.residuals[start:stop] = residuals
+        with np.errstate(over="ignore"):
+            contents.residuals[start:stop] = residuals
         contents.cameras[start:stop] = cameras
         if layout.residuals_hold:
             contents.by_zero += int(np.count_nonzero(missing & (stored[..., 3] >= 0)))
         seen = seen or not missing.all()
-        placed = placed or bool(stored[..., :3].any())
+        placed = placed or bool((stored[..., :3] != 0).any())
         if len(others):
             seen |= _decode_others(quads[:, others], layout, contents.others[start:stop])
         if channels is not None:
@@ -201,7 +202,8 @@ def _decode(
 
 def _decode_others(stored: NDArray[Any], layout: C3dLayout, out: FloatArray) -> bool:
     """Decode points that are not markers, in the file's units; tell whether any is there."""
-    np.multiply(stored[..., :3], layout.scale, out=out, dtype=np.float64)
+    with np.errstate(invalid="ignore"):
+        np.multiply(stored[..., :3], layout.scale, out=out, dtype=np.float64)
     missing = ~np.isfinite(out).all(axis=2)
     if layout.residuals_hold:
         missing |= stored[..., 3] < 0
@@ -223,9 +225,7 @@ class _Channels:
     def of(layout: C3dLayout) -> _Channels:
         """Prepare scales and offsets; what the file does not tell is 1 and 0."""
         count = layout.channels
-        stated = layout.numbers("ANALOG", "OFFSET")
-        bits_unsigned = bool((stated == -32768).any())
-        unsigned = layout.text("ANALOG", "FORMAT").upper() == "UNSIGNED" or bits_unsigned
+        unsigned = layout.analog_unsigned
         general = layout.number("ANALOG", "GEN_SCALE", 1.0)
         offsets = _filled(layout.numbers("ANALOG", "OFFSET", unsigned=unsigned), count, 0.0)
         scales = _filled(layout.numbers("ANALOG", "SCALE"), count, 1.0)
@@ -272,7 +272,9 @@ def _unit(file: IO[bytes], layout: C3dLayout, oddities: list[str]) -> float:
         return known or 1.0
     told = f"an unknown unit of length (“{name}”)" if name else "no unit of length"
     for _, _, raw in blocks(file, layout):
-        xyz = np.abs(quads_of(words_of(raw, layout), layout)[..., :3] * layout.scale)
+        quads = quads_of(words_of(raw, layout), layout)
+        with np.errstate(invalid="ignore"):
+            xyz = np.abs(quads[..., :3] * layout.scale)
         sizes = xyz[(xyz > 0) & (xyz < 1e6)]
         if len(sizes):
             metres = float(np.percentile(sizes, 95)) < _LARGEST_METRES
@@ -308,7 +310,7 @@ def _info(layout: C3dLayout, contents: _Contents) -> dict[str, str]:
         "storage": "16-bit integers" if layout.storage is Storage.INTEGER else "32-bit floats",
         "units": layout.text("POINT", "UNITS"),
         "missing_samples": "; ".join(coding) if missing else "none",
-        "force_plates": str(int(layout.number("FORCE_PLATFORM", "USED"))),
+        "force_plates": str(layout.count("FORCE_PLATFORM", "USED")),
     }
     if layout.storage is Storage.INTEGER:
         info["step_mm"] = f"{contents.plan.scale_mm:.6g}"

@@ -11,6 +11,7 @@ from markermend.errors import ExportError
 from markermend.files.c3d_layout import MAGIC
 from markermend.files.c3d_numbers import Processor, encode_floats
 from markermend.files.c3d_records import BLOCK
+from markermend.take import Event
 
 MOST_ROWS = 255
 TEXT, BYTE, INTEGER, FLOAT = -1, 1, 2, 4
@@ -62,7 +63,7 @@ def text_records(
     number: int, name: str, texts: Sequence[str], processor: Processor, length: int = 0
 ) -> list[bytes]:
     """Encode texts, in as many parameters as it takes (``LABELS``, ``LABELS2``…), and pad them."""
-    rows = [t.encode("utf-8")[:127] for t in texts]
+    rows = [t.encode("utf-8")[:255] for t in texts]
     width = max([length, *(len(r) for r in rows)])
     records = []
     for i in range(0, max(len(rows), 1), MOST_ROWS):
@@ -107,6 +108,17 @@ def pack_numbers(values: Sequence[float], kind: int, processor: Processor) -> by
 def _continued(name: str, first: int) -> str:
     """Name of a parameter's part that begins at row ``first``."""
     return name if first == 0 else f"{name}{first // MOST_ROWS + 1}"
+
+
+def event_records(number: int, events: Sequence[Event], processor: Processor) -> list[bytes]:
+    """Encode the parameters of an EVENT group."""
+    times = [part for e in events for part in divmod(e.time_s, 60.0)]
+    return [
+        scalar_record(number, "USED", INTEGER, len(events), processor),
+        *text_records(number, "CONTEXTS", [e.context for e in events], processor, 16),
+        *text_records(number, "LABELS", [e.label for e in events], processor, 32),
+        *number_records(number, "TIMES", FLOAT, times, processor, rows=2),
+    ]
 
 
 def section_bytes(records: Sequence[bytes], processor: Processor, name: str) -> bytes:

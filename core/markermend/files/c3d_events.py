@@ -43,7 +43,7 @@ def _group_events(layout: C3dLayout) -> list[Event]:
     times = layout.numbers("EVENT", "TIMES")
     labels = layout.strings("EVENT", "LABELS")
     contexts = layout.strings("EVENT", "CONTEXTS")
-    used = int(layout.number("EVENT", "USED", len(times) // 2, unsigned=True))
+    used = layout.count("EVENT", "USED", len(times) // 2)
     events = []
     for i in range(min(used, len(times) // 2)):
         time_s = 60.0 * times[2 * i] + times[2 * i + 1]

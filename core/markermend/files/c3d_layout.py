@@ -49,6 +49,7 @@ class C3dLayout:
     header : its first 512 bytes
     processor, storage : how numbers are stored
     section, section_end : bytes of the parameter section
+    section_head : its first four bytes
     records : groups and parameters in the file's order
     data : offset of the first frame
     points : points in a frame
@@ -69,6 +70,7 @@ class C3dLayout:
     storage: Storage
     section: int
     section_end: int
+    section_head: bytes
     records: tuple[Record, ...] = field(repr=False)
     data: int
     points: int
@@ -97,6 +99,14 @@ class C3dLayout:
     def analog_per_frame(self) -> int:
         """Analog samples of each channel in a frame."""
         return self.analog_words // self.channels if self.channels else 0
+
+    @property
+    def analog_unsigned(self) -> bool:
+        """Whether integer analog samples run from 0 to 65,535."""
+        if self.text("ANALOG", "FORMAT").upper() == "UNSIGNED":
+            return True
+        # Producers that forget the format still give themselves away by their offset.
+        return bool((self.numbers("ANALOG", "OFFSET") == -32768).any())
 
     @cached_property
     def _by_name(self) -> dict[tuple[str, str], Record]:
@@ -135,6 +145,11 @@ class C3dLayout:
             return default
         values = record_numbers(record, self.processor, unsigned=unsigned)
         return float(values[0]) if len(values) else default
+
+    def count(self, group: str, name: str, default: int = 0) -> int:
+        """First value of a parameter as a number of things, or the default where it is none."""
+        value = self.number(group, name, default, unsigned=True)
+        return int(value) if math.isfinite(value) and value >= 0 else default
 
     def strings(self, group: str, name: str) -> tuple[str, ...]:
         """Texts of a parameter and of its continuations (``LABELS2``…), without trailing blanks."""
@@ -191,6 +206,7 @@ def parse_layout(raw: bytes, size: int, name: str) -> C3dLayout:
         storage=Storage.FLOAT,
         section=section,
         section_end=end,
+        section_head=bytes(raw[section : section + 4]),
         records=records,
         data=0,
         points=0,
@@ -224,7 +240,7 @@ def _measured(draft: C3dLayout, name: str, warnings: list[str]) -> C3dLayout:
     block, per_frame = struct.unpack_from(f"{order}HH", header, 16)
     data = (block - 1) * BLOCK
     if not BLOCK <= data <= draft.size:
-        data = int(draft.number("POINT", "DATA_START", unsigned=True) - 1) * BLOCK
+        data = (draft.count("POINT", "DATA_START") - 1) * BLOCK
         say("The header does not say where the frames begin; POINT:DATA_START was used.")
     if not BLOCK <= data <= draft.size:
         raise FileFormatError(
@@ -239,8 +255,8 @@ def _measured(draft: C3dLayout, name: str, warnings: list[str]) -> C3dLayout:
         scale = -1.0
     storage = Storage.FLOAT if scale < 0 else Storage.INTEGER
 
-    used = int(draft.number("POINT", "USED", header_points, unsigned=True))
-    channels = int(draft.number("ANALOG", "USED", unsigned=True))
+    used = min(draft.count("POINT", "USED", header_points), MOST_HEADER_FRAMES)
+    channels = draft.count("ANALOG", "USED")
     spans = _frame_claims(draft, first, last)
     room = draft.size - data
     claims = [
@@ -261,7 +277,8 @@ def _measured(draft: C3dLayout, name: str, warnings: list[str]) -> C3dLayout:
     if declared != last - first + 1 and last != MOST_HEADER_FRAMES:
         say(f"The header counts {max(last - first + 1, 0)} frames; {declared} were read.")
     stride = (4 * points + analog) * int(storage)
-    frames = min(declared, room // stride) if stride else declared
+    # Frames of nothing cost no bytes, so the file's size does not bound them.
+    frames = min(declared, room // stride if stride else MOST_HEADER_FRAMES)
     if frames <= 0:
         raise FileFormatError(
             f"{name} holds no frame: the header says {max(declared, 0)}, and {room} bytes follow"
@@ -301,7 +318,7 @@ def _frame_claims(draft: C3dLayout, first: int, last: int) -> list[tuple[int, in
     )
     # Sixteen bits do not hold the frames of a long take: these two are pairs of 16-bit words.
     longer: list[tuple[int, int]] = []
-    if len(start) and len(end):
+    if len(start) and len(end) and np.isfinite((*start[:2], *end[:2])).all():
         a, b = (int(w[0]) + 65536 * int(w[1] if len(w) > 1 else 0) for w in (start, end))
         longer.append((a, b - a + 1))
     for name in ("LONG_FRAMES", "FRAMES"):

@@ -12,6 +12,7 @@ from markermend.errors import ExportError
 from markermend.files.c3d_build import (
     FLOAT,
     INTEGER,
+    event_records,
     group_record,
     header_bytes,
     number_records,
@@ -147,10 +148,8 @@ def _records(
     def texts(group: int, name: str, values: tuple[str, ...], length: int = 0) -> list[bytes]:
         return text_records(group, name, values, _INTEL, length)
 
-    def numbers(
-        group: int, name: str, kind: int, values: list[float], rows: int = 0
-    ) -> list[bytes]:
-        return number_records(group, name, kind, values, _INTEL, rows)
+    def numbers(group: int, name: str, kind: int, values: list[float]) -> list[bytes]:
+        return number_records(group, name, kind, values, _INTEL)
 
     last = take.first_frame + take.frames - 1
     records = [
@@ -208,12 +207,6 @@ def _records(
         *texts(5, "VERSION_LABEL", (markermend.__version__,)),
     ]
     if take.events:
-        times = [part for e in take.events for part in divmod(e.time_s, 60.0)]
-        records += [
-            group_record(6, "EVENT", "", _INTEL),
-            one(6, "USED", INTEGER, len(take.events)),
-            *texts(6, "CONTEXTS", tuple(e.context for e in take.events), 16),
-            *texts(6, "LABELS", tuple(e.label for e in take.events), 32),
-            *numbers(6, "TIMES", FLOAT, times, rows=2),
-        ]
+        records.append(group_record(6, "EVENT", "", _INTEL))
+        records += event_records(6, take.events, _INTEL)
     return records

@@ -14,7 +14,7 @@ from typing import IO
 
 import numpy as np
 
-from markermend.arrays import BoolArray, ByteArray, FloatArray
+from markermend.arrays import BoolArray, ByteArray, FloatArray, IntArray
 from markermend.errors import ExportError
 from markermend.files.c3d import name_points
 from markermend.files.c3d_events import read_events
@@ -36,8 +36,10 @@ def patchable(take: Take) -> bool:
     layout = source.layout
     labels, kinds = name_points(layout)
     columns = tuple(i for i, kind in enumerate(kinds) if not kind)
+    others = tuple(i for i, kind in enumerate(kinds) if kind)
     return (
         source.columns == columns
+        and (take.points.columns if take.points is not None else ()) == others
         and take.labels == tuple(labels[i] for i in columns)
         and take.frames == layout.frames
         and take.first_frame == layout.first_frame
@@ -46,7 +48,7 @@ def patchable(take: Take) -> bool:
     )
 
 
-def copy_patched(take: Take, file: IO[bytes], progress: Progress) -> int:
+def copy_patched(take: Take, file: IO[bytes], progress: Progress) -> IntArray:
     """Write a take's source with the changed samples in their place.
 
     Parameters
@@ -57,7 +59,7 @@ def copy_patched(take: Take, file: IO[bytes], progress: Progress) -> int:
 
     Returns
     -------
-    number of samples (marker and frame) that were written
+    (markers,) int64: samples of each marker that were written
 
     Raises
     ------
@@ -69,9 +71,10 @@ def copy_patched(take: Take, file: IO[bytes], progress: Progress) -> int:
     layout = source.layout
     assert isinstance(layout, C3dLayout)
     plan = Plan(layout, source.columns, source.scale_mm)
-    written = 0
+    written = np.zeros(take.markers, dtype=np.int64)
     with open_unchanged(source) as original:
-        _copy(original, file, layout.data)
+        original.seek(0)
+        copy_bytes(original, file, layout.data)
         scratch = np.empty((0, len(plan.columns), 3))
         for start, stop, raw in blocks(original, layout):
             progress(start / layout.frames, "Writing frames")
@@ -81,9 +84,9 @@ def copy_patched(take: Take, file: IO[bytes], progress: Progress) -> int:
             decode_positions(quads_of(words_of(raw, layout), layout), plan, before)
             # NaN has one bit pattern here, so equal bits are the quick way to "nothing changed".
             if not np.array_equal(before.view(np.int64), after.view(np.int64)):
-                written += _patch_block(raw, before, after, plan, take, start)
+                written += patch_block(raw, before, after, plan, take, start)
             file.write(raw.reshape(-1).data)
-        _copy(original, file, source.size - layout.data - layout.frames * layout.stride)
+        copy_bytes(original, file, source.size - layout.data - layout.frames * layout.stride)
         check_unchanged(source, os.fstat(original.fileno()))
     return written
 
@@ -112,10 +115,8 @@ def check_unchanged(source: Source, status: os.stat_result) -> None:
         )
 
 
-def _copy(original: IO[bytes], file: IO[bytes], count: int) -> None:
-    """Copy bytes as they are; from the beginning first, then from where the frames end."""
-    if file.tell() == 0:
-        original.seek(0)
+def copy_bytes(original: IO[bytes], file: IO[bytes], count: int) -> None:
+    """Copy bytes as they are, from where the original stands."""
     while count > 0:
         part = original.read(min(count, _COPY_BYTES))
         if not part:
@@ -124,10 +125,28 @@ def _copy(original: IO[bytes], file: IO[bytes], count: int) -> None:
         count -= len(part)
 
 
-def _patch_block(
+def patch_block(
     raw: ByteArray, before: FloatArray, after: FloatArray, plan: Plan, take: Take, start: int
-) -> int:
-    """Overwrite the words of a block that differ; return the number of samples."""
+) -> IntArray:
+    """Overwrite the words of a block where its positions differ from those wanted.
+
+    Parameters
+    ----------
+    raw : (frames, stride) uint8 as stored, written
+    before : (frames, markers, 3) float64, the positions it holds, in mm
+    after : the positions it shall hold
+    plan : which points these are, and their scale
+    take, start : names markers and frames in messages
+
+    Returns
+    -------
+    (markers,) int64: samples written of each marker
+
+    Raises
+    ------
+    ExportError
+        when a value does not fit the file's numbers
+    """
     layout = plan.layout
     was, now = ~np.isnan(before[..., 0]), ~np.isnan(after[..., 0])
     with np.errstate(invalid="ignore"):
@@ -137,7 +156,7 @@ def _patch_block(
     differs |= (appears | vanishes)[..., None]
     frame, marker, axis = np.nonzero(differs)
     if not len(frame):
-        return 0
+        return np.zeros(take.markers, dtype=np.int64)
     values = np.where(now[..., None], after, 0.0)[frame, marker, axis] / plan.scale_mm
     cells = raw.reshape(-1, int(layout.storage))
     columns = np.array(plan.columns)
@@ -151,7 +170,7 @@ def _patch_block(
             cells[frame * each + 4 * columns[marker] + 3] = _encode(
                 np.full(len(frame), word), layout
             )
-    return int(np.count_nonzero(_any_axis(differs)))
+    return np.asarray(_any_axis(differs).sum(axis=0), dtype=np.int64)
 
 
 def _any_axis(mask: BoolArray) -> BoolArray:

@@ -72,7 +72,8 @@ def record_numbers(record: Record, processor: Processor, *, unsigned: bool = Fal
     order = processor.order
     if record.kind == 4:
         raw = np.frombuffer(record.data, dtype=np.uint8)
-        return decode_floats(raw, processor).astype(np.float64)
+        with np.errstate(invalid="ignore"):
+            return decode_floats(raw, processor).astype(np.float64)
     if record.kind == 2:
         kind = "u2" if unsigned else "i2"
         return np.frombuffer(record.data, dtype=f"{order}{kind}").astype(np.float64)

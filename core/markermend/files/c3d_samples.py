@@ -110,12 +110,14 @@ def decode_positions(
     stored : (frames, markers, 4), the words that were decoded
     """
     stored = quads[:, plan.selection]
-    np.multiply(stored[..., :3], plan.scale_mm, out=out, dtype=np.float64)
+    with np.errstate(invalid="ignore"):
+        np.multiply(stored[..., :3], plan.scale_mm, out=out, dtype=np.float64)
+        near = not out.size or bool(out.min() > -FARTHEST_MM and out.max() < FARTHEST_MM)
     x, y, z = (stored[..., axis] for axis in range(3))
     missing = (x == 0) & (y == 0) & (z == 0)
     if plan.layout.residuals_hold:
         missing |= stored[..., 3] < 0
-    if out.size and not (out.min() > -FARTHEST_MM and out.max() < FARTHEST_MM):
+    if not near:
         missing |= ~(np.abs(out) < FARTHEST_MM).all(axis=2)
     out[missing] = np.nan
     return missing, stored

@@ -1,0 +1,167 @@
+"""Read and write markers as comma-separated values, one row a frame.
+
+The columns are ``frame``, ``time`` in seconds, and ``LABEL.x (mm)``, ``LABEL.y (mm)``,
+``LABEL.z (mm)`` for each marker; a missing sample is three blank cells. When reading, frame and
+time may be absent, semicolons or tabs may separate, and ``LABEL_X``, ``LABEL:x`` or ``LABEL x`` do
+as well.
+"""
+
+from __future__ import annotations
+
+import csv
+import os
+import re
+from pathlib import Path
+from typing import IO
+
+import numpy as np
+
+from markermend.errors import FileFormatError
+from markermend.files.labels import unique_labels
+from markermend.files.text import mark_missing, numbers, read_lines
+from markermend.files.units import unit_mm
+from markermend.progress import Progress, quiet
+from markermend.take import AXES, Source, Take
+
+_ROWS_A_REPORT = 4096
+_COLUMN = re.compile(r"^(?P<label>.+?)[\s._:/-]*(?P<axis>[xyzXYZ])\s*(?:[\[(](?P<unit>\w+)[\])])?$")
+_FRAME = re.compile(r"^frame( ?(#|number|no\.?))?$", re.IGNORECASE)
+_TIME = re.compile(r"^time(stamp)?(_s| ?[\[(](s|sec|seconds)[\])])?$", re.IGNORECASE)
+
+
+def read_csv(path: Path, *, progress: Progress | None = None) -> Take:
+    """Read a table of marker positions.
+
+    Parameters
+    ----------
+    path : the file
+    progress : told the share of rows read
+
+    Returns
+    -------
+    Take
+        positions in mm; a sample is missing where a cell is blank or no number, or all are zero
+
+    Raises
+    ------
+    FileFormatError
+        when no marker has all three coordinates, or there is no row
+    """
+    status = os.stat(path)
+    lines = [line for line in read_lines(path) if line.strip() and not line.startswith("#")]
+    if not lines:
+        raise FileFormatError(f"{path.name} is empty.")
+    delimiter = max(",;\t", key=lines[0].count)
+    names = [cell.strip() for cell in next(csv.reader([lines[0]], delimiter=delimiter))]
+    stated, columns, unit = _markers(names, path.name)
+    labels, repeated = unique_labels(stated, len(stated))
+    report, warnings = progress or quiet, []
+    if repeated:
+        warnings.append(f"Labels that occur more than once were numbered: {', '.join(repeated)}.")
+    rows = lines[1:]
+    if not rows:
+        raise FileFormatError(f"{path.name} is cut short: no frame follows its header.")
+    # A decimal comma can only stand in a table that something else separates.
+    comma = delimiter != "," and any("," in row for row in rows[:100])
+    table, strange = np.empty((len(rows), len(names))), 0
+    for i, row in enumerate(rows):
+        if i % _ROWS_A_REPORT == 0:
+            report(i / len(rows), "Reading rows")
+        cells = (row.replace(",", ".") if comma else row).split(delimiter)
+        strange += numbers(cells, table[i])
+    if strange:
+        warnings.append(f"{strange} cells that are no numbers were read as missing.")
+    positions = table[:, columns].reshape(len(rows), len(labels), 3)
+    zeros = mark_missing(positions)
+    if zeros:
+        warnings.append(f"{zeros} samples at exactly (0, 0, 0) were read as missing.")
+    scale = unit_mm(unit)
+    if scale is None:
+        scale = 1.0
+        warnings.append(
+            "The columns tell no unit of length that is known; millimetres were assumed."
+        )
+    positions *= scale
+    return Take(
+        positions=positions,
+        labels=labels,
+        rate=_rate(names, table, warnings),
+        first_frame=_first_frame(names, table),
+        source=Source(path.absolute(), "csv", status.st_size, status.st_mtime_ns, scale_mm=scale),
+        warnings=tuple(warnings),
+        info={"units": unit, "storage": "text"},
+    )
+
+
+def write_csv(take: Take, file: IO[bytes], progress: Progress) -> None:
+    """Write the markers of a take as a table in mm, to the nanometre.
+
+    Parameters
+    ----------
+    take : the recording
+    file : written from its beginning
+    progress : told the share of frames written
+    """
+    quoted = (f"{label}.{axis} (mm)" for label in take.labels for axis in AXES)
+    names = ["frame", "time", *(_quoted(name) for name in quoted)]
+    file.write((",".join(names) + "\n").encode("utf-8"))
+    for frame in range(take.frames):
+        if frame % _ROWS_A_REPORT == 0:
+            progress(frame / take.frames, "Writing rows")
+        row = take.positions[frame].reshape(-1).tolist()
+        cells = ",".join("" if v != v else f"{v:.6f}" for v in row)
+        time = f"{frame / take.rate:.9f}"
+        file.write(f"{take.frame_number(frame)},{time},{cells}\n".encode())
+
+
+def _quoted(name: str) -> str:
+    """Put a name in quotation marks where it needs them."""
+    return '"' + name.replace('"', '""') + '"' if set(name) & set(',"\n') else name
+
+
+def _markers(names: list[str], file: str) -> tuple[list[str], list[int], str]:
+    """Labels, the columns of their coordinates in order, and the unit."""
+    found: dict[str, dict[str, int]] = {}
+    units: list[str] = []
+    for place, name in enumerate(names):
+        match = _COLUMN.match(name)
+        if match is None or _FRAME.match(name) or _TIME.match(name):
+            continue
+        axes = found.setdefault(match["label"], {})
+        axes.setdefault(match["axis"].lower(), place)
+        units.append(match["unit"] or "")
+    whole = {label: axes for label, axes in found.items() if len(axes) == 3}
+    if not whole:
+        raise FileFormatError(
+            f"{file} has no marker with three coordinates: columns are called like “LASI.x”,"
+            " “LASI.y”, “LASI.z”."
+        )
+    columns = [axes[axis] for axes in whole.values() for axis in AXES]
+    return list(whole), columns, next((unit for unit in units if unit), "")
+
+
+def _column(names: list[str], pattern: re.Pattern[str]) -> int | None:
+    """Place of the first column whose name fits."""
+    return next((i for i, name in enumerate(names) if pattern.match(name)), None)
+
+
+def _first_frame(names: list[str], table: np.ndarray[tuple[int, int], np.dtype[np.float64]]) -> int:
+    """Number of the first row, 1 where the table does not tell."""
+    place = _column(names, _FRAME)
+    first = table[0, place] if place is not None else 1.0
+    return int(first) if np.isfinite(first) else 1
+
+
+def _rate(
+    names: list[str],
+    table: np.ndarray[tuple[int, int], np.dtype[np.float64]],
+    warnings: list[str],
+) -> float:
+    """Frames per second by the times, or 100 where there are none."""
+    place = _column(names, _TIME)
+    if place is not None and len(table) > 1:
+        span = table[-1, place] - table[0, place]
+        if np.isfinite(span) and span > 0:
+            return float(round((len(table) - 1) / span, 5))
+    warnings.append("The table has no times; 100 Hz was assumed.")
+    return 100.0

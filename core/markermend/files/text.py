@@ -1,0 +1,77 @@
+"""What the readers of text files share."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+
+from markermend.arrays import FloatArray
+from markermend.errors import FileFormatError
+
+
+def read_lines(path: Path) -> list[str]:
+    """Lines of a text file without their endings, whatever these are.
+
+    Raises
+    ------
+    FileFormatError
+        when the file is not text
+    """
+    raw = path.read_bytes()
+    if b"\0" in raw:
+        raise FileFormatError(f"{path.name} is not a text file.")
+    try:
+        text = raw.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = raw.decode("latin-1")
+    return text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+
+
+def number(cell: str) -> float:
+    """Value of a cell; NaN where it is blank or no number."""
+    try:
+        return float(cell)
+    except ValueError:
+        return math.nan
+
+
+def numbers(cells: list[str], out: FloatArray) -> int:
+    """Fill a row from its cells, NaN where they end or are blank; count those that are no number.
+
+    A cell that reads ``NaN`` in any spelling, or has blanks around it, is a number.
+    """
+    cells = cells[: len(out)]
+    out[len(cells) :] = np.nan
+    try:
+        out[: len(cells)] = [float(cell) for cell in cells]
+    except ValueError:
+        out[: len(cells)] = [number(cell) for cell in cells]
+        return sum(1 for cell in cells if cell.strip() and not _is_number(cell))
+    return 0
+
+
+def _is_number(cell: str) -> bool:
+    """Whether a cell can be read as a number."""
+    try:
+        float(cell)
+    except ValueError:
+        return False
+    return True
+
+
+def mark_missing(positions: FloatArray) -> int:
+    """Make samples missing, in place, that are incomplete, infinite or exactly zero.
+
+    Parameters
+    ----------
+    positions : (frames, markers, 3) float64
+
+    Returns
+    -------
+    number of samples that were exactly (0, 0, 0)
+    """
+    zero = (positions == 0).all(axis=2)
+    positions[zero | ~np.isfinite(positions).all(axis=2)] = np.nan
+    return int(np.count_nonzero(zero))
