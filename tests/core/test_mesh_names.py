@@ -78,6 +78,10 @@ def test_names_that_tell_nothing_are_shared_or_counted() -> None:
     assert second.split()[0] in {"ab", "xy", "kq"}
     assert third == "zz"
     assert named([["m1", "m2"]], subject="Box") == ["Box"]
+    assert set(named([["Point1", "Point2"], ["Point3", "Point4"]])) <= {
+        f"Point{a} +1" for a in range(1, 5)
+    }
+    assert named([["LELB", "LUPA", "LWRA", "LWRB"]]) == ["Left upper arm and forearm"]
 
 
 def test_names_are_unique() -> None:

@@ -29,11 +29,11 @@ _PARTS = tuple(
         ("shoulder", r"SHO\d?|SHOULD.*|AC|ACR.*|SAJ|SHLD"),
         ("pelvis", r"[AP]?(ASI|PSI|IAS|IPS|SIS)S?|[AP]SIS[LR]|[FB]WT|SACR?.*|VSAC|WAIST.*|HIP.*"
          r"|PELV.*|ILC|ICT?"),
+        ("upper arm", r"UPA\d?|UA\d|UAR[YZ]?|UPPERARM.*|ARM.*|DELT|ELB.*|H[LM]E|UHE"
+         r"|(LAT.*|MED.*)?EPIC.*"),
         ("forearm", r"FRM|FORE?ARM.*|RAD|WR[ABI].*|[RU]SP|STYL.*|ULNAR?.*|RADI.*"),
         ("hand", r"FIN\d?|HM\d|HAND?.*|TOPOFHAND|INDEX|THU?MB?\d?|PINKY|GLOVE\d?"
          r"|LASTC|[ML][AE][TD]H"),
-        ("upper arm", r"UPA\d?|UA\d|UAR[YZ]?|UPPERARM.*|ARM.*|DELT|ELB.*|H[LM]E|UHE"
-         r"|(LAT.*|MED.*)?EPIC.*"),
         ("thigh", r"TH\d|THI.*|KNE.*|FTC|F[LM]E|GREATERTROCHANTER|TROCH.*|[LM]FC|MKNE|K[LM]|FEM.*"
          r"|UPPERLEG|SUPPAT|KNJ.*"),
         ("shank", r"TIB.*|TUB.*|SK\d|SHN|SHIN.*|SHANK.*|TTC|FAX|TB\d|[AM]?ANK.*|MAK|FAL|TAM|CALF.*"
@@ -44,6 +44,7 @@ _PARTS = tuple(
 )  # fmt: skip
 _FROM_THE_TOP = [part for _, part in _PARTS]
 _CENTRAL = {"head", "trunk", "pelvis"}
+_NUMBERING = " _.-0123456789"
 _LEADING = re.compile(r"(?i)(left|right|l|r)[\s_.-]*(.+)")
 _TRAILING = re.compile(r"(.*[a-z\s_.-])(Left|Right|[LR])\d*")
 
@@ -141,8 +142,9 @@ def _shared(take: Take, group: Group, bare: Sequence[str]) -> str:
     own = [bare[m] for m in group.markers]
     if len(own) == 1:
         return own[0]
-    start = _common_start(own).rstrip(" _.-0123456789")
-    if len(start) >= 3:
+    start = _common_start(own).rstrip(_NUMBERING)
+    body = [bare[m] for m, label in enumerate(take.labels) if take.subject(label) == group.subject]
+    if len(start) >= 3 and start != _common_start(body).rstrip(_NUMBERING):
         return start
     middle = np.nanmedian(take.positions[:, list(group.markers)], axis=0)
     nearest = int(np.sqrt(((middle - middle.mean(axis=0)) ** 2).sum(axis=1)).argmin())
