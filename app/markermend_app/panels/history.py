@@ -1,0 +1,94 @@
+"""What was done, step by step; a click goes back or forth to any step."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide6.QtCore import QAbstractListModel, QModelIndex, QPersistentModelIndex, Qt
+from PySide6.QtGui import QFont
+from PySide6.QtWidgets import QListView, QStackedWidget, QVBoxLayout, QWidget
+
+from markermend_app import theme
+from markermend_app.document import Document
+from markermend_app.panels.badge import hint
+
+Index = QModelIndex | QPersistentModelIndex
+
+
+class HistoryPanel(QWidget):
+    """Steps done, and below them those undone, in grey."""
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self.model = _Steps(self)
+        self.view = QListView()
+        self.view.setModel(self.model)
+        self.view.setUniformItemSizes(True)
+        self.view.setAccessibleName(self.tr("History"))
+        self.view.setToolTip(
+            self.tr("Click a step to go there. Ctrl+Z undoes, Ctrl+Shift+Z redoes.")
+        )
+        self.view.clicked.connect(self._travel)
+        self.view.activated.connect(self._travel)
+        self._pages = QStackedWidget()
+        self._pages.addWidget(hint(self.tr("What you do appears here; every step can be undone.")))
+        self._pages.addWidget(self.view)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.addWidget(self._pages)
+        document.history_changed.connect(self._refresh)
+        theme.watcher.changed.connect(self._refresh)
+        self._refresh()
+
+    def _refresh(self) -> None:
+        """Show the steps as they stand."""
+        session = self._document.session
+        done = () if session is None else session.history
+        undone = () if session is None else session.undone
+        self._pages.setCurrentIndex(1 if done or undone else 0)
+        self.model.set_steps(done, undone)
+        here = self.model.index(len(done))
+        self.view.setCurrentIndex(here)
+        self.view.scrollTo(here)
+
+    def _travel(self, index: QModelIndex) -> None:
+        """Undo or redo up to a step."""
+        self._document.travel(index.row())
+
+
+class _Steps(QAbstractListModel):
+    """One row for the take as it was opened, and one for each step."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._labels: tuple[str, ...] = ()
+        self._done = 0
+
+    def set_steps(self, done: tuple[str, ...], undone: tuple[str, ...]) -> None:
+        """Show other steps."""
+        self.beginResetModel()
+        self._labels = (self.tr("As opened"), *done, *undone)
+        self._done = len(done)
+        self.endResetModel()
+
+    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+        """Steps, and the take as opened."""
+        return 0 if parent.isValid() else len(self._labels)
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        """Label, grey where undone, the present one heavier."""
+        row = index.row()
+        if role == Qt.ItemDataRole.DisplayRole:
+            return self._labels[row]
+        if role == Qt.ItemDataRole.ForegroundRole and row > self._done:
+            return theme.current().muted
+        if role == Qt.ItemDataRole.FontRole:
+            font = QFont()
+            font.setPointSize(theme.BASE_PT)
+            font.setItalic(row > self._done)
+            font.setWeight(QFont.Weight.DemiBold if row == self._done else QFont.Weight.Normal)
+            return font
+        if role == Qt.ItemDataRole.DecorationRole:
+            return theme.icon("chevron-right" if row == self._done else "")
+        return None

@@ -1,0 +1,81 @@
+"""What is under review, in full: the current artifact, a swept range, or the take itself."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QFrame, QScrollArea, QStackedWidget, QVBoxLayout, QWidget
+
+from markermend_app.document import Document
+from markermend_app.panels.badge import hint
+from markermend_app.panels.inspector_artifact import ArtifactPage, Decisions
+from markermend_app.panels.inspector_take import SelectionPage, TakePage
+
+
+class Inspector(QWidget):
+    """Shows what can be said and done about what is selected.
+
+    Signals
+    -------
+    mark_requested(Kind) : make an artifact of this class of the swept range
+    """
+
+    mark_requested = Signal(object)
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self.artifact = ArtifactPage(document)
+        self.selection = SelectionPage(document)
+        self.take = TakePage(document)
+        self.decisions = Decisions(document)
+        self.selection.mark_requested.connect(self.mark_requested)
+        self._pages = QStackedWidget()
+        self._nothing = hint(self.tr("Open a take to see what there is to say about it."))
+        self._holders = {page: _scrolled(page) for page in self._all()}
+        self._pages.addWidget(self._nothing)
+        for holder in self._holders.values():
+            self._pages.addWidget(holder)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(0)
+        whole.addWidget(self._pages, 1)
+        whole.addWidget(self.decisions)
+        for signal in (
+            document.opened,
+            document.current_changed,
+            document.selection_changed,
+        ):
+            signal.connect(self._choose)
+        self._choose()
+
+    @property
+    def page(self) -> QWidget | None:
+        """The page that is seen, or None when nothing is open."""
+        holder = self._pages.currentWidget()
+        return holder.widget() if isinstance(holder, QScrollArea) else None
+
+    def _all(self) -> tuple[QWidget, ...]:
+        return (self.artifact, self.selection, self.take)
+
+    def _choose(self) -> None:
+        """See the swept range before the artifact, and the take when there is neither."""
+        document = self._document
+        self.decisions.setVisible(document.current is not None and document.selection is None)
+        if document.session is None:
+            self._pages.setCurrentWidget(self._nothing)
+        elif document.selection is not None:
+            self._pages.setCurrentWidget(self._holders[self.selection])
+        elif document.current is not None:
+            self._pages.setCurrentWidget(self._holders[self.artifact])
+        else:
+            self._pages.setCurrentWidget(self._holders[self.take])
+
+
+def _scrolled(page: QWidget) -> QScrollArea:
+    """A page that can be scrolled when the dock is small."""
+    area = QScrollArea()
+    area.setWidgetResizable(True)
+    area.setFrameShape(QFrame.Shape.NoFrame)
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    area.setWidget(page)
+    return area

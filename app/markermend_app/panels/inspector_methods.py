@@ -1,0 +1,86 @@
+"""The repair methods for the current artifact, and what the previewed one promises."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSignalBlocker
+from PySide6.QtWidgets import QButtonGroup, QGridLayout, QLabel, QRadioButton, QVBoxLayout, QWidget
+
+from markermend.artifact import Status
+from markermend_app.document import Document
+from markermend_app.panels.inspector_take import heading, plain
+
+KEYS = 9
+
+
+class MethodList(QWidget):
+    """Radio buttons in the registry's order; the number beside each is its key."""
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self.buttons: dict[str, QRadioButton] = {}
+        self._group = QButtonGroup(self)
+        self._grid = QGridLayout()
+        self._grid.setHorizontalSpacing(8)
+        self._grid.setVerticalSpacing(2)
+        self._grid.setColumnStretch(0, 1)
+        self.outcome = plain("muted")
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 4, 0, 0)
+        column.setSpacing(4)
+        column.addWidget(heading(self.tr("Repair")))
+        column.addWidget(self.outcome)
+        column.addLayout(self._grid)
+        document.current_changed.connect(self._refresh)
+        document.proposal_changed.connect(self._refresh)
+
+    def _fill(self) -> None:
+        """List the methods, once an artifact is looked at: the engine's repairs load late."""
+        from markermend.repairs import REPAIRS
+
+        self._add("auto", self.tr("Best for this artifact"), self.tr("Picks the method."), "")
+        for i, method in enumerate(REPAIRS.values()):
+            key = str(i + 1) if i < KEYS else ""
+            self._add(method.name, method.label, method.summary, key)
+
+    def _add(self, name: str, label: str, tip: str, key: str) -> None:
+        """Add a method."""
+        button = QRadioButton(label)
+        button.setToolTip(self.tr("{0} (key {1})").format(tip, key) if key else tip)
+        button.clicked.connect(lambda _=False: self._document.choose_method(name))
+        self._group.addButton(button)
+        number = QLabel(key)
+        number.setProperty("role", "small")
+        row = len(self.buttons)
+        self._grid.addWidget(button, row, 0)
+        self._grid.addWidget(number, row, 1)
+        self.buttons[name] = button
+
+    def _refresh(self) -> None:
+        """Show the chosen method and what it promises."""
+        a = self._document.current
+        if a is None:
+            return
+        if not self.buttons:
+            self._fill()
+        offered = a.status is not Status.REPAIRED and self._document.editable
+        for name, button in self.buttons.items():
+            button.setEnabled(offered)
+            with QSignalBlocker(button):
+                button.setChecked(name == self._document.method)
+        self.outcome.setText(self._promise())
+
+    def _promise(self) -> str:
+        """What the preview is expected to achieve, or why there is none."""
+        a, proposal = self._document.current, self._document.proposal
+        if a is not None and a.status is Status.REPAIRED:
+            return self.tr("Repaired. Reopen it to try another method.")
+        if proposal is None:
+            return self.tr("Working out the repair…")
+        if not proposal.patches:
+            return self.tr("No repair: {0}").format(proposal.reason or self.tr("no answer here"))
+        button = self.buttons.get(proposal.method)
+        text = button.text() if button is not None else proposal.method
+        if proposal.error_mm is not None:
+            text += self.tr(", expected error {0:.1f} mm").format(proposal.error_mm)
+        return f"{text}. {proposal.reason}" if proposal.reason else text

@@ -1,0 +1,168 @@
+"""The table of the review queue: keys for many rows at once, and painted cells."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QModelIndex, QPersistentModelIndex, QRectF, Qt, Signal
+from PySide6.QtGui import QFontMetrics, QKeyEvent, QPainter
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QApplication,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QTableView,
+    QWidget,
+)
+
+from markermend.artifact import Artifact
+from markermend_app import theme
+from markermend_app.panels.badge import badge_font, paint_badge
+from markermend_app.panels.queue_model import ARTIFACT, AXES, CONFIDENCE, KIND
+
+Index = QModelIndex | QPersistentModelIndex
+VERBS = {
+    Qt.Key.Key_A: "accept",
+    Qt.Key.Key_R: "reject",
+    Qt.Key.Key_F: "repair",
+    Qt.Key.Key_U: "reopen",
+    Qt.Key.Key_Delete: "remove",
+}
+
+
+class QueueView(QTableView):
+    """Rows of artifacts.
+
+    With several rows selected the review keys mean all of them; with one, the window's actions
+    take the key.
+
+    Signals
+    -------
+    verb(str) : a review key was pressed for several rows
+    """
+
+    verb = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self.setShowGrid(False)
+        self.setWordWrap(False)
+        self.setTabKeyNavigation(False)
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(26)
+        self.horizontalHeader().setHighlightSections(False)
+        self.horizontalHeader().setStretchLastSection(True)
+        self._delegates = {
+            KIND: _KindDelegate(self),
+            AXES: _AxesDelegate(self),
+            CONFIDENCE: _ConfidenceDelegate(self),
+        }
+        for column, delegate in self._delegates.items():
+            self.setItemDelegateForColumn(column, delegate)
+
+    def event(self, event: QEvent) -> bool:
+        """Keep review keys for itself while several rows are selected."""
+        if (
+            event.type() == QEvent.Type.ShortcutOverride
+            and isinstance(event, QKeyEvent)
+            and self._verb_of(event)
+        ):
+            event.accept()
+            return True
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Do what a review key means for several rows."""
+        verb = self._verb_of(event)
+        if verb:
+            self.verb.emit(verb)
+        else:
+            super().keyPressEvent(event)
+
+    def _verb_of(self, event: QKeyEvent) -> str:
+        """What a key means here, or nothing."""
+        if event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier:
+            return ""
+        if len(self.selectionModel().selectedRows()) < 2:
+            return ""
+        return VERBS.get(Qt.Key(event.key()), "")
+
+
+class _PlainDelegate(QStyledItemDelegate):
+    """Paints a cell's background; subclasses paint what stands on it."""
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        """Background as ever, then the cell's own."""
+        self.initStyleOption(option, index)
+        style = option.widget.style() if option.widget else QApplication.style()
+        style.drawPrimitive(
+            QStyle.PrimitiveElement.PE_PanelItemViewItem, option, painter, option.widget
+        )
+        painter.save()
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setFont(option.font)
+        self.paint_cell(painter, QRectF(option.rect.adjusted(8, 0, -4, 0)), index.data(ARTIFACT))
+        painter.restore()
+
+    def paint_cell(self, painter: QPainter, rect: QRectF, a: Artifact) -> None:
+        """Paint what the cell says."""
+
+
+class _KindDelegate(_PlainDelegate):
+    """Class letter on its colour, and the class's name."""
+
+    def paint_cell(self, painter: QPainter, rect: QRectF, a: Artifact) -> None:
+        """Badge and name."""
+        t = theme.current()
+        font = painter.font()
+        painter.setFont(badge_font(font))
+        badge = QRectF(rect.left(), rect.center().y() - 8, 16, 16)
+        paint_badge(painter, badge, theme.KIND_LETTER[a.kind], t.kinds[a.kind])
+        painter.setFont(font)
+        painter.setPen(t.text)
+        painter.drawText(
+            rect.adjusted(22, 0, 0, 0), Qt.AlignmentFlag.AlignVCenter, theme.KIND_NAME[a.kind]
+        )
+
+
+class _AxesDelegate(_PlainDelegate):
+    """Letters of the axes that are wrong, in their colours; the others faint."""
+
+    def paint_cell(self, painter: QPainter, rect: QRectF, a: Artifact) -> None:
+        """Three letters, each in its place."""
+        t = theme.current()
+        x = rect.left()
+        for axis in "xyz":
+            painter.setPen(t.axes[axis] if axis in a.axes else theme.faded(t.muted, 0.35))
+            painter.drawText(
+                QRectF(x, rect.top(), 14, rect.height()),
+                Qt.AlignmentFlag.AlignVCenter,
+                axis.upper(),
+            )
+            x += 14
+
+
+class _ConfidenceDelegate(_PlainDelegate):
+    """A small bar, and the share in percent."""
+
+    def paint_cell(self, painter: QPainter, rect: QRectF, a: Artifact) -> None:
+        """Bar and number."""
+        t = theme.current()
+        number = QFontMetrics(painter.font()).horizontalAdvance("100 %") + 4
+        width = max(rect.width() - number - 4, 0)
+        bar = QRectF(rect.left(), rect.center().y() - 2, width, 5)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(t.grid)
+        painter.drawRoundedRect(bar, 2.5, 2.5)
+        painter.setBrush(t.accent)
+        bar.setWidth(width * min(max(a.confidence, 0.0), 1.0))
+        painter.drawRoundedRect(bar, 2.5, 2.5)
+        painter.setPen(t.text)
+        painter.drawText(
+            rect,
+            Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight,
+            f"{100 * a.confidence:.0f} %",
+        )

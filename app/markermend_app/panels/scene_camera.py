@@ -1,0 +1,105 @@
+"""A camera that goes round a point: from millimetres to pixels, for whole arrays at once."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from markermend.arrays import FloatArray
+
+NEAR = 0.02
+"""Near plane as a share of the distance to the target."""
+
+FOV = math.radians(35.0)
+_MAX_PITCH = math.radians(89.0)
+
+
+@dataclass(frozen=True)
+class Camera:
+    """Where we look from.
+
+    Attributes
+    ----------
+    target : (x, y, z) mm, the point in the middle
+    distance : mm from the target
+    yaw, pitch : radians, round and above the target
+    up : axis that points up, 0, 1 or 2
+    """
+
+    target: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    distance: float = 5000.0
+    yaw: float = math.radians(35.0)
+    pitch: float = math.radians(14.0)
+    up: int = 2
+
+    def axes(self) -> FloatArray:
+        """(3, 3): rows are right, up and back, in the take's coordinates."""
+        e = np.eye(3)
+        side, front, up = e[(self.up + 1) % 3], e[(self.up + 2) % 3], e[self.up]
+        across = -math.sin(self.yaw) * side + math.cos(self.yaw) * front
+        out = math.cos(self.yaw) * side + math.sin(self.yaw) * front
+        back = math.cos(self.pitch) * out + math.sin(self.pitch) * up
+        return np.stack((across, np.cross(back, across), back))
+
+    def to_view(self, points: FloatArray) -> FloatArray:
+        """(n, 3) points as right, up, and depth in front of the eye, mm."""
+        seen = (points - np.asarray(self.target)) @ self.axes().T
+        seen[:, 2] = self.distance - seen[:, 2]
+        return seen
+
+    def to_pixels(self, seen: FloatArray, width: float, height: float) -> FloatArray:
+        """(n, 2) pixels of points as :meth:`to_view` gives them; NaN behind the near plane."""
+        scale = self.scale(height)
+        depth = np.where(seen[:, 2] > NEAR * self.distance, seen[:, 2], np.nan)
+        return np.stack(
+            (width / 2 + scale * seen[:, 0] / depth, height / 2 - scale * seen[:, 1] / depth),
+            axis=1,
+        )
+
+    def project(self, points: FloatArray, width: float, height: float) -> FloatArray:
+        """(n, 2) pixels of (n, 3) points, NaN where missing or too near."""
+        return self.to_pixels(self.to_view(points), width, height)
+
+    def segments(
+        self, start: FloatArray, stop: FloatArray, width: float, height: float
+    ) -> FloatArray:
+        """(n, 2, 2) pixels of lines, cut off at the near plane; NaN where nothing is left."""
+        a, b = self.to_view(start), self.to_view(stop)
+        near = NEAR * self.distance * 1.001
+        for p, q in ((a, b), (b, a)):
+            cut = (p[:, 2] < near) & (q[:, 2] > near)
+            share = (near - p[cut, 2]) / (q[cut, 2] - p[cut, 2])
+            p[cut] += share[:, None] * (q[cut] - p[cut])
+        return np.stack(
+            (self.to_pixels(a, width, height), self.to_pixels(b, width, height)), axis=1
+        )
+
+    def scale(self, height: float) -> float:
+        """Pixels a millimetre takes at a depth of a millimetre."""
+        return height / (2 * math.tan(FOV / 2))
+
+    # Moves, each gives another camera
+
+    def orbited(self, dx: float, dy: float) -> Camera:
+        """Turned by a drag of pixels."""
+        pitch = self.pitch + dy * 0.008
+        return replace(
+            self, yaw=self.yaw - dx * 0.008, pitch=max(-_MAX_PITCH, min(_MAX_PITCH, pitch))
+        )
+
+    def panned(self, dx: float, dy: float, height: float) -> Camera:
+        """Moved sideways so that the target follows a drag of pixels."""
+        across, up, _ = self.axes()
+        mm = self.distance / self.scale(height)
+        return self.moved(-across * dx * mm + up * dy * mm)
+
+    def moved(self, by: FloatArray) -> Camera:
+        """Target and eye moved by mm."""
+        x, y, z = (np.asarray(self.target) + by).tolist()
+        return replace(self, target=(x, y, z))
+
+    def zoomed(self, factor: float) -> Camera:
+        """Nearer (factor below 1) or farther."""
+        return replace(self, distance=max(20.0, min(200_000.0, self.distance * factor)))
