@@ -81,6 +81,7 @@ def test_names_that_tell_nothing_are_shared_or_counted() -> None:
     assert set(named([["Point1", "Point2"], ["Point3", "Point4"]])) <= {
         f"Point{a} +1" for a in range(1, 5)
     }
+    assert named([["RBAC", "RSHO", "RUPA"]]) == ["Right shoulder and upper arm"]
     assert named([["LELB", "LUPA", "LWRA", "LWRB"]]) == ["Left upper arm and forearm"]
 
 

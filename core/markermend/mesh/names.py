@@ -129,7 +129,8 @@ def _anatomical(parts: Sequence[Part | None]) -> str | None:
     known = Counter(p for p in parts if p is not None)
     if known.total() * 2 < len(parts) or not known:
         return None
-    (first, _), *rest = known.most_common(2)
+    # Of equals the limb wins: a back marker beside shoulder and arm does not make a trunk.
+    (first, _), *rest = sorted(known.items(), key=lambda told: (-told[1], told[0][1] in _CENTRAL))
     name = f"{first[0]} {first[1]}".strip()
     if rest and rest[0][0][0] == first[0] and rest[0][1] * 3 >= known.total():
         ordered = sorted((first[1], rest[0][0][1]), key=_FROM_THE_TOP.index)
