@@ -31,7 +31,7 @@ from markermend_app.panels.overview_picture import (
 )
 
 # Aligned with the plots above: their values stand left, their margin right.
-_LEFT, _RIGHT, _TOP, _BOTTOM = 64, 12, 4, 18
+_LEFT, _RIGHT, _TOP, _BOTTOM = 80, 12, 4, 18
 _REACH_PX = 4.0
 _TICK_PX = 90
 
@@ -283,15 +283,17 @@ class Overview(QWidget):
 
     def _paint_time(self, painter: QPainter, take: Take, area: QRectF) -> None:
         """Seconds below."""
-        look = theme.current()
+        look, metrics = theme.current(), QFontMetrics(painter.font())
         step = _round_step(take.frames / take.rate / max(1.0, area.width() / _TICK_PX))
         for i in range(int(take.frames / take.rate / step) + 1):
             x = self._x(i * step * take.rate)
             painter.setPen(look.border)
             painter.drawLine(QPointF(x, area.bottom()), QPointF(x, area.bottom() + 3))
             painter.setPen(look.muted)
-            box = QRectF(x - _TICK_PX / 2, area.bottom() + 2, _TICK_PX, _BOTTOM - 2)
-            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, f"{i * step:g} s")
+            width = min(_TICK_PX, 2.0 * (self.width() - x))
+            box = QRectF(x - width / 2, area.bottom() + 2, width, _BOTTOM - 2)
+            if width > metrics.horizontalAdvance(text := f"{i * step:g} s"):
+                painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
 
     def _paint_marks(self, painter: QPainter, rows: Rows, area: QRectF) -> None:
         """The current artifact, the part in view, and the cursor."""
@@ -302,7 +304,7 @@ class Overview(QWidget):
         left = max(area.left(), self._x(self._view[0] + 0.5))
         right = min(area.right(), self._x(self._view[1] + 0.5))
         if right - left < area.width() - 1:
-            veil = theme.faded(look.window, 0.45)
+            veil = theme.faded(look.window, 0.35)
             painter.fillRect(
                 QRectF(area.left(), area.top(), left - area.left(), area.height()), veil
             )

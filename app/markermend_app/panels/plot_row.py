@@ -22,7 +22,7 @@ from markermend_app.panels.plot_range import value_range
 from markermend_app.panels.plot_view import PlotView
 
 TIME_HEIGHT = 36
-_VALUES_WIDTH = 64
+_VALUES_WIDTH = 80
 
 
 @dataclass(frozen=True, eq=False)
