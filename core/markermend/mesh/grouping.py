@@ -12,8 +12,8 @@ from markermend.mesh.pairs import Pairs
 NEARNESS = 0.1
 # Width of a group as a share of the body's, for a body whose distances vary by TYPICAL_MOTION of
 # themselves. Vigorous takes shake the soft tissue more, so the limit follows, less than in
-# proportion. Values found on eleven marker sets of standing, walking, rolling and break-dancing
-# people.
+# proportion. Values found on a dozen recordings of people who stand, walk, roll and break-dance,
+# under nine marker sets.
 WIDTH = 0.05
 TYPICAL_MOTION, LEAST_MOTION, MOTION_EXPONENT = 0.2, 0.05, 0.5
 # Skin and cameras move markers by millimetres on a hand as on a whole body.
