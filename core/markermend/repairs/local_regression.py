@@ -45,7 +45,7 @@ class LocalRegressionParams:
         default=12, metadata={"min": 3, "max": 60, "help": "Markers whose pose is the input"}
     )
     frame: int = field(
-        default=6, metadata={"min": 3, "max": 20, "help": "Nearest of them that make the frame"}
+        default=4, metadata={"min": 3, "max": 20, "help": "Nearest of them that make the frame"}
     )
     near_s: float = field(
         default=0.5,
@@ -57,7 +57,7 @@ class LocalRegressionParams:
         },
     )
     samples: int = field(
-        default=500,
+        default=300,
         metadata={"min": 50, "max": 5000, "help": "Frames used from the rest of the take"},
     )
 

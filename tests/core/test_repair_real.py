@@ -1,0 +1,76 @@
+"""The local regression on hidden pieces of real takes, against what others reached there."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import markermend as mm
+from markermend.artifact import Artifact, Kind
+from markermend.repairs import evidence_for, propose_from
+from markermend.take import Take, is_unlabelled
+
+BENCH = Path(__file__).resolve().parents[3] / "shared" / "bench" / "gaps-dev.json"
+
+
+def labelled(path: Path) -> Take:
+    take = mm.read(path)
+    named = [i for i, label in enumerate(take.labels) if not is_unlabelled(label)]
+    return Take(take.positions[:, named], tuple(take.labels[i] for i in named), take.rate)
+
+
+@pytest.fixture(scope="module")
+def replayed(shared_data: Path) -> dict[str, list[tuple[float, float, float]]]:
+    """Error of ours, of PMA and of the spline."""
+    if not BENCH.is_file():
+        pytest.skip(f"the gap list is not here ({BENCH})")
+    takes: dict[str, Take] = {}
+    results: dict[str, list[tuple[float, float, float]]] = {}
+    entries = json.loads(BENCH.read_text())
+    short = [e for e in entries if e["length"] <= 10]
+    for entry in short + [e for e in entries if 10 < e["length"] <= 240][::7]:
+        name = entry["take"]
+        if name not in takes:
+            takes[name] = labelled(next(shared_data.rglob(f"{name}.c3d")))
+        truth = takes[name].positions
+        holed = truth.copy()
+        for label, start, stop in entry["gaps"]:
+            holed[start:stop, takes[name].index(label)] = np.nan
+        evidence = evidence_for(Take(holed, takes[name].labels, takes[name].rate))
+        errors = []
+        for label, start, stop in entry["gaps"]:
+            done = propose_from(evidence, Artifact(label, "xyz", start, stop, Kind.GAP))
+            (patch,) = done.patches
+            miss = patch.values - truth[start:stop, takes[name].index(label)]
+            errors.append(np.linalg.norm(miss, axis=1).mean())
+        row = (np.mean(errors), entry["pma_mm"], entry["spline_mm"])
+        kind = "short" if entry in short else "long"
+        results.setdefault(kind, []).append(row)
+    return results
+
+
+def test_ours_has_at_most_half_the_error_of_model_averaging(
+    replayed: dict[str, list[tuple[float, float, float]]],
+) -> None:
+    ours, pma, _ = np.mean(replayed["long"], axis=0)
+    assert ours < 0.5 * pma
+
+
+def test_short_gaps_are_at_least_as_good_as_the_spline(
+    replayed: dict[str, list[tuple[float, float, float]]],
+) -> None:
+    ours, _, spline = np.mean(replayed["short"], axis=0)
+    assert ours <= spline
+
+
+@pytest.mark.parametrize("name", ["bodies/AlbertoINT.c3d", "gait/Vicon.c3d"])
+def test_filling_leaves_every_measured_sample_alone(shared_data: Path, name: str) -> None:
+    take = mm.read(shared_data / name)
+    gaps = mm.repairs.find_gaps(take, max_gap=20)[:10]
+    clean = mm.repair(take, gaps)
+    kept = take.present
+    assert np.array_equal(clean.positions[kept], take.positions[kept])
+    assert clean.present.sum() >= take.present.sum()
