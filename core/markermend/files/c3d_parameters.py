@@ -69,7 +69,9 @@ def rewrite_parameters(
     if take.events != read_events(layout):
         _set_events(sheet, take)
     for name, lines in notes.items():
-        rows = [*sheet.rows(GROUP, name), *(line.encode("utf-8")[:MOST_ROWS] for line in lines)]
+        # A list of changes grows with every export; which version wrote last is one line.
+        earlier = [] if name == "VERSION" else sheet.rows(GROUP, name)
+        rows = [*earlier, *(line.encode("utf-8")[:MOST_ROWS] for line in lines)]
         sheet.set_rows(GROUP, name, rows)
     return sheet.finish()
 
