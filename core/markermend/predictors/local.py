@@ -2,8 +2,8 @@
 
 Closed form, no training loop. The markers whose distance to the target varies least span a local
 frame; in it the target is a regularised linear function of their positions and of products of
-their principal components. The target's own samples serve
-to learn how it follows the others, never as an input.
+their principal components. The target's own samples serve to learn how it follows
+the others, never as an input.
 """
 
 from __future__ import annotations
@@ -258,7 +258,9 @@ def _features(inputs: FloatArray, weight: FloatArray) -> tuple[FloatArray, Float
     samples = np.count_nonzero(weight)
     share = weight / weight.sum()
     mean = share @ inputs
-    scale = np.sqrt(share @ (inputs - mean) ** 2)
+    # One scale a marker, not one an axis, so that the axes of the laboratory do not matter.
+    variance = (share @ (inputs - mean) ** 2).reshape(-1, 3).mean(axis=1)
+    scale = np.repeat(np.sqrt(variance), 3)
     # A constant input is left out by an infinite scale rather than blown up by its rounding.
     inputs = (inputs - mean) / np.where(scale > 1e-6, scale, np.inf)
     one = np.ones((len(inputs), 1))
