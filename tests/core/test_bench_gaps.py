@@ -1,0 +1,69 @@
+"""Replaying gap lists: what is hidden is what is measured."""
+
+from __future__ import annotations
+
+import io
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from markermend.bench.gaps import as_text, read_cases, replay, summarise, write_csv
+from markermend.errors import DataError, FileFormatError
+from markermend.take import Take
+
+
+@pytest.fixture
+def ramps() -> Take:
+    t = np.arange(100.0)[:, None, None]
+    return Take(
+        t * np.array([[[1.0, 2.0, 0.0]], [[0.0, -1.0, 3.0]]]).reshape(1, 2, 3), ("A", "B"), 100.0
+    )
+
+
+def write_list(folder: Path, *entries: object) -> Path:
+    path = folder / "gaps.json"
+    path.write_text(json.dumps(entries))
+    return path
+
+
+ENTRY = {
+    "take": "ramps", "protocol": "p", "length": 10, "gaps": [["A", 20, 30], ["B", 50, 60]],
+    "pma_mm": 2.0,
+}  # fmt: skip
+
+
+def test_a_line_hides_nothing_from_linear(tmp_path: Path, ramps: Take) -> None:
+    cases = read_cases(write_list(tmp_path, ENTRY))
+    (result,) = replay(cases, {"ramps": ramps}, ["linear"])
+    assert result.error_mm < 1e-9
+    assert result.filled == 1.0
+    (row,) = summarise([result])
+    assert row.reference_mm == 2.0
+    assert row.ratio < 1e-9
+    assert "linear" in as_text([row])
+
+
+def test_an_unfilled_frame_counts_three_times_the_reference(tmp_path: Path, ramps: Take) -> None:
+    entry = {**ENTRY, "gaps": [["A", 20, 30], ["B", 90, 100]]}
+    (result,) = replay(read_cases(write_list(tmp_path, entry)), {"ramps": ramps}, ["linear"])
+    assert result.filled == 0.5
+    (row,) = summarise([result])
+    assert row.error_mm == pytest.approx(3.0)
+
+
+def test_csv_has_a_line_for_each_case_and_method(tmp_path: Path, ramps: Take) -> None:
+    cases = read_cases(write_list(tmp_path, ENTRY, ENTRY))
+    file = io.StringIO()
+    write_csv(replay(cases, {"ramps": ramps}, ["linear", "pchip"]), file)
+    assert len(file.getvalue().splitlines()) == 5
+
+
+def test_wrong_lists_are_errors(tmp_path: Path, ramps: Take) -> None:
+    with pytest.raises(FileFormatError):
+        read_cases(write_list(tmp_path, {"take": "ramps"}))
+    entry = {k: v for k, v in ENTRY.items() if k != "pma_mm"}
+    results = replay(read_cases(write_list(tmp_path, entry)), {"ramps": ramps}, ["linear"])
+    with pytest.raises(DataError, match="pma"):
+        summarise(results)
