@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
-from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt
+from PySide6.QtCore import QByteArray, QPointF, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetrics, QIcon, QPainter, QPixmap
+from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QLabel, QWidget
 
 from markermend.artifact import Kind
@@ -94,6 +95,15 @@ def dot_icon(color: QColor, filled: bool = True, size: int = 12) -> QIcon:
         painter.drawEllipse(QPointF(size / 2, size / 2), radius, radius)
 
     return QIcon(_drawn(size, draw))
+
+
+def tinted_icon(name: str, color: QColor, size: int = 16) -> QIcon:
+    """One of the app's icons in another colour than the text's; empty when there is none."""
+    text = theme.svg(name, color)
+    if not text:
+        return QIcon()
+    renderer = QSvgRenderer(QByteArray(text.encode()))
+    return QIcon(_drawn(size, lambda p: renderer.render(p, QRectF(0, 0, size, size))))
 
 
 def _letter(painter: QPainter, kind: Kind, size: int) -> None:

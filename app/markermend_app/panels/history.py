@@ -89,6 +89,4 @@ class _Steps(QAbstractListModel):
             font.setItalic(row > self._done)
             font.setWeight(QFont.Weight.DemiBold if row == self._done else QFont.Weight.Normal)
             return font
-        if role == Qt.ItemDataRole.DecorationRole:
-            return theme.icon("chevron-right" if row == self._done else "")
         return None

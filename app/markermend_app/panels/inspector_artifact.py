@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import (
@@ -22,7 +23,7 @@ from PySide6.QtWidgets import (
 from markermend.artifact import Artifact, Kind, Status
 from markermend_app import theme
 from markermend_app.document import Document
-from markermend_app.panels.badge import kind_icon
+from markermend_app.panels.badge import kind_icon, tinted_icon
 from markermend_app.panels.inspector_methods import MethodList
 from markermend_app.panels.inspector_take import heading, plain
 
@@ -65,6 +66,7 @@ class ArtifactPage(QWidget):
             field.setAccessibleName(name)
             field.setToolTip(self.tr("{0}, as numbered in the file").format(name))
             field.setKeyboardTracking(False)
+            field.setAlignment(Qt.AlignmentFlag.AlignCenter)
             field.valueChanged.connect(self._edges_chosen)
             edges.addWidget(field, 1)
         edges.insertWidget(1, QLabel("–"))
@@ -224,11 +226,11 @@ class Decisions(QWidget):
         self._recolour()
         self._refresh()
 
-    def _button(self, text: str, tip: str, do: object) -> QPushButton:
+    def _button(self, text: str, tip: str, do: Callable[[], None]) -> QPushButton:
         button = QPushButton(text)
         button.setToolTip(tip)
         button.setMinimumHeight(32)
-        button.clicked.connect(do)
+        button.clicked.connect(lambda _=False: do())
         return button
 
     def _reopen(self) -> None:
@@ -252,7 +254,7 @@ class Decisions(QWidget):
         for button, name in (
             (self.accept, "accept"),
             (self.reject, "reject"),
-            (self.repair, "repair"),
             (self.reopen, "undo"),
         ):
             button.setIcon(theme.icon(name))
+        self.repair.setIcon(tinted_icon("repair", theme.current().on_accent))

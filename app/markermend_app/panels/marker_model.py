@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QAbstractItemModel, QModelIndex, QObject, QPersistentModelIndex, Qt
+from PySide6.QtGui import QFont
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend.mesh import Mesh
@@ -226,7 +227,7 @@ class MarkerModel(QAbstractItemModel):
         flags = Qt.ItemFlag.ItemIsEnabled
         if node.label or node.selects:
             flags |= Qt.ItemFlag.ItemIsSelectable
-            if index.column() == NAME:
+            if index.column() == NAME and node.label:
                 flags |= Qt.ItemFlag.ItemIsUserCheckable
         return flags
 
@@ -248,22 +249,20 @@ class MarkerModel(QAbstractItemModel):
     def setData(self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole) -> bool:  # noqa: D102
         if role != Qt.ItemDataRole.CheckStateRole:
             return False
-        labels = [n.label for n in self.node(index).markers()]
+        label = self.node(index).label
         if Qt.CheckState(value) == Qt.CheckState.Checked:
-            self._show([*self._shown, *labels])
+            self._show([*self._shown, label])
         else:
-            self._show([s for s in self._shown if s not in labels])
+            self._show([s for s in self._shown if s != label])
         return True
 
     def _name_data(self, node: Node, role: int) -> Any:
         """Name column."""
         if role == Qt.ItemDataRole.DisplayRole:
             return node.name
-        if role == Qt.ItemDataRole.CheckStateRole and (node.label or node.selects):
-            shown = [m.label in self._shown for m in node.markers()]
-            if shown and all(shown):
-                return Qt.CheckState.Checked
-            return Qt.CheckState.PartiallyChecked if any(shown) else Qt.CheckState.Unchecked
+        if role == Qt.ItemDataRole.CheckStateRole and node.label:
+            shown = node.label in self._shown
+            return Qt.CheckState.Checked if shown else Qt.CheckState.Unchecked
         if role == Qt.ItemDataRole.DecorationRole:
             if node.label in self._shown and node.label:
                 return dot_icon(theme.marker_color(self._shown.index(node.label)))
@@ -281,6 +280,10 @@ class MarkerModel(QAbstractItemModel):
         if role == Qt.ItemDataRole.DisplayRole and node.missing:
             percent = 100 * node.missing
             return "<0.1 %" if percent < 0.1 else f"{percent:.1f} %"
+        if role == Qt.ItemDataRole.FontRole:
+            font = QFont()
+            font.setPointSize(theme.SMALL_PT)
+            return font
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         if role == Qt.ItemDataRole.ForegroundRole:

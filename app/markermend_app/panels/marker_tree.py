@@ -83,14 +83,17 @@ class MarkerTree(QWidget):
         self.view.setAccessibleName(self.tr("Markers"))
         self.view.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.view.setUniformRowHeights(True)
-        self.view.setIndentation(14)
+        self.view.setIndentation(10)
+        self.view.setIconSize(QSize(12, 12))
+        self.view.setTextElideMode(Qt.TextElideMode.ElideRight)
         self.view.setItemDelegateForColumn(OPEN, _CountsDelegate(self.view))
         header = self.view.header()
         header.setStretchLastSection(False)
         header.setMinimumSectionSize(40)
         header.setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
         header.setSectionResizeMode(OPEN, QHeaderView.ResizeMode.Interactive)
-        header.setSectionResizeMode(MISSING, QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(MISSING, QHeaderView.ResizeMode.Fixed)
+        header.resizeSection(MISSING, 56)
         self.view.selectionModel().selectionChanged.connect(self._selected)
 
         top = QHBoxLayout()
@@ -154,13 +157,13 @@ class MarkerTree(QWidget):
         if session is None:
             return
         self._model.set_counts(session.artifacts)
-        widest = 56
+        widest = 52
         for row in session.original.labels:
             counts = self._model.data(self._model.index_of(row).siblingAtColumn(OPEN), COUNTS)
             widest = max(widest, counts_width(counts or {}, self.view.font()))
         header = self.view.header()
-        if header.sectionSize(OPEN) != min(widest, 140):
-            header.resizeSection(OPEN, min(widest, 140))
+        if header.sectionSize(OPEN) != min(widest, 66):
+            header.resizeSection(OPEN, min(widest, 66))
 
     def _samples_changed(self, change: Change) -> None:
         """Bring the missing share of changed markers up to date."""

@@ -19,6 +19,7 @@ from PySide6.QtCore import (
 from markermend.artifact import Artifact, Kind, Status
 from markermend.edits import RepairNote
 from markermend_app import theme
+from markermend_app.panels.badge import dot_icon
 
 Index = QModelIndex | QPersistentModelIndex
 STATUS, KIND, MARKER, AXES, FRAMES, TIME, LENGTH, SIZE, CONFIDENCE, REPAIR, WHY = range(11)
@@ -68,7 +69,8 @@ def badness(a: Artifact, rate: float) -> float:
 def describe_length(a: Artifact, rate: float) -> str:
     """Length in frames and in time."""
     ms = 1000 * a.length / rate
-    return f"{a.length} f, {ms:.0f} ms" if ms < 1000 else f"{a.length} f, {ms / 1000:.1f} s"
+    time = f"{ms:.0f} ms" if ms < 1000 else f"{ms / 1000:.1f} s"
+    return f"{a.length} f, {time}"
 
 
 class QueueModel(QAbstractTableModel):
@@ -209,12 +211,14 @@ class QueueModel(QAbstractTableModel):
         if role == ARTIFACT:
             return a
         if role == Qt.ItemDataRole.ToolTipRole:
-            return a.why or None
+            return describe_length(a, self.rate) if column == LENGTH else a.why or None
         if role == Qt.ItemDataRole.TextAlignmentRole:
             side = Qt.AlignmentFlag.AlignRight if column in RIGHT else Qt.AlignmentFlag.AlignLeft
             return side | Qt.AlignmentFlag.AlignVCenter
         if role == Qt.ItemDataRole.DecorationRole and column == STATUS:
-            return theme.icon(STATUS_ICON.get(a.status, "mark"))
+            if a.status is Status.PENDING:
+                return dot_icon(theme.current().muted, filled=False, size=16)
+            return theme.icon(STATUS_ICON[a.status])
         if role == Qt.ItemDataRole.ForegroundRole and (
             a.status is Status.REJECTED or column in (WHY, REPAIR)
         ):
@@ -231,7 +235,7 @@ class QueueModel(QAbstractTableModel):
             AXES: lambda: a.axes.upper(),
             FRAMES: lambda: f"{a.start + first}–{a.stop - 1 + first}",
             TIME: lambda: f"{a.start / self.rate:.2f} s",
-            LENGTH: lambda: describe_length(a, self.rate),
+            LENGTH: lambda: f"{a.length} f",
             SIZE: lambda: f"{a.amplitude_mm:.1f} mm" if math.isfinite(a.amplitude_mm) else "–",
             CONFIDENCE: lambda: f"{100 * a.confidence:.0f} %",
             REPAIR: lambda: self._repair_text(a),

@@ -24,6 +24,7 @@ from markermend_app.document import Document
 from markermend_app.panels.badge import hint, kind_icon
 from markermend_app.panels.queue_model import (
     COLUMNS,
+    REPAIR,
     STATUS,
     QueueModel,
     Wanted,
@@ -31,7 +32,7 @@ from markermend_app.panels.queue_model import (
 )
 from markermend_app.panels.queue_view import QueueView
 
-_WIDTHS = (104, 112, 150, 64, 100, 76, 104, 84, 116, 190)
+_WIDTHS = (92, 100, 124, 60, 96, 72, 72, 84, 108, 180)
 _OPEN = frozenset({Status.PENDING})
 _DECIDED = frozenset({Status.ACCEPTED, Status.REJECTED, Status.REPAIRED})
 _ACCEPTED = frozenset({Status.ACCEPTED})
@@ -81,6 +82,8 @@ class ReviewQueue(QWidget):
         document.current_changed.connect(self._follow_current)
         theme.watcher.changed.connect(self._recolour)
         self._recolour()
+        self._hide_repairs()
+        self._filter()
         self._refresh()
 
     def _make_filters(self) -> QHBoxLayout:
@@ -224,8 +227,14 @@ class ReviewQueue(QWidget):
             )
         )
         self._syncing = False
+        self._hide_repairs()
         self._follow_current()
         self._explain()
+
+    def _hide_repairs(self) -> None:
+        """Have the column of repairs only where something repaired can be listed."""
+        statuses = self.status.currentData()
+        self.view.setColumnHidden(REPAIR, bool(statuses) and Status.REPAIRED not in statuses)
 
     def _order_changed(self) -> None:
         """Tell the document in which order artifacts are walked."""

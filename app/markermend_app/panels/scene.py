@@ -24,6 +24,8 @@ TRAIL_S = 0.5
 SCRUB_S_PER_PX = 0.02
 RADIUS_MM = 13.0
 MANY_LABELS = 40
+BODY = 0.56
+"""Radius of the view of a body that is followed, as a share of the body's size."""
 
 
 class Scene(QWidget):
@@ -77,6 +79,7 @@ class Scene(QWidget):
         """The column of buttons in the upper right corner."""
         self.fit = self._button(self.tr("Show everything (double click)"), self.reset, False)
         self.follow = self._button(self.tr("Keep the body in the middle"), self._follow_toggled)
+        self.follow.setChecked(True)
         self.trails = self._button(self.tr("Trails of all markers"), self.update)
         self.labels = self._button(self.tr("Names of all markers"), self.update)
         column = QVBoxLayout()
@@ -106,7 +109,7 @@ class Scene(QWidget):
         if self.stage is not None:
             self.camera = self.stage.camera(self.camera)
             if self.follow.isChecked():
-                self.camera = self.camera.zoomed(0.6 * self.stage.size / self.stage.radius)
+                self.camera = self.camera.zoomed(BODY * self.stage.size / self.stage.radius)
                 self._followed = None
                 self._keep_up()
         self.update()
@@ -128,12 +131,13 @@ class Scene(QWidget):
         if session is not None:
             take = session.original
             self.stage = set_stage(take)
-            self.camera = self.stage.camera()
+            self.camera = Camera()
             links = () if mesh is None else mesh.links
             self._links = np.array(links, dtype=np.int64).reshape(-1, 2)
             small = np.array([is_unlabelled(label) for label in take.labels], dtype=bool)
             body = min(RADIUS_MM, 0.008 * self.stage.size)
             self._radius = np.where(small, 0.5 * body, body)
+            self.reset()
         self._take_artifacts()
 
     def _take_artifacts(self) -> None:

@@ -43,7 +43,8 @@ class Transport(QWidget):
         self.number.setAccessibleName(self.tr("Frame number"))
         self.number.setToolTip(self.tr("Frame number, as in the file"))
         self.number.setKeyboardTracking(False)
-        self.number.setMinimumWidth(84)
+        self.number.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.number.setFixedWidth(88)
         self.number.valueChanged.connect(self._number_changed)
         self.time = QLabel()
         self.time.setProperty("role", "muted")
@@ -53,6 +54,7 @@ class Transport(QWidget):
         self.speed.setToolTip(self.tr("Speed of playback"))
         for speed in SPEEDS:
             self.speed.addItem(f"{speed:g}×", speed)
+        self.speed.setFixedWidth(76)
         self.speed.setCurrentIndex(SPEEDS.index(1.0))
         self.speed.currentIndexChanged.connect(self._rebase)
 
@@ -95,13 +97,13 @@ class Transport(QWidget):
         buttons.addWidget(self.speed)
         buttons.addStretch(1)
         buttons.addWidget(self.time)
-        buttons.addSpacing(8)
-        buttons.addWidget(self.number)
         grid = QGridLayout(self)
         grid.setContentsMargins(8, 4, 8, 4)
         grid.setVerticalSpacing(4)
+        grid.setHorizontalSpacing(8)
         grid.addWidget(self.slider, 0, 0)
-        grid.addLayout(buttons, 1, 0)
+        grid.addWidget(self.number, 0, 1)
+        grid.addLayout(buttons, 1, 0, 1, 2)
 
     # Playing
 
