@@ -75,9 +75,9 @@ class Session:
     def take(self) -> Take:
         """The take as it stands, a view of the working samples: good for this revision."""
         if self._take is None or self._take[0] != self.revision:
-            view = self.original.with_positions(
-                self._state.positions.view(), self._state.origin.view()
-            )
+            positions, origin = self._state.positions.view(), self._state.origin.view()
+            positions.flags.writeable = origin.flags.writeable = False
+            view = self.original.viewing(positions, origin)
             self._take = (self.revision, view)
         return self._take[1]
 
