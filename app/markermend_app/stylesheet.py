@@ -145,6 +145,12 @@ QListView::indicator:checked { background: $accent; border-color: $accent;
     image: url("$check"); }
 QCheckBox::indicator:indeterminate, QTreeView::indicator:indeterminate {
     background: $checked; border-color: $accent; }
+QRadioButton::indicator { width: 11px; height: 11px; border: 1px solid $handle;
+    border-radius: 6px; background: $panel; }
+QRadioButton::indicator:hover { border-color: $accent; }
+QRadioButton::indicator:checked { width: 5px; height: 5px; border: 4px solid $accent;
+    border-radius: 6px; background: $on_accent; }
+QRadioButton::indicator:disabled { border-color: $dimmed; }
 QCheckBox:focus, QRadioButton:focus { color: $accent; }
 
 QGroupBox { border: 1px solid $border; border-radius: 4px; margin-top: 16px; padding: 8px; }
