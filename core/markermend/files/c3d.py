@@ -124,6 +124,7 @@ class _Contents:
     cameras: ByteArray | None
     analog: Analog | None
     oddities: list[str]
+    missing: int = 0
     by_zero: int = 0
 
 
@@ -182,6 +183,7 @@ def _decode(
         residuals, cameras = decode_residuals(
             stored[..., 3], plan.scale_mm / layout.scale * layout.residual_scale
         )
+        contents.missing += int(np.count_nonzero(missing))
         residuals[missing] = np.nan
         cameras[missing] = 0
         with np.errstate(over="ignore"):
@@ -287,8 +289,7 @@ def _unit(file: IO[bytes], layout: C3dLayout, oddities: list[str]) -> float:
 
 def _info(layout: C3dLayout, contents: _Contents) -> dict[str, str]:
     """What else the file tells."""
-    missing = int(np.isnan(contents.positions[..., 0]).sum())
-    coding = []
+    missing, coding = contents.missing, []
     if not layout.residuals_hold or contents.residuals is None:
         coding.append("far-off coordinates or (0, 0, 0); residuals mean nothing")
     else:
