@@ -7,6 +7,7 @@ import math
 import re
 
 import markermend
+from markermend.cli.bench_parser import add_experiments
 
 ABOUT = """\
 Find, name and repair damaged intervals in optical motion capture takes.
@@ -31,6 +32,7 @@ COMMANDS = {
     "clean": "detect and repair, and write the repaired take",
     "fill": "fill the gaps and change nothing else",
     "simulate": "make a take of a synthetic performer, damaged, with the truth",
+    "bench": "rerun an experiment and print its table",
 }
 
 
@@ -69,6 +71,7 @@ def make_parser() -> argparse.ArgumentParser:
         "clean": _add_clean,
         "fill": _add_fill,
         "simulate": _add_simulate,
+        "bench": add_experiments,
     }
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
     for name, summary in COMMANDS.items():

@@ -1,0 +1,56 @@
+"""``markermend bench NAME …``: rerun an experiment and print its table."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+import markermend as mm
+from markermend.cli.console import STDOUT, Bar, check_outputs, read_json, say, write_text
+
+
+def run(options: argparse.Namespace) -> int:
+    """Run the experiment that was named."""
+    return RUN[str(options.experiment)](options)
+
+
+def _run_e1(options: argparse.Namespace) -> int:
+    """Contaminate takes, detect, and show the measures."""
+    from markermend.artifact_json import artifacts_of
+    from markermend.bench.e1 import COMPANIONS, Clean, e1
+    from markermend.bench.e1_text import e1_csv, e1_table
+    from markermend.detectors import find_detector
+
+    check_outputs([options.csv], source=None, force=options.force)
+    takes = []
+    for path in map(Path, options.takes):
+        flaws = Path(options.flaws) / f"{path.stem}.json" if options.flaws else None
+        known = artifacts_of(read_json(str(flaws))) if flaws and flaws.exists() else ()
+        takes.append(Clean(path.stem, mm.read(path), known))
+    methods = list(dict.fromkeys(options.method))
+    params = {
+        name: find_detector(name).params(slow=False)
+        for name in methods
+        if options.no_slow and name not in COMPANIONS
+    }
+    with Bar() as bar:
+        rows = e1(
+            takes,
+            methods=methods + list(COMPANIONS if options.companions else ()),
+            params=params,
+            shares=options.share,
+            amplitudes_mm=options.amplitude,
+            simulations=options.simulations,
+            seed=options.seed,
+            n_jobs=options.jobs,
+            progress=bar,
+        )
+    if options.csv is not None:
+        write_text(options.csv, e1_csv(rows))
+    if options.csv != STDOUT:
+        for line in e1_table(rows):
+            say(line)
+    return 0
+
+
+RUN = {"e1": _run_e1}

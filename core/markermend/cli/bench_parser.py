@@ -1,0 +1,54 @@
+"""Options of the experiments of ``markermend bench``."""
+
+from __future__ import annotations
+
+import argparse
+
+EXPERIMENTS = {"e1": "contaminate clean takes, detect, compare by sample and by event"}
+
+
+def add_experiments(parser: argparse.ArgumentParser) -> None:
+    """Give ``bench`` a command for each experiment."""
+    adders = {"e1": _add_e1}
+    names = parser.add_subparsers(dest="experiment", metavar="NAME", required=True)
+    for name, summary in EXPERIMENTS.items():
+        adders[name](
+            names.add_parser(name, help=summary, description=f"{summary[0].upper()}{summary[1:]}.")
+        )
+
+
+def _add_e1(p: argparse.ArgumentParser) -> None:
+    p.add_argument("takes", metavar="TAKE", nargs="+", help="clean recordings")
+    p.add_argument(
+        "--flaws",
+        metavar="FOLDER",
+        help="what is damaged in TAKE already, as JSON of “detect” named after it; left out",
+    )
+    p.add_argument(
+        "--method", metavar="NAME", nargs="+", default=["paper"], help="detectors (default: paper)"
+    )
+    p.add_argument(
+        "--companions", action="store_true", help="generic outlier detectors beside them"
+    )
+    p.add_argument("--no-slow", action="store_true", help="skip slow changes")
+    p.add_argument(
+        "--share",
+        metavar="P",
+        nargs="+",
+        type=float,
+        default=[0.05, 0.1, 0.2],
+        help="damaged share of the frames by class (default: 0.05 0.1 0.2)",
+    )
+    p.add_argument(
+        "--amplitude",
+        metavar="MM",
+        nargs="+",
+        type=float,
+        default=[5.0, 10.0],
+        help="mean amplitudes (default: 5 10)",
+    )
+    p.add_argument("--simulations", metavar="N", type=int, default=100, help="per setting")
+    p.add_argument("--seed", metavar="N", type=int, default=0, help="same seed, same result")
+    p.add_argument("--jobs", metavar="N", type=int, default=-1, help="processes (-1: all cores)")
+    p.add_argument("--csv", metavar="FILE", help="write all counts as CSV; “-” for standard output")
+    p.add_argument("--force", action="store_true", help="overwrite what is there already")
