@@ -46,17 +46,9 @@ def clean_headless(take):
         QT_QPA_PLATFORM="offscreen", QT_LOGGING_RULES="default.warning=false"
     )
     python = bootstrap.venv_program("python")
+    clean_take = [bootstrap.venv_program("markermend"), "clean", str(take), "--no-slow", "--force"]
     steps = (
-        [
-            bootstrap.venv_program("markermend"),
-            "clean",
-            str(take),
-            "--output",
-            str(clean),
-            "--json",
-            str(artifacts),
-            "--force",
-        ],
+        [*clean_take, "--output", str(clean), "--json", str(artifacts)],
         [python, "-m", "markermend_app", str(take), "--screenshot", str(picture)],
     )
     for step in steps:
@@ -72,7 +64,7 @@ def clean_headless(take):
         bootstrap.say("  %-24s %s" % (what, path))
     bootstrap.say(
         "\nSlow changes were not looked for, since that takes a minute or two; this does:\n"
-        "  %s clean %s -o OUT.c3d" % (steps[0][0], take)
+        "  %s clean %s -o OUT.c3d" % (clean_take[0], take)
     )
     return 0
 
