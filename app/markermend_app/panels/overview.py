@@ -56,7 +56,7 @@ class Overview(QWidget):
         document.data_changed.connect(self._refresh)
         document.current_changed.connect(self.update)
         document.shown_changed.connect(self.update)
-        document.frame_changed.connect(lambda _: self.update())
+        document.frame_changed.connect(self._move_cursor)
         theme.watcher.changed.connect(self._repaint)
         self._opened()
 
@@ -112,6 +112,10 @@ class Overview(QWidget):
             width = self._missing.shape[1]
             self._missing[columns] = missing_share(take.origin[:, columns], width)
         self._repaint()
+
+    def _move_cursor(self, frame: int) -> None:
+        """Draw the cursor elsewhere."""
+        self.update()
 
     def _repaint(self) -> None:
         """Paint the picture anew when it is next needed."""

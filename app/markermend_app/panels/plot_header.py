@@ -38,7 +38,7 @@ class PlotHeader(QWidget):
         layout.addLayout(self._legend)
         layout.addStretch()
         layout.addWidget(self.readout)
-        theme.watcher.changed.connect(lambda: self.show_markers(self._markers))
+        theme.watcher.changed.connect(self._restyle)
 
     def read_out(self, take: Take, marker: str, frame: int, axis: str = "") -> None:
         """Say frame, time and a marker's value: on one axis, or on all of them."""
@@ -81,6 +81,10 @@ class PlotHeader(QWidget):
             label.setProperty("role", "small")
             label.setToolTip(", ".join(self._markers[_MOST:]))
             self._legend.addWidget(label)
+
+    def _restyle(self) -> None:
+        """Take over the theme's colours."""
+        self.show_markers(self._markers)
 
 
 def _swatch(color: QColor) -> QIcon:

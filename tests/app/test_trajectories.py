@@ -1,0 +1,386 @@
+"""The trajectories panel, driven as a hand would."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMenu
+
+from markermend.artifact import Artifact, Kind, Status
+from markermend.mesh import infer_mesh
+from markermend.session_file import open_session
+from markermend.take import Take
+from markermend_app import theme
+from markermend_app.document import Document, Selection
+from markermend_app.panels.trajectories import TrajectoryPanel
+
+LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
+NONE, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
+
+
+class Bench:
+    """A panel on a document, and gestures in frames and plots instead of pixels."""
+
+    def __init__(self, panel: TrajectoryPanel, document: Document):
+        self.panel, self.document = panel, document
+        self.port = panel.canvas.viewport()
+
+    def at(self, frame: float, axis: str = "x", up: float = 0.7) -> QPoint:
+        """Pixel of a frame in an axis' plot, at a share of its height."""
+        view = self.panel.rows["xyz".index(axis)].view
+        box = view.sceneBoundingRect()
+        x = view.mapViewToScene(QPointF(frame, 0)).x()
+        return self.panel.canvas.mapFromScene(QPointF(x, box.bottom() - up * box.height()))
+
+    def click(self, frame: float, axis: str = "x", button=LEFT) -> None:
+        QTest.mouseMove(self.port, self.at(frame, axis))
+        QTest.mouseClick(self.port, button, NONE, self.at(frame, axis))
+
+    def double_click(self, frame: float) -> None:
+        """Click twice in the same place, whatever the first click brings there."""
+        point = self.at(frame)
+        QTest.mouseClick(self.port, LEFT, NONE, point)
+        QTest.mouseDClick(self.port, LEFT, NONE, point)
+        QTest.mouseRelease(self.port, LEFT, NONE, point)
+
+    def drag(self, start: float, stop: float, axis="x", button=LEFT, keys=NONE, up=0.7) -> None:
+        """Press, move in steps, release."""
+        a, b = self.at(start, axis, up), self.at(stop, axis, up)
+        QTest.mouseMove(self.port, a)
+        QTest.mousePress(self.port, button, keys, a)
+        for share in (0.25, 0.5, 0.75, 1.0):
+            point = QPoint(round(a.x() + (b.x() - a.x()) * share), b.y())
+            self._move(point, button, keys)
+        QTest.mouseRelease(self.port, button, keys, b)
+
+    def _move(self, point: QPoint, button, keys) -> None:
+        """Move with a button held: what QTest.mouseMove cannot."""
+        from PySide6.QtCore import QEvent
+        from PySide6.QtGui import QMouseEvent
+
+        QTest.qWait(12)
+        event = QMouseEvent(
+            QEvent.Type.MouseMove,
+            QPointF(point),
+            QPointF(self.port.mapToGlobal(point)),
+            Qt.MouseButton.NoButton,
+            button,
+            keys,
+        )
+        QApplication.sendEvent(self.port, event)
+
+    def wheel(self, frame: float, notches: int, keys=NONE, axis="x") -> None:
+        point = self.at(frame, axis)
+        event = QWheelEvent(
+            QPointF(point),
+            QPointF(self.port.mapToGlobal(point)),
+            QPoint(),
+            QPoint(0, 120 * notches),
+            Qt.MouseButton.NoButton,
+            keys,
+            Qt.ScrollPhase.NoScrollPhase,
+            False,
+        )
+        QApplication.sendEvent(self.port, event)
+
+    @property
+    def time(self) -> tuple[float, float]:
+        low, high = self.panel.rows[0].view.viewRange()[0]
+        return low, high
+
+
+@pytest.fixture
+def make(qtbot, tmp_path):
+    """Open a take with artifacts in a panel."""
+    made = []
+
+    def build(take: Take, artifacts=(), mesh=True) -> Bench:
+        document = Document()
+        document.open(open_session(take, folder=tmp_path), infer_mesh(take) if mesh else None)
+        panel = TrajectoryPanel(document)
+        qtbot.addWidget(panel)
+        panel.resize(900, 600)
+        panel.show()
+        qtbot.waitExposed(panel)
+        if artifacts:
+            document.add_detected(artifacts, "test")
+            document.set_queue([a.id for a in document.session.artifacts])
+        made.append((panel, document))
+        return Bench(panel, document)
+
+    yield build
+    for panel, document in made:
+        document.open(None, None)
+        panel.close_workers()
+        document.proposals.close()
+
+
+@pytest.fixture
+def bench(make, damaged):
+    """The damaged box with its first marker shown."""
+    take, artifacts = damaged
+    bench = make(take, artifacts)
+    bench.document.show(["CLAV"])
+    return bench
+
+
+def test_all_plots_share_one_time(bench):
+    bench.panel.set_view(50, 150)
+    ranges = [row.view.viewRange()[0] for row in bench.panel.rows]
+    assert ranges[0] == ranges[1] == ranges[2] == pytest.approx([50, 150])
+    heights = [row.view.sceneBoundingRect().height() for row in bench.panel.rows]
+    assert max(heights) - min(heights) <= 1
+
+
+def test_click_moves_the_cursor_and_drag_scrubs(bench):
+    bench.click(300)
+    assert bench.document.frame == pytest.approx(300, abs=1)
+    bench.drag(300, 200)
+    assert bench.document.frame == pytest.approx(200, abs=1)
+    assert all(row.cursor.value() == bench.document.frame for row in bench.panel.rows)
+
+
+def test_click_on_an_interval_selects_and_frames_it(bench):
+    bench.click(75)
+    current = bench.document.current
+    assert (current.marker, current.kind) == ("CLAV", Kind.GAP)
+    low, high = bench.time
+    assert low <= 60 - 60
+    assert high >= 90 + 90
+    assert bench.panel.buttons.isVisible()
+    assert bench.panel.rows[0].region.isVisible()
+
+
+def test_buttons_beside_the_interval_decide(bench):
+    bench.click(75)
+    first = bench.document.current
+    QTest.mouseClick(bench.panel.buttons.accept, LEFT)
+    assert bench.document.session.artifact(first.id).status is Status.ACCEPTED
+    bench.document.undo()
+    bench.document.select(first.id)
+    QTest.mouseClick(bench.panel.buttons.reject, LEFT)
+    assert bench.document.session.artifact(first.id).status is Status.REJECTED
+
+
+def test_double_click_repairs_and_undo_restores(bench, qtbot):
+    before = bench.document.session.positions.copy()
+    bench.double_click(75)
+    artifact = next(a for a in bench.document.session.artifacts if a.kind is Kind.GAP)
+    qtbot.waitUntil(
+        lambda: bench.document.session.artifact(artifact.id).status is Status.REPAIRED,
+        timeout=20_000,
+    )
+    trace = bench.panel.rows[0].traces.get("CLAV")
+    if trace is not None:
+        assert np.isfinite(trace.changed.yData).any()
+    bench.document.undo()
+    np.testing.assert_array_equal(bench.document.session.positions, before)
+
+
+def test_the_proposal_is_previewed_with_its_band(bench, qtbot):
+    gap = next(a for a in bench.document.session.artifacts if a.kind is Kind.GAP)
+    bench.document.select(gap.id)
+    qtbot.waitUntil(lambda: bench.document.proposal is not None, timeout=20_000)
+    repair = bench.document.proposal
+    for row in bench.panel.rows:
+        (item,) = row.proposed
+        assert (item.xData[0], item.xData[-1]) == (59, 90)
+        np.testing.assert_array_equal(item.yData[1:-1], repair.patches[0].values[:, row.column])
+    if repair.band_mm is not None:
+        assert not bench.panel.rows[0].band.boundingRect().isEmpty()
+    bench.document.select(None)
+    assert not any(row.proposed for row in bench.panel.rows)
+
+
+def test_double_click_on_nothing_shows_everything(bench):
+    bench.panel.set_view(250, 350)
+    bench.double_click(300)
+    low, high = bench.time
+    assert low <= 0
+    assert high >= 399
+
+
+def test_wheel_zooms_time_at_the_mouse_and_with_ctrl_values(bench):
+    bench.panel.fit_all()
+    low, high = bench.time
+    view = bench.panel.rows[0].view
+    at = view.mapSceneToView(bench.panel.canvas.mapToScene(bench.at(300))).x()
+    bench.wheel(300, 2)
+    new_low, new_high = bench.time
+    assert new_high - new_low < 0.8 * (high - low)
+    assert (at - new_low) / (new_high - new_low) == pytest.approx(
+        (at - low) / (high - low), abs=0.02
+    )
+    values = view.viewRange()[1]
+    bench.wheel(300, 2, Qt.KeyboardModifier.ControlModifier)
+    assert np.diff(view.viewRange()[1]) < 0.8 * np.diff(values)
+    assert bench.time == (new_low, new_high)
+
+
+def test_right_drag_pans(bench):
+    bench.panel.set_view(100, 200)
+    bench.drag(150, 170, button=RIGHT)
+    assert bench.time[0] == pytest.approx(80, abs=1)
+    assert bench.time[1] == pytest.approx(180, abs=1)
+
+
+def test_the_view_stays_on_the_take(bench):
+    bench.panel.set_view(-500, -400)
+    assert bench.time[0] >= -10
+    bench.panel.set_view(-1e6, 1e6)
+    assert bench.time[1] <= 410
+    bench.panel.zoom(1e-9)
+    assert np.diff(bench.time) >= 5
+
+
+def test_shift_drag_sweeps_and_esc_clears(bench, qtbot):
+    with qtbot.waitSignal(bench.document.selection_changed):
+        bench.drag(120, 180, keys=SHIFT)
+    selection = bench.document.selection
+    assert selection.marker == "CLAV"
+    assert selection.start == pytest.approx(120, abs=1)
+    assert selection.stop == pytest.approx(181, abs=1)
+    assert bench.panel.rows[2].sweep.isVisible()
+    QTest.keyClick(bench.panel.canvas, Qt.Key.Key_Escape)
+    assert bench.document.selection is None
+    assert not bench.panel.rows[2].sweep.isVisible()
+
+
+def test_dragging_an_edge_changes_the_interval_and_can_be_undone(bench):
+    gap = next(a for a in bench.document.session.artifacts if a.kind is Kind.GAP)
+    bench.document.select(gap.id)
+    bench.panel.set_view(40, 140)
+    bench.drag(89.5, 99.5)
+    changed = bench.document.session.artifact(gap.id)
+    assert (changed.start, changed.stop) == (60, pytest.approx(100, abs=1))
+    regions = {row.region.getRegion() for row in bench.panel.rows}
+    assert regions == {(59.5, changed.stop - 0.5)}
+    bench.document.undo()
+    assert bench.document.session.artifact(gap.id) == gap
+
+
+def test_menu_of_an_interval_changes_its_class(bench, monkeypatch):
+    opened = []
+    monkeypatch.setattr(QMenu, "popup", lambda menu, *_: opened.append(menu))
+    bench.click(75, button=RIGHT)
+    (menu,) = opened
+    classes = next(a.menu() for a in menu.actions() if a.menu() and a.text() == "Class")
+    next(a for a in classes.actions() if a.text() == "Step").trigger()
+    assert bench.document.current.kind is Kind.STEP
+    reject = next(a for a in menu.actions() if a.text().startswith("Reject"))
+    reject.trigger()
+    gap = next(a for a in bench.document.session.artifacts if a.marker == "CLAV")
+    assert gap.status is Status.REJECTED
+
+
+def test_menu_of_a_sweep_asks_the_window(bench, monkeypatch, qtbot):
+    opened = []
+    monkeypatch.setattr(QMenu, "popup", lambda menu, *_: opened.append(menu))
+    bench.document.sweep(Selection("CLAV", 200, 260))
+    bench.click(230, button=RIGHT)
+    actions = {a.text(): a for a in opened[0].actions()}
+    with qtbot.waitSignal(bench.panel.mark_requested) as marked:
+        actions["Mark as noise"].trigger()
+    assert marked.args == [Kind.NOISE]
+    with qtbot.waitSignal(bench.panel.repair_selection_requested):
+        actions["Repair the selection"].trigger()
+
+
+def test_gaps_stay_holes_and_originals_lie_beneath(bench):
+    trace = bench.panel.rows[0].traces["CLAV"]
+    assert np.isnan(trace.measured.yData[60:90]).all()
+    assert trace.original.yData is None or not len(trace.original.yData)
+    session = bench.document.session
+    from markermend.patch import Patch
+    from markermend.repairs.registry import Repair
+
+    gap = next(a for a in session.artifacts if a.kind is Kind.GAP)
+    values = np.full((30, 3), 321.0)
+    bench.document.repair_many(
+        [(gap.id, Repair("test", (Patch("CLAV", "xyz", 60, 90, values),)))], ""
+    )
+    assert np.isnan(trace.measured.yData[60:90]).all()
+    assert (trace.changed.xData[0], trace.changed.xData[-1]) == (59, 90)
+    assert set(trace.changed.yData[1:-1]) == {321.0}
+
+
+def test_prediction_comes_on_demand(bench, qtbot):
+    row = bench.panel.rows[0]
+    bench.panel.set_prediction_shown(True)
+    qtbot.waitUntil(lambda: "CLAV" in bench.panel.predictions.known, timeout=20_000)
+    predicted = row.traces["CLAV"].predicted.yData
+    truth = bench.document.session.positions[:, 0, 0]
+    assert np.nanmedian(np.abs(predicted - truth)) < 20
+    bench.panel.set_prediction_shown(False)
+    assert row.traces["CLAV"].predicted.getData()[0] is None
+
+
+def test_the_view_follows_a_cursor_that_leaves_it(bench):
+    bench.panel.set_view(0, 100)
+    bench.document.go_to(105)
+    low, high = bench.time
+    assert low <= 105 <= high
+    assert high > 150
+
+
+def test_empty_states_and_before_after(bench):
+    bench.panel.set_before_after(True)
+    bench.panel.set_before_after(False)
+    bench.document.show([])
+    assert bench.panel.empty.isVisible()
+    bench.document.open(None, None)
+    assert "No take" in bench.panel.empty.accessibleName()
+
+
+def test_themes_change_while_open(bench, qapp):
+    theme.apply(qapp, "dark")
+    assert bench.panel.canvas.backgroundBrush().color() == theme.DARK.plot
+    theme.apply(qapp, "light")
+
+
+@pytest.mark.parametrize(
+    "positions",
+    [
+        np.zeros((1, 1, 3)),
+        np.full((50, 2, 3), np.nan),
+        np.zeros((30, 0, 3)),
+        np.full((20, 1, 3), 7.0),
+    ],
+    ids=["one frame", "nothing seen", "no markers", "still"],
+)
+def test_odd_takes_are_shown(make, positions):
+    take = Take(positions, tuple(f"M{i}" for i in range(positions.shape[1])), 100.0)
+    artifacts = [Artifact(m, "xyz", 0, 1, Kind.GAP) for m in take.labels]
+    bench = make(take, artifacts, mesh=False)
+    bench.document.show(take.labels)
+    bench.panel.fit_all()
+    bench.panel.zoom(0.5)
+    bench.panel.grab()
+    if take.labels:
+        bench.click(0)
+        bench.drag(0, 0.4, keys=SHIFT)
+        bench.panel.set_before_after(True)
+        bench.panel.grab()
+
+
+def test_long_takes_pan_quickly(make):
+    import time
+
+    rng = np.random.default_rng(3)
+    t = np.linspace(0, 600, 144_000)
+    positions = np.sin(t)[:, None, None] * 300 + rng.normal(0, 0.5, (144_000, 5, 3))
+    for start in range(1000, 143_000, 2_000):
+        positions[start : start + 40] = np.nan
+    bench = make(Take(positions, tuple("ABCDE"), 240.0), mesh=False)
+    bench.document.show("ABCDE")
+    spent = []
+    for start in range(20_000, 30_000, 1_000):
+        began = time.perf_counter()
+        bench.panel.set_view(start, start + 14_400)
+        bench.port.repaint()
+        spent.append(time.perf_counter() - began)
+    # Measured at 20 ms; the bound leaves room for busy machines.
+    assert float(np.median(spent)) < 0.25
