@@ -23,8 +23,7 @@ def ink_on(color: QColor) -> QColor:
 
 def _luminance(color: QColor) -> float:
     """How bright a colour looks, 0 to 1."""
-    r, g, b, _ = color.getRgbF()
-    return 0.299 * r + 0.587 * g + 0.114 * b
+    return 0.299 * color.redF() + 0.587 * color.greenF() + 0.114 * color.blueF()
 
 
 def badge_width(text: str, font: QFont) -> int:

@@ -149,10 +149,10 @@ class MarkerModel(QAbstractItemModel):
         for a in artifacts:
             if a.status is Status.PENDING:
                 counts.setdefault(a.marker, Counter())[a.kind] += 1
-        for node in _walk(self._root):
-            node.counts = Counter()
+        for row in _walk(self._root):
+            row.counts = Counter()
         for label, count in counts.items():
-            node = self._by_label.get(label)
+            node: Node | None = self._by_label.get(label)
             while node is not None:
                 node.counts.update(count)
                 node = node.parent

@@ -132,7 +132,8 @@ class MarkerTree(QWidget):
         flat = self.worst_first.isChecked()
         self._syncing = True
         self._model.set_root(flatten(root) if flat else root)
-        self._proxy.sort(OPEN if flat else -1, Qt.SortOrder.DescendingOrder)
+        order = Qt.SortOrder.DescendingOrder if flat else Qt.SortOrder.AscendingOrder
+        self._proxy.sort(OPEN if flat else -1, order)
         self.view.setRootIsDecorated(not flat)
         self._expand()
         self._syncing = False
@@ -251,7 +252,7 @@ class _CountsDelegate(QStyledItemDelegate):
         style.drawPrimitive(
             QStyle.PrimitiveElement.PE_PanelItemViewItem, option, painter, option.widget
         )
-        first = index.siblingAtColumn(NAME)
+        first = index.sibling(index.row(), NAME)
         view = option.widget
         holds = first.model().hasChildren(first)
         if isinstance(view, QTreeView) and holds and view.isExpanded(first):

@@ -51,7 +51,7 @@ class ReviewQueue(QWidget):
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._document = document
-        self._syncing = False
+        self._syncing = self._choosing = False
         self.model = QueueModel(self)
         self.view = QueueView()
         self.view.setAccessibleName(self.tr("Review queue"))
@@ -243,7 +243,9 @@ class ReviewQueue(QWidget):
             self._follow_current()
 
     def _follow_current(self, *, scroll: bool = True) -> None:
-        """Put the cursor on the artifact under review."""
+        """Put the cursor on the artifact under review, unless it was chosen here."""
+        if self._choosing:
+            return
         current = self._document.current
         row = None if current is None else self.model.row_of(current.id)
         selection = self.view.selectionModel()
@@ -270,7 +272,10 @@ class ReviewQueue(QWidget):
             return
         artifact = self.model.rows[index.row()]
         if self._document.current is None or self._document.current.id != artifact.id:
+            # The view is about to select the row by itself, alone or beside others.
+            self._choosing = True
             self._document.select(artifact.id)
+            self._choosing = False
 
     def _clicked(self, index: QModelIndex) -> None:
         """Bring the artifact into view again when its row is clicked again."""

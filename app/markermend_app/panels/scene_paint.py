@@ -10,7 +10,7 @@ import pyqtgraph as pg
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPainterPath, QPen
 
-from markermend.arrays import FloatArray
+from markermend.arrays import FloatArray, IntArray
 from markermend.artifact import Kind
 from markermend_app import theme
 from markermend_app.panels.scene_camera import Camera
@@ -51,7 +51,7 @@ def paint_floor(sight: Sight, stage: Stage) -> None:
 
 
 def paint_links(
-    sight: Sight, positions: FloatArray, links: FloatArray, color: QColor, width: float
+    sight: Sight, positions: FloatArray, links: IntArray, color: QColor, width: float
 ) -> None:
     """Draw the body's segments; (n, 2) columns of markers."""
     if len(links):

@@ -97,7 +97,7 @@ def set_stage(take: Take, up: int | None = None) -> Stage:
         size = float(np.nanmedian(spans.max(axis=1))) if len(points) else 1000.0
     if not math.isfinite(size) or size <= 0:
         size = 1000.0
-    radius = float(min(np.linalg.norm(high - low) / 2, 2.2 * size))
+    radius = min(float(np.linalg.norm(high - low)) / 2, 2.2 * size)
     # A floor at zero is where systems put it, if the body stands near it.
     floor = 0.0 if abs(low[up]) < 0.2 * size else float(low[up])
     reach = np.maximum(high - low, size)
@@ -119,7 +119,8 @@ def set_stage(take: Take, up: int | None = None) -> Stage:
 def floor_lines(stage: Stage) -> tuple[FloatArray, FloatArray]:
     """Starts and ends, (n, 3) each, of the lines of the floor."""
     a, b = (stage.up + 1) % 3, (stage.up + 2) % 3
-    starts, stops = [], []
+    starts: list[FloatArray] = []
+    stops: list[FloatArray] = []
     for along, across in ((a, b), (b, a)):
         n = round((stage.high[across] - stage.low[across]) / stage.unit)
         for at in stage.low[across] + stage.unit * np.arange(n + 1):

@@ -1,0 +1,170 @@
+"""The marker tree under real clicks: what is checked is shown, and counts follow the review."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QStyle, QStyleOptionViewItem
+
+from markermend.artifact import Kind
+from markermend.mesh import Group, Mesh
+from markermend.session_file import open_session
+from markermend.take import Analog, Points, Take
+from markermend_app.document import Document
+from markermend_app.panels.marker_model import COUNTS, MISSING, NAME, OPEN
+from markermend_app.panels.marker_tree import MarkerTree
+
+MESH = Mesh(
+    ("CLAV", "STRN", "C7", "T10", "LSHO", "LELB", "LWRA", "LWRB"),
+    (Group("Trunk", "", (0, 1, 2, 3)), Group("Left arm", "", (4, 5, 6, 7), 0, 0)),
+)
+
+
+@pytest.fixture
+def document(tmp_path, damaged, qtbot):
+    take, found = damaged
+    document = Document()
+    document.open(open_session(take, folder=tmp_path), MESH)
+    document.add_detected(found, "paper")
+    yield document
+    document.open(None, None)
+    document.proposals.close()
+
+
+@pytest.fixture
+def tree(document, qtbot):
+    tree = MarkerTree(document)
+    qtbot.addWidget(tree)
+    tree.resize(280, 600)
+    tree.show()
+    return tree
+
+
+def index_of(tree, label):
+    return tree.view.model().mapFromSource(tree._model.index_of(label))
+
+
+def click(qtbot, tree, label, held=Qt.KeyboardModifier.NoModifier):
+    box = tree.view.visualRect(index_of(tree, label))
+    at = QPoint(box.right() - 10, box.center().y())
+    qtbot.mouseClick(tree.view.viewport(), Qt.MouseButton.LeftButton, held, at)
+
+
+def check(qtbot, tree, label):
+    option = QStyleOptionViewItem()
+    index = index_of(tree, label)
+    tree.view.itemDelegate().initStyleOption(option, index)
+    option.rect = tree.view.visualRect(index)
+    part = QStyle.SubElement.SE_ItemViewItemCheckIndicator
+    box = tree.view.style().subElementRect(part, option, tree.view)
+    qtbot.mouseClick(tree.view.viewport(), Qt.MouseButton.LeftButton, pos=box.center())
+
+
+def visible(tree):
+    model, names = tree.view.model(), []
+
+    def walk(parent):
+        for row in range(model.rowCount(parent)):
+            index = model.index(row, NAME, parent)
+            names.append(index.data())
+            walk(index)
+
+    walk(tree.view.rootIndex())
+    return names
+
+
+def test_body_hierarchy_is_shown_with_markers_before_child_groups(tree):
+    names = visible(tree)
+    assert names[:5] == ["Trunk", "CLAV", "STRN", "C7", "T10"]
+    assert names[5:] == ["Left arm", "LSHO", "LELB", "LWRA", "LWRB"]
+    assert index_of(tree, "LELB").parent().parent().data() == "Trunk"
+
+
+def test_click_shows_a_marker_alone_and_ctrl_click_adds(qtbot, tree, document):
+    click(qtbot, tree, "STRN")
+    assert document.shown == ("STRN",)
+    click(qtbot, tree, "LWRB", Qt.KeyboardModifier.ControlModifier)
+    assert set(document.shown) == {"STRN", "LWRB"}
+    click(qtbot, tree, "T10")
+    assert document.shown == ("T10",)
+    click(qtbot, tree, "LWRB", Qt.KeyboardModifier.ShiftModifier)
+    assert {"T10", "LSHO", "LELB", "LWRA", "LWRB"} <= set(document.shown)
+
+
+def test_check_marks_add_and_take_away(qtbot, tree, document):
+    click(qtbot, tree, "STRN")
+    check(qtbot, tree, "LSHO")
+    assert set(document.shown) == {"STRN", "LSHO"}
+    check(qtbot, tree, "STRN")
+    assert document.shown == ("LSHO",)
+
+
+def test_check_marks_and_selection_follow_what_is_shown(tree, document):
+    document.show(["C7", "LWRA"])
+    checked = Qt.CheckState.Checked
+    state = Qt.ItemDataRole.CheckStateRole
+    assert index_of(tree, "C7").data(state) == checked
+    assert index_of(tree, "LSHO").data(state) == Qt.CheckState.Unchecked
+    rows = {i.data() for i in tree.view.selectionModel().selectedRows()}
+    assert rows == {"C7", "LWRA"}
+
+
+def test_counts_follow_decisions_without_folding_anything(tree, document):
+    trunk = index_of(tree, "CLAV").parent()
+    assert trunk.siblingAtColumn(OPEN).data(COUNTS) == {
+        k: 1 for k in (Kind.GAP, Kind.PEAK, Kind.NOISE, Kind.STEP)
+    }
+    tree.view.collapse(index_of(tree, "LWRA").parent())
+    gap = next(a for a in document.session.artifacts if a.kind is Kind.GAP)
+    document.reject([gap.id])
+    assert not index_of(tree, "CLAV").siblingAtColumn(OPEN).data(COUNTS)
+    assert tree.view.isExpanded(trunk)
+    assert not tree.view.isExpanded(index_of(tree, "LWRA").parent())
+    document.undo()
+    assert index_of(tree, "CLAV").siblingAtColumn(OPEN).data(COUNTS) == {Kind.GAP: 1}
+
+
+def test_worst_first_is_flat_and_sorted_by_open_artifacts(qtbot, tree, document):
+    qtbot.mouseClick(tree.worst_first, Qt.MouseButton.LeftButton)
+    names = visible(tree)
+    assert len(names) == 8
+    # All have one open artifact; CLAV misses frames besides.
+    assert names[0] == "CLAV"
+    assert set(names[:4]) == {"CLAV", "LELB", "C7", "LWRA"}
+    document.reject([a.id for a in document.session.artifacts if a.marker == "CLAV"])
+    assert set(visible(tree)[:3]) == {"LELB", "C7", "LWRA"}
+
+
+def test_filter_keeps_the_branch_of_what_matches(qtbot, tree):
+    qtbot.keyClicks(tree.filter, "lwr")
+    assert visible(tree) == ["Trunk", "Left arm", "LWRA", "LWRB"]
+    tree.filter.clear()
+    assert len(visible(tree)) == 10
+
+
+def test_missing_share_is_shown(tree):
+    assert index_of(tree, "CLAV").siblingAtColumn(MISSING).data() == "7.5 %"
+    assert index_of(tree, "C7").siblingAtColumn(MISSING).data() is None
+
+
+def test_subjects_unlabelled_and_other_points_stand_apart(tmp_path, qtbot):
+    labels = ("A:HEAD", "A:NECK", "B:HEAD", "*7")
+    take = Take(
+        np.zeros((20, 4, 3)),
+        labels,
+        100.0,
+        points=Points(np.zeros((20, 1, 3)), ("LHipAngles",), ("angle",), (4,)),
+        analog=Analog(np.zeros((20, 1), np.float32), ("Fz1",), ("N",), 100.0),
+    )
+    document = Document()
+    tree = MarkerTree(document)
+    qtbot.addWidget(tree)
+    document.open(open_session(take, folder=tmp_path), Mesh(labels, (Group("Head", "A", (0, 1)),)))
+    top = [tree.view.model().index(i, 0).data() for i in range(tree.view.model().rowCount())]
+    assert top == ["A", "B", "Unlabelled (1)", "Other points (1)", "Analog channels (1)"]
+    names = visible(tree)
+    assert names[:5] == ["A", "Head", "HEAD", "NECK", "B"]
+    assert names[-4:] == ["Angle", "LHipAngles", "Analog channels (1)", "Fz1 (N)"]
+    document.open(None, None)
+    document.proposals.close()

@@ -1,0 +1,194 @@
+"""The review queue under real clicks and keys: order, filters, and verbs on many rows."""
+
+from __future__ import annotations
+
+import time
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+
+from markermend.artifact import Artifact, Kind, Status
+from markermend.mesh import Mesh
+from markermend.session_file import open_session
+from markermend.take import Take
+from markermend_app.document import Document
+from markermend_app.panels.queue_model import FRAMES, KIND, MARKER, REPAIR, STATUS
+from markermend_app.panels.review_queue import ReviewQueue
+
+
+@pytest.fixture
+def document(tmp_path, damaged, qtbot):
+    take, found = damaged
+    document = Document()
+    document.open(open_session(take, folder=tmp_path), Mesh(take.labels, ()))
+    document.add_detected(found, "paper")
+    yield document
+    document.open(None, None)
+    document.proposals.close()
+
+
+@pytest.fixture
+def queue(document, qtbot):
+    queue = ReviewQueue(document)
+    qtbot.addWidget(queue)
+    queue.resize(1100, 300)
+    queue.show()
+    return queue
+
+
+def click(qtbot, queue, row, held=Qt.KeyboardModifier.NoModifier):
+    at = queue.view.visualRect(queue.model.index(row, MARKER)).center()
+    qtbot.mouseClick(queue.view.viewport(), Qt.MouseButton.LeftButton, held, at)
+
+
+def click_header(qtbot, queue, column):
+    header = queue.view.horizontalHeader()
+    at = header.rect().center()
+    at.setX(header.sectionViewportPosition(column) + header.sectionSize(column) // 2)
+    qtbot.mouseClick(header.viewport(), Qt.MouseButton.LeftButton, pos=at)
+
+
+def markers(queue):
+    return [a.marker for a in queue.model.rows]
+
+
+def test_worst_come_first_and_the_document_walks_in_that_order(queue, document):
+    assert markers(queue) == ["CLAV", "LWRA", "LELB", "C7"]
+    assert document.queue == tuple(a.id for a in queue.model.rows)
+    assert queue.progress.text() == "0 of 4 decided"
+
+
+def test_header_click_sorts_and_the_walk_follows(qtbot, queue, document):
+    click_header(qtbot, queue, FRAMES)
+    assert markers(queue) == ["CLAV", "LELB", "C7", "LWRA"]
+    click_header(qtbot, queue, FRAMES)
+    assert markers(queue) == ["LWRA", "C7", "LELB", "CLAV"]
+    assert document.queue == tuple(a.id for a in queue.model.rows)
+    assert queue.model.index(3, FRAMES).data() == "161–190"
+
+
+def test_click_puts_an_artifact_under_review(qtbot, queue, document):
+    click(qtbot, queue, 2)
+    assert document.current is not None
+    assert document.current.marker == "LELB"
+    assert document.shown == ("LELB",)
+
+
+def test_cursor_follows_the_current_artifact(queue, document):
+    document.select(document.queue[1])
+    assert queue.view.currentIndex().row() == 1
+    assert [i.row() for i in queue.view.selectionModel().selectedRows()] == [1]
+
+
+def test_double_click_repairs(qtbot, queue, document):
+    click(qtbot, queue, 2)
+    i = document.current.id
+    at = queue.view.visualRect(queue.model.index(2, MARKER)).center()
+    qtbot.mouseDClick(queue.view.viewport(), Qt.MouseButton.LeftButton, pos=at)
+    qtbot.waitUntil(lambda: document.session.artifact(i).status is Status.REPAIRED, timeout=10_000)
+    queue.status.setCurrentIndex(2)
+    assert not queue.view.isColumnHidden(REPAIR)
+    assert queue.model.index(0, REPAIR).data()
+
+
+def test_decided_rows_leave_the_open_list_and_the_next_one_is_current(queue, document):
+    document.select(document.queue[0])
+    document.accept_current()
+    assert markers(queue) == ["LWRA", "LELB", "C7"]
+    assert document.current.marker == "LWRA"
+    assert queue.progress.text() == "1 of 4 decided"
+    queue.status.setCurrentIndex(3)
+    assert queue.model.rows[-1].marker == "CLAV"
+
+
+def test_keys_mean_all_rows_when_several_are_selected(qtbot, queue, document):
+    click(qtbot, queue, 1)
+    click(qtbot, queue, 3, Qt.KeyboardModifier.ShiftModifier)
+    assert len(queue.selected()) == 3
+    qtbot.keyClick(queue.view, Qt.Key.Key_R)
+    assert len(document.session.with_status(Status.REJECTED)) == 3
+    assert document.session.history[-1] == "Reject 3 artifacts"
+
+
+def test_delete_removes_the_selected_rows_and_undo_brings_them_back(qtbot, queue, document):
+    click(qtbot, queue, 0)
+    click(qtbot, queue, 2, Qt.KeyboardModifier.ControlModifier)
+    qtbot.keyClick(queue.view, Qt.Key.Key_Delete)
+    assert markers(queue) == ["LWRA", "C7"]
+    document.undo()
+    assert len(queue.model.rows) == 4
+
+
+def test_menu_asks_for_the_repair_of_many(qtbot, queue, document):
+    click(qtbot, queue, 0)
+    click(qtbot, queue, 1, Qt.KeyboardModifier.ControlModifier)
+    ids = queue.selected()
+    menu = queue.menu()
+    repair = next(a for a in menu.actions() if a.objectName() == "repair")
+    with qtbot.waitSignal(queue.repair_requested) as asked:
+        repair.trigger()
+    assert asked.args == [ids]
+    reopen = next(a for a in menu.actions() if a.objectName() == "reopen")
+    assert not reopen.isEnabled()
+
+
+def test_filters_by_class_and_marker(qtbot, queue, document):
+    qtbot.mouseClick(queue.kinds[Kind.STEP], Qt.MouseButton.LeftButton)
+    assert markers(queue) == ["LWRA"]
+    qtbot.mouseClick(queue.kinds[Kind.PEAK], Qt.MouseButton.LeftButton)
+    assert markers(queue) == ["LWRA", "LELB"]
+    qtbot.keyClicks(queue.filter, "elb")
+    assert markers(queue) == ["LELB"]
+    assert document.queue == (queue.model.rows[0].id,)
+    queue.filter.setText("nobody")
+    assert "No artifact matches" in queue._hint.text()
+    assert queue._hint.isVisible()
+
+
+def test_says_why_nothing_is_listed(queue, document):
+    document.reject([a.id for a in document.session.artifacts])
+    assert queue._hint.isVisible()
+    assert "All 4 artifacts are decided" in queue._hint.text()
+    document.open(None, None)
+    assert "Open a take" in queue._hint.text()
+
+
+def test_class_change_updates_the_row_in_place(queue, document):
+    peak = next(a for a in document.session.artifacts if a.kind is Kind.PEAK)
+    row = queue.model.row_of(peak.id)
+    document.change(peak.id, kind=Kind.NOISE)
+    assert queue.model.index(row, KIND).data() == "Noise"
+
+
+def test_two_thousand_artifacts_stay_quick_and_keep_their_place(tmp_path, qtbot):
+    rng = np.random.default_rng(3)
+    labels = tuple(f"M{i}" for i in range(40))
+    take = Take(np.zeros((60_000, 40, 3)), labels, 100.0)
+    kinds = list(Kind)
+    found = [
+        Artifact(labels[i % 40], "xyz", 29 * i, 29 * i + 9, kinds[i % 5], float(rng.random()), 5.0)
+        for i in range(2000)
+    ]
+    document = Document()
+    queue = ReviewQueue(document)
+    qtbot.addWidget(queue)
+    queue.resize(900, 300)
+    queue.show()
+    document.open(open_session(take, folder=tmp_path), None)
+    document.add_detected(found, "paper")
+    queue.view.sortByColumn(FRAMES, Qt.SortOrder.AscendingOrder)
+    document.select(document.queue[1200])
+    bar = queue.view.verticalScrollBar()
+    before = bar.value()
+    assert before > 500
+    start = time.perf_counter()
+    document.reject([document.queue[1205]])
+    assert time.perf_counter() - start < 0.3
+    assert abs(bar.value() - before) <= 1
+    assert len(queue.model.rows) == 1999
+    assert queue.view.currentIndex().row() == 1200
+    queue.view.sortByColumn(STATUS, Qt.SortOrder.AscendingOrder)
+    assert len(document.queue) == 1999
+    document.open(None, None)
+    document.proposals.close()
