@@ -293,11 +293,37 @@ def test_nothing_is_overwritten_unasked(
     assert mm.read(out).frames == FRAMES
 
 
-def test_a_take_is_written_under_its_formats_name(
+def test_a_name_that_tells_no_format_is_refused(
     recording: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert run("fill", recording, "-o", tmp_path / "out.trc") == 1
+    assert run("fill", recording, "-o", tmp_path / "out.xyz") == 1
     assert ".c3d" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("suffix", [".trc", ".csv", ".c3d"])
+def test_convert_keeps_the_markers(recording: Path, tmp_path: Path, suffix: str) -> None:
+    out = tmp_path / f"out{suffix}"
+    assert run("convert", recording, "-o", out) == 0
+    before, after = mm.read(recording), mm.read(out)
+    assert (after.labels, after.rate, after.frames) == (before.labels, RATE, FRAMES)
+    np.testing.assert_allclose(after.positions, before.positions, atol=0.01)
+
+
+def test_diff_names_what_fill_did(
+    recording: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "out.c3d"
+    assert run("fill", recording, "-o", out, "--method", "linear") == 0
+    capsys.readouterr()
+    assert run("diff", recording, out, "--json", "-") == 0
+    told = strict(capsys.readouterr().out)
+    first = mm.read(recording).first_frame
+    (sample,) = told["samples"]
+    assert (sample["marker"], sample["change"]) == ("TOP1", "filled")
+    assert (sample["start"], sample["stop"]) == (150 + first, 160 + first)
+    assert told["parameters"] == []
+    assert run("diff", recording, recording) == 0
+    assert "the same, byte for byte" in capsys.readouterr().out
 
 
 def test_the_take_itself_is_never_overwritten(

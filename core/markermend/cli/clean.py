@@ -51,7 +51,7 @@ def run(options: argparse.Namespace) -> int:
             progress=part(bar, 0.8, 1.0),
         )
     clean = patched(take, (patch for _, repair in pairs for patch in repair.patches))
-    export = mm.write(clean, options.output)
+    export = mm.write(clean, options.output, as_float=options.float)
     done = outcomes(found, pairs, options.min_confidence)
     if options.json is not None:
         write_json(options.json, _report(take, done, method, options.take))
@@ -59,7 +59,7 @@ def run(options: argparse.Namespace) -> int:
         for line in listing(take, done) if options.list else ():
             say(line)
         say(summary([o.artifact for o in done]))
-        for line in [*summary_table(done), *left_over(done), "", written(export)]:
+        for line in [*summary_table(done), *left_over(done), "", *written(export)]:
             say(line)
     return 0
 

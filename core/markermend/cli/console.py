@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from markermend.files import Export
 
 STDOUT = "-"
+TAKE_SUFFIXES = (".c3d", ".trc", ".csv")
 _BAR_WIDTH = 24
 _REDRAW_S = 0.1
 
@@ -134,16 +135,22 @@ def check_outputs(paths: Sequence[str | None], *, source: str | None, force: boo
 
 
 def check_take_output(path: str) -> None:
-    """Refuse a take's name that would promise another format than the one written."""
-    if Path(path).suffix.lower() != ".c3d":
-        raise ExportError(f"“{path}” must end in .c3d, the format Markermend writes.")
+    """Refuse, before any work is done, a take's name that does not tell its format."""
+    if Path(path).suffix.lower() not in TAKE_SUFFIXES:
+        raise ExportError(f"“{path}” should end in .c3d, .trc or .csv, to tell what to write.")
 
 
-def written(export: Export) -> str:
-    """Say where a take went and how much of it changed."""
-    if export.samples == 0:
-        return f"Written: {export.path}, the same as what was read, byte for byte."
-    return f"Written: {export.path}, with {count(export.samples, 'sample')} replaced."
+def written(export: Export) -> list[str]:
+    """Say where a take went, how much of it changed, and what no longer fits it."""
+    how_much = count(export.samples, "new sample") if export.samples else "no sample changed"
+    lines = [f"Written: {export.path}, {how_much}."]
+    if export.outputs:
+        names = ", ".join(export.outputs[:3]) + ("…" if len(export.outputs) > 3 else "")
+        lines.append(
+            f"{count(len(export.outputs), 'model output')} in the file ({names}) may no longer "
+            "match the repaired markers; compute them anew."
+        )
+    return lines
 
 
 def write_text(path: str, text: str) -> None:

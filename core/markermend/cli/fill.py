@@ -26,7 +26,7 @@ def run(options: argparse.Namespace) -> int:
             take, short, method=options.method, mesh=mm.infer_mesh(take), progress=bar
         )
     filled = patched(take, (patch for _, repair in pairs for patch in repair.patches))
-    export = mm.write(filled, options.output)
+    export = mm.write(filled, options.output, as_float=options.float)
     done = outcomes(short, pairs)
     for line in listing(take, done) if options.list else ():
         say(line)
@@ -34,5 +34,6 @@ def run(options: argparse.Namespace) -> int:
         say(line)
     if len(gaps) > len(short):
         say(f"Longer than asked for and left: {count(len(gaps) - len(short), 'gap')}.")
-    say(written(export))
+    for line in written(export):
+        say(line)
     return 0

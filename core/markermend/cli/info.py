@@ -10,6 +10,7 @@ from typing import Any
 import markermend as mm
 from markermend.arrays import runs
 from markermend.cli.console import STDOUT, check_outputs, count, say, table, write_json
+from markermend.files.info import describe_file
 from markermend.mesh import Mesh
 from markermend.take import Take, is_unlabelled
 
@@ -38,46 +39,37 @@ def describe(take: Take, mesh: Mesh, name: str) -> dict[str, Any]:
 
     Returns
     -------
-    dict; ``seen`` is the share of frames in which a marker has a position, gaps are counted
-    and measured in frames
+    dict: what the file tells (:func:`markermend.files.info.describe_file`), and ``subjects``,
+    ``markers``, body ``groups`` and other ``points`` by name; ``seen`` is the share of frames in
+    which a marker has a position, gaps are counted and measured in frames
     """
+    groups = [
+        {
+            "name": group.name,
+            "subject": group.subject,
+            "markers": [take.labels[m] for m in group.markers],
+            "parent": None if group.parent is None else mesh.groups[group.parent].name,
+            "parent_marker": (
+                None if group.parent_marker is None else take.labels[group.parent_marker]
+            ),
+        }
+        for group in mesh.groups
+    ]
+    points = take.points
     return {
         "take": name,
-        "format": take.source.format if take.source else None,
-        "rate": float(take.rate),
-        "first_frame": int(take.first_frame),
-        "frames": take.frames,
-        "duration_s": take.duration_s,
         "version": mm.__version__,
-        "read_only": take.read_only,
+        "duration_s": take.duration_s,
+        **describe_file(take),
         "subjects": list(take.subjects),
         "markers": [_marker(take, mesh, i) for i in range(take.markers)],
-        "groups": [
-            {
-                "name": group.name,
-                "subject": group.subject,
-                "markers": [take.labels[m] for m in group.markers],
-                "parent": None if group.parent is None else mesh.groups[group.parent].name,
-                "parent_marker": (
-                    None if group.parent_marker is None else take.labels[group.parent_marker]
-                ),
-            }
-            for group in mesh.groups
-        ],
-        "points": [
+        "groups": groups,
+        "points": []
+        if points is None
+        else [
             {"label": label, "kind": kind}
-            for label, kind in zip(take.points.labels, take.points.kinds, strict=True)
-        ]
-        if take.points
-        else [],
-        "analog": {"channels": list(take.analog.labels), "rate": float(take.analog.rate)}
-        if take.analog
-        else None,
-        "events": [
-            {"label": e.label, "time_s": e.time_s, "context": e.context} for e in take.events
+            for label, kind in zip(points.labels, points.kinds, strict=True)
         ],
-        "info": dict(take.info),
-        "warnings": list(take.warnings),
     }
 
 

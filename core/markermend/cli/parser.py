@@ -31,6 +31,8 @@ COMMANDS = {
     "detect": "list the damaged intervals, each with class and confidence",
     "clean": "detect and repair, and write the repaired take",
     "fill": "fill the gaps and change nothing else",
+    "convert": "write a take in another format: c3d, trc or csv",
+    "diff": "what differs between two files: samples, parameters, bytes",
     "simulate": "make a take of a synthetic performer, damaged, with the truth",
     "bench": "rerun an experiment and print its table",
 }
@@ -70,6 +72,8 @@ def make_parser() -> argparse.ArgumentParser:
         "detect": _add_detect,
         "clean": _add_clean,
         "fill": _add_fill,
+        "convert": _add_convert,
+        "diff": _add_diff,
         "simulate": _add_simulate,
         "bench": add_experiments,
     }
@@ -104,6 +108,7 @@ def _add_detect(p: argparse.ArgumentParser) -> None:
 def _add_clean(p: argparse.ArgumentParser) -> None:
     _take(p)
     _output(p)
+    _float(p)
     _repairing(p)
     p.add_argument(
         "--min-confidence",
@@ -127,6 +132,7 @@ def _add_clean(p: argparse.ArgumentParser) -> None:
 def _add_fill(p: argparse.ArgumentParser) -> None:
     _take(p)
     _output(p)
+    _float(p)
     _repairing(p)
     p.add_argument(
         "--max-gap",
@@ -135,6 +141,20 @@ def _add_fill(p: argparse.ArgumentParser) -> None:
         help="leave longer gaps alone: frames (20), seconds (0.2s) or milliseconds (200ms)",
     )
     p.add_argument("--list", action="store_true", help="show every single gap")
+    _force(p)
+
+
+def _add_convert(p: argparse.ArgumentParser) -> None:
+    _take(p)
+    _output(p)
+    _float(p)
+    _force(p)
+
+
+def _add_diff(p: argparse.ArgumentParser) -> None:
+    p.add_argument("take", metavar="A", help="one file")
+    p.add_argument("other", metavar="B", help="the other")
+    _json(p)
     _force(p)
 
 
@@ -158,7 +178,21 @@ def _take(p: argparse.ArgumentParser) -> None:
 
 
 def _output(p: argparse.ArgumentParser) -> None:
-    p.add_argument("-o", "--output", metavar="OUT", required=True, help="take to write")
+    p.add_argument(
+        "-o",
+        "--output",
+        metavar="OUT",
+        required=True,
+        help="take to write; its ending says the format: .c3d, .trc or .csv",
+    )
+
+
+def _float(p: argparse.ArgumentParser) -> None:
+    p.add_argument(
+        "--float",
+        action="store_true",
+        help="write floats even where the C3D that is read holds 16-bit integers",
+    )
 
 
 def _json(p: argparse.ArgumentParser) -> None:
