@@ -40,7 +40,7 @@ class ArtifactPage(QWidget):
         self.kind.setAccessibleName(self.tr("Class"))
         self.kind.setToolTip(self.tr("Class of the artifact"))
         for kind in Kind:
-            self.kind.addItem(theme.KIND_NAME[kind], kind)
+            self.kind.addItem(theme.KIND_NAME[kind])
         self.kind.activated.connect(self._kind_chosen)
         self.axes: dict[str, QToolButton] = {}
         axes = QHBoxLayout()
@@ -163,9 +163,9 @@ class ArtifactPage(QWidget):
             Status.REPAIRED: self.tr("Repaired"),
         }[a.status]
 
-    def _kind_chosen(self, _: int) -> None:
+    def _kind_chosen(self, place: int) -> None:
         if self._document.current is not None:
-            self._document.change(self._document.current.id, kind=self.kind.currentData())
+            self._document.change(self._document.current.id, kind=list(Kind)[place])
 
     def _axes_chosen(self) -> None:
         """Change the axes; the last one stays."""

@@ -1,0 +1,63 @@
+"""The history panel: a click goes to that step, and samples go with it."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QFont
+
+from markermend.mesh import Mesh
+from markermend.session_file import open_session
+from markermend_app.document import Document
+from markermend_app.panels.history import HistoryPanel
+
+
+@pytest.fixture
+def document(tmp_path, damaged, qtbot):
+    take, found = damaged
+    document = Document()
+    document.open(open_session(take, folder=tmp_path), Mesh(take.labels, ()))
+    document.add_detected(found, "paper")
+    yield document
+    document.open(None, None)
+    document.proposals.close()
+
+
+@pytest.fixture
+def panel(document, qtbot):
+    panel = HistoryPanel(document)
+    qtbot.addWidget(panel)
+    panel.resize(270, 300)
+    panel.show()
+    return panel
+
+
+def rows(panel):
+    return [panel.model.index(i).data() for i in range(panel.model.rowCount())]
+
+
+def click(qtbot, panel, row):
+    at = panel.view.visualRect(panel.model.index(row)).center()
+    qtbot.mouseClick(panel.view.viewport(), Qt.MouseButton.LeftButton, pos=at)
+
+
+def test_click_travels_back_and_forth(qtbot, panel, document):
+    ids = [a.id for a in document.session.artifacts]
+    document.accept(ids[:1])
+    document.reject(ids[1:2])
+    steps = ["As opened", "Detect (paper)", "Accept gap on CLAV", "Reject peak on LELB"]
+    assert rows(panel) == steps
+    click(qtbot, panel, 1)
+    assert document.session.history == ("Detect (paper)",)
+    assert rows(panel) == steps
+    assert panel.view.currentIndex().row() == 1
+    font = Qt.ItemDataRole.FontRole
+    assert panel.model.index(1).data(font).weight() == QFont.Weight.DemiBold
+    assert panel.model.index(3).data(font).italic()
+    click(qtbot, panel, 3)
+    assert len(document.session.history) == 3
+    click(qtbot, panel, 0)
+    assert document.session.history == ()
+    assert document.session.artifacts == ()
+    document.redo()
+    assert panel.view.currentIndex().row() == 1

@@ -1,0 +1,150 @@
+"""The inspector under real clicks: what it says, and that each control does its verb."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+
+from markermend.artifact import Kind, Status
+from markermend.mesh import Mesh
+from markermend.repairs.registry import REPAIRS, Repair
+from markermend.session_file import open_session
+from markermend.take import Take
+from markermend_app.document import Document, Selection
+from markermend_app.panels.inspector import Inspector
+
+
+@pytest.fixture
+def document(tmp_path, damaged, qtbot):
+    take, found = damaged
+    take = Take(
+        take.positions,
+        take.labels,
+        take.rate,
+        take.first_frame,
+        warnings=("The header says 401 frames, the file holds 400.",),
+    )
+    document = Document()
+    document.open(open_session(take, folder=tmp_path), Mesh(take.labels, ()))
+    document.add_detected(found, "paper")
+    document.set_queue([a.id for a in document.session.artifacts])
+    yield document
+    document.open(None, None)
+    document.proposals.close()
+
+
+@pytest.fixture
+def inspector(document, qtbot):
+    inspector = Inspector(document)
+    qtbot.addWidget(inspector)
+    inspector.resize(400, 700)
+    inspector.show()
+    return inspector
+
+
+def select(document, kind):
+    artifact = next(a for a in document.session.artifacts if a.kind is kind)
+    document.select(artifact.id)
+    return artifact.id
+
+
+def press(qtbot, button):
+    qtbot.mouseClick(button, Qt.MouseButton.LeftButton, pos=QPoint(10, button.height() // 2))
+
+
+def test_without_artifact_it_tells_about_the_take(inspector, document):
+    assert inspector.page is inspector.take
+    texts = [w.text() for w in inspector.take.findChildren(type(inspector.take.title))]
+    assert "400 (101–500)" in texts
+    assert "100 Hz" in texts
+    assert "The header says 401 frames, the file holds 400." in texts
+    assert not inspector.decisions.isVisible()
+
+
+def test_it_shows_the_artifact_in_the_numbers_of_the_file(inspector, document):
+    select(document, Kind.STEP)
+    page = inspector.artifact
+    assert inspector.page is page
+    assert page.title.text() == "LWRA"
+    assert (page.first.value(), page.last.value()) == (381, 430)
+    assert page.kind.currentText() == "Step"
+    assert [a for a, b in page.axes.items() if b.isChecked()] == ["z"]
+    assert page.why.text() == "jumps 30 mm, back 50 frames later"
+    assert page.sureness.text() == "80 %, likely"
+
+
+def test_axes_class_and_edges_change_the_artifact(qtbot, inspector, document):
+    i = select(document, Kind.STEP)
+    page = inspector.artifact
+    press(qtbot, page.axes["x"])
+    assert document.session.artifact(i).axes == "xz"
+    press(qtbot, page.axes["x"])
+    press(qtbot, page.axes["z"])
+    assert document.session.artifact(i).axes == "z", "the last axis stays"
+    assert page.axes["z"].isChecked()
+    qtbot.keyClick(page.last, Qt.Key.Key_Up)
+    assert document.session.artifact(i).stop == 331
+    page.first.selectAll()
+    qtbot.keyClicks(page.first, "390")
+    qtbot.keyClick(page.first, Qt.Key.Key_Return)
+    assert document.session.artifact(i).start == 289
+    page.kind.setCurrentIndex(list(Kind).index(Kind.NOISE))
+    page.kind.activated.emit(page.kind.currentIndex())
+    assert document.session.artifact(i).kind is Kind.NOISE
+    while document.session.history[1:]:
+        document.undo()
+    assert (page.first.value(), page.last.value()) == (381, 430)
+
+
+def test_methods_stand_in_the_order_of_their_keys_and_can_be_chosen(qtbot, inspector, document):
+    select(document, Kind.PEAK)
+    methods = inspector.artifact.methods
+    assert list(methods.buttons) == ["auto", *REPAIRS]
+    assert methods.buttons["auto"].isChecked()
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=10_000)
+    press(qtbot, methods.buttons["linear"])
+    assert document.method == "linear"
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=10_000)
+    assert methods.outcome.text().startswith(REPAIRS["linear"].label)
+
+
+def test_a_method_without_answer_says_why_and_cannot_be_applied(inspector, document, monkeypatch):
+    nothing = Repair("swap", (), "no marker carries the other half of this step")
+    monkeypatch.setattr(Document, "proposal", property(lambda self: nothing))
+    select(document, Kind.STEP)
+    said = inspector.artifact.methods.outcome.text()
+    assert said == "No repair: no marker carries the other half of this step"
+    assert not inspector.decisions.repair.isEnabled()
+    assert inspector.decisions.accept.isEnabled()
+
+
+def test_buttons_decide_and_move_on(qtbot, inspector, document):
+    i = select(document, Kind.GAP)
+    press(qtbot, inspector.decisions.accept)
+    assert document.session.artifact(i).status is Status.ACCEPTED
+    second = document.current.id
+    assert second != i
+    press(qtbot, inspector.decisions.reject)
+    assert document.session.artifact(second).status is Status.REJECTED
+    third = document.current.id
+    press(qtbot, inspector.decisions.repair)
+    qtbot.waitUntil(
+        lambda: document.session.artifact(third).status is Status.REPAIRED, timeout=10_000
+    )
+    document.select(third)
+    assert inspector.artifact.status.text().startswith("Repaired: ")
+    assert inspector.decisions.reopen.isVisible()
+    press(qtbot, inspector.decisions.reopen)
+    assert document.session.artifact(third).status is Status.PENDING
+    assert not inspector.decisions.reopen.isVisible()
+
+
+def test_a_swept_range_can_be_marked(qtbot, inspector, document):
+    document.sweep(Selection("C7", 10, 30))
+    assert inspector.page is inspector.selection
+    assert inspector.selection.about.text() == "Frames 111 to 130: 20 frames, 0.20 s"
+    with qtbot.waitSignal(inspector.mark_requested) as asked:
+        press(qtbot, inspector.selection.buttons[Kind.NOISE])
+    assert asked.args == [Kind.NOISE]
+    document.sweep(None)
+    assert inspector.page is inspector.take

@@ -1,0 +1,267 @@
+"""The 3D view: projection, vertical axis, real drags and clicks, and what is painted."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
+
+from markermend.artifact import Kind, Status
+from markermend.mesh import Group, Mesh
+from markermend.patch import Patch
+from markermend.repairs.registry import Repair
+from markermend.session_file import open_session
+from markermend.take import Take
+from markermend_app import theme
+from markermend_app.document import Document
+from markermend_app.panels.scene import Scene
+from markermend_app.panels.scene_camera import Camera
+from markermend_app.panels.scene_stage import set_stage, vertical_axis
+
+
+@pytest.fixture
+def document(tmp_path, damaged, qtbot):
+    take, found = damaged
+    document = Document()
+    mesh = Mesh(take.labels, (Group("Trunk", "", (0, 1, 2, 3)),), ((0, 1), (0, 2), (0, 3)))
+    document.open(open_session(take, folder=tmp_path), mesh)
+    document.add_detected(found, "paper")
+    yield document
+    document.open(None, None)
+    document.proposals.close()
+
+
+@pytest.fixture
+def scene(document, qtbot):
+    scene = Scene(document)
+    qtbot.addWidget(scene)
+    scene.resize(500, 400)
+    scene.show()
+    scene.grab()
+    return scene
+
+
+def place(scene, document, label):
+    scene.grab()
+    x, y = scene._at[document.session.original.index(label)]
+    return QPoint(round(x), round(y))
+
+
+def drag(qtbot, scene, by, button=Qt.MouseButton.LeftButton, held=Qt.KeyboardModifier.NoModifier):
+    start = QPoint(120, 320)
+    qtbot.mousePress(scene, button, held, start)
+    for share in (0.5, 1.0):
+        at = QPointF(start + by * share)
+        move(scene, at, button, held)
+    qtbot.mouseRelease(scene, button, held, start + by)
+
+
+def move(scene, at, button, held):
+    from PySide6.QtCore import QEvent
+    from PySide6.QtGui import QMouseEvent
+    from PySide6.QtWidgets import QApplication
+
+    event = QMouseEvent(
+        QEvent.Type.MouseMove, at, scene.mapToGlobal(at), Qt.MouseButton.NoButton, button, held
+    )
+    QApplication.sendEvent(scene, event)
+
+
+# Camera
+
+
+def test_target_is_in_the_middle_and_up_is_up():
+    for up in range(3):
+        camera = Camera(target=(10.0, 20.0, 30.0), up=up)
+        above = np.array(camera.target)
+        above[up] += 100.0
+        at = camera.project(np.array([camera.target, above]), 400, 300)
+        np.testing.assert_allclose(at[0], (200, 150), atol=1e-9)
+        assert at[1, 1] < 150
+        assert at[1, 0] == pytest.approx(200, abs=1e-6)
+
+
+@given(st.floats(-7, 7), st.floats(-1.5, 1.5), st.integers(0, 2))
+@settings(max_examples=40, deadline=None)
+def test_axes_are_a_right_handed_frame(yaw, pitch, up):
+    axes = Camera(yaw=yaw, pitch=pitch, up=up).axes()
+    np.testing.assert_allclose(axes @ axes.T, np.eye(3), atol=1e-12)
+    assert np.linalg.det(axes) == pytest.approx(1.0)
+
+
+def test_nearer_things_are_larger_and_those_behind_are_gone():
+    camera = Camera(distance=1000.0, yaw=0.0, pitch=0.0)
+    back = camera.axes()[2]
+    near, far, behind = back * 500, -back * 500, back * 1200
+    up = np.array([0.0, 0.0, 50.0])
+    at = camera.project(np.array([near + up, far + up, behind]), 400, 300)
+    assert 150 - at[0, 1] > 150 - at[1, 1] > 0
+    assert np.isnan(at[2]).all()
+
+
+def test_segments_are_cut_at_the_near_plane():
+    camera = Camera(distance=1000.0, yaw=0.0, pitch=0.0)
+    back = camera.axes()[2]
+    start = np.array([np.zeros(3), back * 1500, [np.nan] * 3])
+    stop = np.array([back * 1500, back * 2000, np.zeros(3)])
+    ends = camera.segments(start, stop, 400, 300)
+    assert np.isfinite(ends[0]).all()
+    assert np.isnan(ends[1]).any()
+    assert np.isnan(ends[2]).any()
+
+
+def test_panning_keeps_the_target_under_the_pointer():
+    camera = Camera(distance=2000.0)
+    moved = camera.panned(30.0, -20.0, 300)
+    at = moved.project(np.array([camera.target]), 400, 300)
+    np.testing.assert_allclose(at[0], (230, 130), atol=1e-6)
+
+
+# Stage
+
+
+@pytest.mark.parametrize("up", [1, 2])
+def test_vertical_axis_of_a_walking_body(up):
+    rng = np.random.default_rng(2)
+    body = rng.uniform((-250, -200, 0), (250, 200, 1750), (30, 3))
+    way = np.zeros((200, 1, 3))
+    way[:, 0, 0] = np.linspace(-3000, 3000, 200)
+    positions = body + way
+    if up == 1:
+        positions = positions[:, :, [1, 2, 0]]
+    assert vertical_axis(positions) == up
+
+
+def test_stage_of_an_empty_take_stands():
+    stage = set_stage(Take(np.full((5, 2, 3), np.nan), ("A", "B"), 100.0))
+    assert np.isfinite(stage.middle).all()
+    assert stage.radius > 0
+    assert stage.unit > 0
+
+
+# Hands
+
+
+def test_drags_turn_move_zoom_and_scrub(qtbot, scene, document):
+    before = scene.camera
+    drag(qtbot, scene, QPoint(60, 20))
+    assert scene.camera.yaw != before.yaw
+    assert scene.camera.pitch > before.pitch
+    assert scene.camera.target == before.target
+    before = scene.camera
+    drag(qtbot, scene, QPoint(60, 20), Qt.MouseButton.MiddleButton)
+    assert scene.camera.target != before.target
+    assert scene.camera.yaw == before.yaw
+    before = scene.camera
+    drag(qtbot, scene, QPoint(60, 20), held=Qt.KeyboardModifier.ShiftModifier)
+    assert scene.camera.target != before.target
+    scene.follow.setChecked(False)
+    before = scene.camera
+    drag(qtbot, scene, QPoint(100, 0), held=Qt.KeyboardModifier.ControlModifier)
+    assert document.frame == 200
+    assert scene.camera == before
+    event = QWheelEvent(
+        QPointF(250, 200),
+        scene.mapToGlobal(QPointF(250, 200)),
+        QPoint(),
+        QPoint(0, 120),
+        Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    scene.wheelEvent(event)
+    assert scene.camera.distance < before.distance
+
+
+def test_click_picks_the_nearest_marker_and_ctrl_adds(qtbot, scene, document):
+    left = Qt.MouseButton.LeftButton
+    qtbot.mouseClick(scene, left, pos=place(scene, document, "LWRA"))
+    assert document.shown == ("LWRA",)
+    control = Qt.KeyboardModifier.ControlModifier
+    qtbot.mouseClick(scene, left, control, place(scene, document, "STRN"))
+    assert document.shown == ("LWRA", "STRN")
+    qtbot.mouseClick(scene, left, control, place(scene, document, "LWRA"))
+    assert document.shown == ("STRN",)
+    qtbot.mouseClick(scene, left, pos=QPoint(20, 120))
+    assert document.shown == ("STRN",)
+
+
+def test_double_click_beside_the_markers_shows_everything(qtbot, scene):
+    first = scene.camera
+    scene.camera = first.zoomed(0.3).panned(80, 80, 400)
+    qtbot.mouseDClick(scene, Qt.MouseButton.LeftButton, pos=QPoint(20, 120))
+    assert scene.camera.distance == pytest.approx(first.distance)
+    np.testing.assert_allclose(scene.camera.target, first.target)
+
+
+def test_missing_markers_are_not_drawn(scene, document):
+    document.go_to(70)
+    scene.grab()
+    assert np.isnan(scene._at[0]).all()
+    assert np.isfinite(scene._at[1:]).all()
+
+
+def test_open_artifacts_ring_their_markers_until_decided(scene, document):
+    document.go_to(150)
+    column = document.session.original.index("LELB")
+    assert scene.rings() == {column: Kind.PEAK}
+    theme_ring = theme.current().kinds[Kind.PEAK]
+    image = scene.grab().toImage()
+    x, y = scene._at[column]
+    around = [
+        image.pixelColor(round(x + 6 * math.cos(a)), round(y + 6 * math.sin(a)))
+        for a in np.linspace(0, 6.2, 24)
+    ]
+    near = [abs(c.red() - theme_ring.red()) + abs(c.blue() - theme_ring.blue()) for c in around]
+    assert min(near) < 60
+    document.reject([a.id for a in document.session.artifacts if a.kind is Kind.PEAK])
+    assert scene.rings() == {}
+
+
+def test_ghost_shows_where_the_preview_puts_the_marker(scene, document, monkeypatch):
+    peak = next(a for a in document.session.artifacts if a.kind is Kind.PEAK)
+    patch = Patch("LELB", "y", 150, 151, np.array([[123.0]]))
+    repair = Repair("linear", (patch,))
+    monkeypatch.setattr(Document, "proposal", property(lambda self: repair))
+    document.select(peak.id)
+    marker, way, start = scene.ghost()
+    assert (marker, start) == ("LELB", 150)
+    now = document.session.positions[150, 5]
+    np.testing.assert_allclose(way, [[now[0], 123.0, now[2]]])
+    assert peak.status is Status.PENDING
+    assert not scene.grab().isNull()
+
+
+def test_follow_keeps_the_body_in_the_middle(scene, document):
+    document.go_to(0)
+    first = scene._at.copy() if scene.grab() else None
+    document.go_to(390)
+    scene.grab()
+    # The body has walked 1.2 m; on the screen it stays within a hand's breadth.
+    assert np.abs(np.nanmean(scene._at, axis=0) - np.nanmean(first, axis=0)).max() < 60
+    scene.follow.click()
+    document.go_to(0)
+    scene.grab()
+    whole = scene._at.copy()
+    document.go_to(390)
+    scene.grab()
+    assert np.abs(np.nanmean(scene._at, axis=0) - np.nanmean(whole, axis=0)).max() > 60
+
+
+def test_vertical_axis_can_be_set(scene):
+    scene.set_vertical(1)
+    assert scene.camera.up == 1
+    scene.set_vertical(None)
+    assert scene.camera.up == scene.stage.up
+
+
+def test_says_so_while_nothing_is_open(scene, document):
+    document.open(None, None)
+    assert scene.stage is None
+    assert not scene.grab().isNull()
