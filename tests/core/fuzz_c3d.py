@@ -16,6 +16,7 @@ import time
 import traceback
 import tracemalloc
 import warnings
+import zlib
 from pathlib import Path
 
 import numpy as np
@@ -64,7 +65,7 @@ def check(data: bytes, path: Path) -> str:
     """Read damaged bytes; returns ``opened`` or ``refused``, raises where a promise is broken."""
     path.write_bytes(data)
     tracemalloc.start()
-    began = time.perf_counter()
+    began = time.process_time()
     outcome, said = "refused", ""
     try:
         with warnings.catch_warnings():
@@ -73,14 +74,14 @@ def check(data: bytes, path: Path) -> str:
         outcome = "opened"
     except mm.MarkermendError as error:
         said = str(error)
-    took = time.perf_counter() - began
+    took = time.process_time() - began
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert "\n" not in said, said
     assert took < SLOWEST_S, f"took {took:.1f} s"
     assert peak < MEMORY_FIXED + MEMORY_PER_BYTE * len(data), f"took {peak >> 20} MiB"
     if outcome == "opened" and rng_of(data).random() < 0.1:
-        target = path.with_suffix(".out")
+        target = path.with_suffix(".out.c3d")
         mm.write(take, target)
         assert target.read_bytes() == data, "exported without edits, yet not the same"
     return outcome
@@ -88,7 +89,7 @@ def check(data: bytes, path: Path) -> str:
 
 def rng_of(data: bytes) -> np.random.Generator:
     """Generator that depends on the bytes alone, so that a finding can be repeated."""
-    return np.random.default_rng(np.frombuffer(data[:64].ljust(64, b"\0"), dtype=np.uint32))
+    return np.random.default_rng(zlib.crc32(data))
 
 
 def samples() -> list[Path]:

@@ -24,14 +24,16 @@ def unique_labels(stated: Sequence[str], count: int) -> tuple[tuple[str, ...], t
     seen: set[str] = set()
     labels: list[str] = []
     repeated: list[str] = []
+    next_number: dict[str, int] = {}
     for place, name in enumerate(names, start=1):
         label = name or f"*{place}"
         if name and name in seen:
             repeated.append(name)
-        number = 2
         while label in seen or (label != name and label in taken):
+            # Counted on for each name, so that a thousand of the same take no thousand tries each.
+            number = next_number.get(name, 2)
+            next_number[name] = number + 1
             label = f"{name or f'*{place}'}_{number}"
-            number += 1
         seen.add(label)
         labels.append(label)
     return tuple(labels), tuple(dict.fromkeys(repeated))

@@ -1,0 +1,96 @@
+"""What differs between two files, and what a file holds."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import markermend as mm
+from markermend.files.diff import compare, render
+from markermend.files.info import describe_file
+from markermend.files.restructure import relabel
+
+
+@pytest.fixture
+def source(shared_data: Path) -> Path:
+    return shared_data / "gait/Capture0002.c3d"
+
+
+def test_same_file_is_the_same(source: Path) -> None:
+    found = compare(source, source)
+    assert found.identical
+    assert (found.samples, found.parameters, found.bytes) == ((), (), ())
+    assert "byte for byte" in render(found)
+
+
+def test_every_kind_of_sample_change(source: Path, tmp_path: Path) -> None:
+    take = mm.read(source)
+    positions = take.positions.copy()
+    gap_frame, gap_marker = np.argwhere(~take.present)[0]
+    moved = next(m for m in range(take.markers) if take.present[10:22, m].all())
+    positions[10:15, moved, 1] += 4.5
+    positions[20, moved] = np.nan
+    positions[gap_frame, gap_marker] = 1.0, 2.0, 3.0
+    mm.write(take.with_positions(positions, take.origin.copy()), tmp_path / "out.c3d")
+    found = compare(source, tmp_path / "out.c3d")
+    first = take.first_frame
+    changes = {(s.marker, s.axes, s.start, s.stop, s.change) for s in found.samples}
+    assert changes == {
+        (take.labels[moved], "y", first + 10, first + 15, "moved"),
+        (take.labels[moved], "xyz", first + 20, first + 21, "removed"),
+        (take.labels[gap_marker], "xyz", first + gap_frame, first + gap_frame + 1, "filled"),
+    }
+    assert max(s.largest_mm for s in found.samples) == pytest.approx(4.5, abs=1e-3)
+    assert found.parameters == ()
+    assert {b.part for b in found.bytes} == {"frames"}
+    assert found.differing_bytes == sum(b.stop - b.start for b in found.bytes)
+    text = render(found)
+    assert "moved by up to 4.5 mm" in text
+    assert "Parameters: none" in text
+
+
+def test_parameters_and_parts(source: Path, tmp_path: Path) -> None:
+    take = mm.read(source)
+    mm.write(relabel(take, {take.labels[0]: "OTHER"}), tmp_path / "out.c3d")
+    found = compare(source, tmp_path / "out.c3d")
+    assert found.samples == ()
+    assert {p.name for p in found.parameters} == {"markers", "POINT:LABELS"}
+    assert "parameters" in {b.part for b in found.bytes}
+    assert "OTHER" in render(found, most=1)
+
+
+def test_files_of_different_kinds(shared_data: Path, tmp_path: Path) -> None:
+    source = shared_data / "trc/exampleFormat.trc"
+    mm.write(mm.read(source), tmp_path / "out.csv")
+    found = compare(source, tmp_path / "out.csv")
+    assert found.samples == ()
+    assert found.parameters == ()
+    assert not found.identical
+
+
+def test_describe_file(shared_data: Path) -> None:
+    told = describe_file(mm.read(shared_data / "gait/PiG_Motion-FlatFoot-Full.c3d"))
+    assert json.loads(json.dumps(told)) == told
+    assert told["info"]["manufacturer"] == "Vicon"
+    assert told["points"]["angle"] == 26
+    assert len(told["events"]) == 12
+    assert told["gaps"] == {"LFHD": {"gaps": 1, "frames": 30, "longest": 30}}
+    assert [plate["type"] for plate in told["force_plates"]] == [2, 2]
+    assert told["force_plates"][0]["channels"][:3] == ["Fx1", "Fy1", "Fz1"]
+    assert len(told["force_plates"][0]["corners"]) == 4
+    rolling = describe_file(mm.read(shared_data / "bodies/03_rolling.c3d"))
+    assert "(0, 0, 0)" in rolling["missing"]["coding"]
+    assert rolling["oddities"]
+
+
+def test_describe_every_file(shared_data: Path) -> None:
+    for path in shared_data.rglob("*.[ct]*"):
+        if path.is_file() and path.suffix.lower() in (".c3d", ".trc"):
+            try:
+                take = mm.read(path)
+            except mm.FileFormatError:
+                continue
+            json.dumps(describe_file(take))
