@@ -74,7 +74,9 @@ class Commands(QObject):
             settings.add_recent(path)
             self._tell_opened()
             stored = bool(file.session.artifacts)
-            if not stored and not file.read_only and settings.flag("detect_on_open", True):
+            if stored:
+                self._document.step(1)
+            elif not file.read_only and settings.flag("detect_on_open", True):
                 self.detect()
 
         self._lane.submit(self.tr("Opening {0}").format(path.name), work, done, self.show_problem)
@@ -139,8 +141,8 @@ class Commands(QObject):
                 return
             self._document.add_detected(found, "paper")
             self.said.emit(self.tr("{0} artifacts found.").format(len(found)))
-            if self._document.current is None and self._document.queue:
-                self._document.select(self._document.queue[0])
+            if self._document.current is None:
+                self._document.step(1)
 
         self._lane.submit(self.tr("Looking for artifacts"), work, done, self.show_problem)
 
@@ -352,7 +354,9 @@ class Commands(QObject):
         if file.read_only:
             text = self.tr("Open in another window: this one is read-only.")
         elif file.recovered:
-            text = self.tr("Recovered {0} steps of an interrupted review.").format(file.recovered)
+            text = self.tr("An interrupted review was recovered; last step: {0}.").format(
+                file.session.history[-1] if file.session.history else self.tr("opened")
+            )
         elif file.warning:
             text = file.warning
         elif take.warnings:

@@ -25,18 +25,21 @@ def take_path(tmp_path, damaged):
     return path
 
 
+def keep_quiet(window):
+    """Let a window close without asking what becomes of unexported work."""
+    if window.document.session is not None:
+        window.document.session.mark_exported()
+
+
 @pytest.fixture
 def window(qtbot):
     """A real window; whatever is unexported at the end is kept without asking."""
     made = MainWindow()
-    qtbot.addWidget(made)
+    qtbot.addWidget(made, before_close_func=keep_quiet)
     made.show()
     made.activateWindow()
     qtbot.waitExposed(made)
-    yield made
-    if made.document.file is not None:
-        made.document.session.mark_exported()
-    made.close()
+    return made
 
 
 @pytest.fixture
@@ -254,7 +257,6 @@ def test_second_window_is_read_only(reviewed, qtbot, take_path, monkeypatch):
     second.document.mark(Artifact("CLAV", "xyz", 1, 5, Kind.NOISE))
     assert second.document.session.artifacts == ()
     assert "another window" in shown[0]
-    second.close()
 
 
 def test_every_action_has_a_verb_and_no_shortcut_is_taken_twice(window):
