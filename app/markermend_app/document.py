@@ -134,6 +134,8 @@ class Document(QObject):
                 names.append(artifact.counterpart)
             if artifact.marker not in self.shown:
                 self.show(names)
+            elif not set(names) <= set(self.shown):
+                self.show((*self.shown, *names))
             if frame:
                 self.go_to((artifact.start + artifact.stop) // 2)
                 self.frame_requested.emit(artifact.start, artifact.stop)

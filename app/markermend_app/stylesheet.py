@@ -50,8 +50,8 @@ def stylesheet(theme: Theme) -> str:
         down=_file("chevron-down", arrow.name()),
         up=_file("chevron-up", arrow.name()),
         right=_file("chevron-right", arrow.name()),
-        close=_file("cancel", arrow.name()),
-        float=_file("frame", arrow.name()),
+        close=_file("reject", arrow.name(), tight=True),
+        float=_file("frame", arrow.name(), tight=True),
         check=_file("accept", theme.on_accent.name()),
     )
 
@@ -63,10 +63,13 @@ def _folder() -> tempfile.TemporaryDirectory[str]:
 
 
 @cache
-def _file(name: str, color: str) -> str:
-    """Path of an icon in a colour, as a style sheet wants it."""
-    path = Path(_folder().name) / f"{name}-{color.lstrip('#')}.svg"
-    path.write_text(svg(name, QColor(color)), encoding="utf-8")
+def _file(name: str, color: str, tight: bool = False) -> str:
+    """Path of an icon in a colour, as a style sheet wants it; tight is without its margin."""
+    path = Path(_folder().name) / f"{name}-{color.lstrip('#')}{'-tight' * tight}.svg"
+    text = svg(name, QColor(color))
+    if tight:
+        text = text.replace('viewBox="0 0 24 24"', 'viewBox="3 3 18 18"')
+    path.write_text(text, encoding="utf-8")
     return path.as_posix()
 
 

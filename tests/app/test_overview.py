@@ -125,7 +125,7 @@ def test_what_lies_under_the_mouse_is_named(overview):
     text = overview.describe(_point(overview, 300, 2))
     assert "LWRA" in text
     assert "frames 381–430" in text
-    assert "80% sure" in text
+    assert "80% sure · open" in text
     assert "jumps 30 mm" in text
     assert overview.describe(_point(overview, 20, 7)).startswith("T10 · Frame 121")
 

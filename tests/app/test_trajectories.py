@@ -326,6 +326,35 @@ def test_the_view_follows_a_cursor_that_leaves_it(bench):
     assert high > 150
 
 
+def test_what_lies_under_the_mouse_is_read_out(bench):
+    readout = bench.panel.header.readout
+    assert readout.text().startswith("Frame 101 · 0.000 s · CLAV ")
+    bench.panel.canvas.scene().sigMouseMoved.emit(bench.panel.canvas.mapToScene(bench.at(75, "y")))
+    assert readout.text() == "Frame 176 · 0.750 s · CLAV missing"
+    assert "not seen for 30 frames" in bench.panel.rows[1].intervals.toolTip()
+    bench.panel.canvas.scene().sigMouseMoved.emit(bench.panel.canvas.mapToScene(bench.at(300, "y")))
+    value = bench.document.session.positions[300, 0, 1]
+    assert readout.text() == f"Frame 401 · 3.000 s · CLAV Y {value:.1f} mm"
+    assert bench.panel.rows[1].intervals.toolTip() == ""
+
+
+def test_the_legend_brings_a_marker_to_the_front(bench):
+    bench.document.show(["CLAV", "STRN"])
+    bench.panel.header.chosen.emit("STRN")
+    assert bench.document.shown == ("STRN", "CLAV")
+    assert list(bench.panel.rows[0].traces) == ["STRN", "CLAV"]
+
+
+def test_a_swap_is_previewed_on_both_markers(bench, qtbot):
+    bench.document.mark(Artifact("CLAV", "xyz", 250, 280, Kind.STEP, counterpart="STRN"))
+    assert set(bench.document.shown) == {"CLAV", "STRN"}
+    bench.document.choose_method("swap")
+    qtbot.waitUntil(lambda: bench.document.proposal is not None, timeout=20_000)
+    assert [p.marker for p in bench.document.proposal.patches] == ["CLAV", "STRN"]
+    for row in bench.panel.rows:
+        assert len(row.proposed) == 2
+
+
 def test_empty_states_and_before_after(bench):
     bench.panel.set_before_after(True)
     bench.panel.set_before_after(False)

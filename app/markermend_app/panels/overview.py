@@ -22,6 +22,7 @@ from markermend.edits import Change
 from markermend.take import Take
 from markermend_app import theme
 from markermend_app.document import Document
+from markermend_app.panels.artifact_text import describe
 from markermend_app.panels.overview_picture import (
     Rows,
     arrange,
@@ -207,14 +208,7 @@ class Overview(QWidget):
             return ""
         artifact = self.artifact_at(QPointF(at))
         if artifact is not None:
-            text = self.tr("{marker} · {kind} · frames {first}–{last} · {sure:.0%} sure").format(
-                marker=artifact.marker,
-                kind=self.tr(theme.KIND_NAME[artifact.kind]),
-                first=take.frame_number(artifact.start),
-                last=take.frame_number(artifact.stop - 1),
-                sure=artifact.confidence,
-            )
-            return f"{text}\n{artifact.why}" if artifact.why else text
+            return describe(take, artifact)
         marker, frame = self._marker_at(at.y()), self._frame_at(at.x())
         text = self.tr("Frame {frame} · {time:.2f} s").format(
             frame=take.frame_number(frame), time=frame / take.rate

@@ -65,6 +65,7 @@ class PlotHeader(QWidget):
         """List these markers, each in its colour, the foremost first."""
         self._markers = tuple(markers)
         while (item := self._legend.takeAt(0)) is not None:
+            item.widget().hide()
             item.widget().deleteLater()
         for i, name in enumerate(self._markers[:_MOST]):
             button = QToolButton()

@@ -1,4 +1,4 @@
-"""Which values a plot should show: what matters, not what is farthest out."""
+"""Which values and frames a plot should show: what matters, not what is farthest out."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from markermend.arrays import FloatArray
 # A trajectory that stands still gets at least this much room, in mm.
 _LEAST_MM = 8.0
 _MOST_SAMPLES = 40_000
+_LEAST_FRAMES = 6.0
 
 
 def value_range(
@@ -52,6 +53,21 @@ def value_range(
     span = (high - low) * 1.16
     margin = (high - low) * 0.08
     return low - margin - span * bottom / (1 - bottom), high + margin
+
+
+def time_range(start: float, stop: float, frames: int) -> tuple[float, float]:
+    """Move and cut a range of frames so that it lies on a take, with a little margin."""
+    margin = max(1.0, 0.01 * frames)
+    least, most = -0.5 - margin, frames - 0.5 + margin
+    span = float(np.clip(stop - start, min(_LEAST_FRAMES, most - least), most - least))
+    low = float(np.clip((start + stop - span) / 2, least, most - span))
+    return low, low + span
+
+
+def whole_frames(start: float, stop: float, frames: int) -> tuple[int, int]:
+    """Round a range to whole frames of a take: half-open, at least one frame long."""
+    first = int(np.clip(round(start), 0, frames - 1))
+    return first, int(np.clip(round(stop), first + 1, frames))
 
 
 def _finite(arrays: Sequence[FloatArray]) -> FloatArray:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent
@@ -12,14 +11,15 @@ from markermend.edits import Change
 from markermend.take import AXES, Take
 from markermend_app import theme
 from markermend_app.document import Document, Selection
+from markermend_app.panels.artifact_text import describe
 from markermend_app.panels.empty_state import EmptyState
 from markermend_app.panels.floating_buttons import FloatingButtons
 from markermend_app.panels.plot_header import PlotHeader
 from markermend_app.panels.plot_menu import artifact_menu, plot_menu, sweep_menu
 from markermend_app.panels.plot_prediction import Predictions
+from markermend_app.panels.plot_range import time_range, whole_frames
 from markermend_app.panels.plot_row import TIME_HEIGHT, PlotRow
 
-_LEAST_FRAMES = 6.0
 _SPACING = 6
 
 
@@ -109,11 +109,7 @@ class TrajectoryPanel(QWidget):
         take = self._take
         if take is None:
             return
-        margin = max(1.0, 0.01 * take.frames)
-        least, most = -0.5 - margin, take.frames - 0.5 + margin
-        span = float(np.clip(stop - start, min(_LEAST_FRAMES, most - least), most - least))
-        low = float(np.clip((start + stop - span) / 2, least, most - span))
-        self._view = (low, low + span)
+        self._view = time_range(start, stop, take.frames)
         for row in self.rows:
             row.view.setXRange(*self._view, padding=0)
         self._place_buttons()
@@ -192,8 +188,7 @@ class TrajectoryPanel(QWidget):
             if name in self.document.shown:
                 for row in self.rows:
                     row.refresh(session.take, session.original, name)
-        if self.predictions.known:
-            self.predictions.forget()
+        self.predictions.forget()
 
     def _show_artifacts(self) -> None:
         """Draw the artifacts of the shown markers."""
@@ -320,8 +315,7 @@ class TrajectoryPanel(QWidget):
         take = self._take
         if take is None or not self.document.shown:
             return
-        low = int(np.clip(round(min(start, stop)), 0, take.frames - 1))
-        high = int(np.clip(round(max(start, stop)) + 1, low + 1, take.frames))
+        low, high = whole_frames(min(start, stop), max(start, stop) + 1, take.frames)
         for row in self.rows:
             row.show_sweep(low, high)
         if last:
@@ -340,8 +334,7 @@ class TrajectoryPanel(QWidget):
         if current is None or take is None:
             return
         low, high = row.region.getRegion()
-        start = int(np.clip(round(low + 0.5), 0, take.frames - 1))
-        stop = int(np.clip(round(high + 0.5), start + 1, take.frames))
+        start, stop = whole_frames(low + 0.5, high + 0.5, take.frames)
         if (start, stop) != (current.start, current.stop):
             self.document.change(current.id, start=start, stop=stop)
         self._show_current()
@@ -353,9 +346,14 @@ class TrajectoryPanel(QWidget):
     # Readout and looks
 
     def _read_out(self, at: QPointF) -> None:
-        """Say what lies under the mouse."""
+        """Say what lies under the mouse: the sample above the plots, an artifact as a tooltip."""
+        session = self.document.session
         for row in self.rows:
-            if row.view.sceneBoundingRect().contains(at):
+            if session is not None and row.view.sceneBoundingRect().contains(at):
+                hit = row.intervals.hit(at)
+                row.intervals.setToolTip(
+                    "" if hit is None else describe(session.take, session.artifact(hit))
+                )
                 self._show_readout(round(row.view.frame_at(at)), row)
                 return
         self._show_readout(self.document.frame)

@@ -1,0 +1,34 @@
+"""An artifact in words, for tooltips."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QCoreApplication
+
+from markermend.artifact import Artifact, Status
+from markermend.take import Take
+from markermend_app import theme
+
+_STATUS = {
+    Status.PENDING: "open",
+    Status.ACCEPTED: "accepted",
+    Status.REJECTED: "rejected",
+    Status.REPAIRED: "repaired",
+}
+
+
+def describe(take: Take, artifact: Artifact) -> str:
+    """Marker, class, frames as the file counts them, confidence, decision; and why, below."""
+    text = _tr("{marker} · {kind} · frames {first}–{last} · {sure:.0%} sure · {status}").format(
+        marker=artifact.marker,
+        kind=_tr(theme.KIND_NAME[artifact.kind]),
+        first=take.frame_number(artifact.start),
+        last=take.frame_number(artifact.stop - 1),
+        sure=artifact.confidence,
+        status=_tr(_STATUS[artifact.status]),
+    )
+    return f"{text}\n{artifact.why}" if artifact.why else text
+
+
+def _tr(text: str) -> str:
+    """Translate."""
+    return QCoreApplication.translate("ArtifactText", text)
