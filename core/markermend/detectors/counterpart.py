@@ -19,7 +19,7 @@ from markermend.take import Take, is_unlabelled
 
 # What is left of each jump after the exchange, at most.
 LARGEST_REST = 0.3
-# Two trajectories jump at the same frames; steps on both this much alike are one swap.
+# Both trajectories jump at the same frames; intervals on either this much alike are one swap.
 SAME_STEP = 0.5
 
 
@@ -33,9 +33,9 @@ def name_swaps(take: Take, artifacts: list[Artifact]) -> list[Artifact]:
 
     Returns
     -------
-    The artifacts; a swap names all axes and its counterpart, and the partner's own step over
-    the same interval is gone. The one named first in the take is the artifact's marker, a
-    labelled one before a nameless one.
+    The artifacts; a swap names all axes and its counterpart, and what else was read from the same
+    two jumps (steps or noise of either marker over the same interval) is gone. The one named first
+    in the take is the artifact's marker, a labelled one before a nameless one.
     """
     steps = sorted(
         (a for a in artifacts if a.kind is Kind.STEP),
@@ -52,8 +52,10 @@ def name_swaps(take: Take, artifacts: list[Artifact]) -> list[Artifact]:
         pair = {swap.marker, swap.counterpart}
         explained |= {
             a.id
-            for a in steps
-            if a.marker in pair and overlap((a.start, a.stop), (step.start, step.stop)) >= SAME_STEP
+            for a in artifacts
+            if a.kind in (Kind.STEP, Kind.NOISE)
+            and a.marker in pair
+            and overlap((a.start, a.stop), (step.start, step.stop)) >= SAME_STEP
         }
         named.append(swap)
     return [a for a in artifacts if a.id not in explained] + named

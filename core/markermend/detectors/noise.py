@@ -2,11 +2,14 @@
 
 Section 3.4.3 of skurowski2022, equations 26 to 30. Beyond the paper: closing over 39 frames also
 joins the two jumps of a step shorter than about half a second, and lone outliers of fast motion,
-into a segment; a segment is kept only if two fifths of its differentials are above the threshold
-before closing.
+into a segment; a segment is kept only if a third of its differentials, before closing, are above
+the threshold and above what the largest of them leaves by ringing. Peaks right beside heavy noise
+are part of it.
 """
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 import numpy as np
 
@@ -18,10 +21,10 @@ from markermend.detectors.highpass import differential, savgol_high_pass, scaled
 from markermend.detectors.morphology import closing
 from markermend.detectors.params import PaperParams
 
-
-# White noise stands above the threshold in most of its frames; the two jumps of a short step, which
-# the closing joins, do so only while they ring.
-LEAST_SHARE = 0.4
+# White noise stands out in most of its frames. The jumps of a short step, which the closing joins,
+# do not: their ringing passes this share of the jump in five frames each.
+LEAST_SHARE = 1 / 3
+RINGING = 0.15
 
 
 def high_passed_differential(
@@ -68,7 +71,6 @@ def find_noise(
     change = high_passed_differential(signal, valid, rate, params)
     threshold = np.maximum(params.noise_k * spread(change, valid), params.least_mm)
     magnitude = closing(np.abs(change), element)
-    above = np.abs(change) > threshold
     noisy = closing(magnitude > threshold, element) & seen
     window = scaled_odd(params.savgol_window, rate, least=params.savgol_order + 2)
 
@@ -76,7 +78,9 @@ def find_noise(
     for channel in np.flatnonzero(noisy.any(axis=0)):
         deviation = np.abs(savgol_high_pass(signal[:, [channel]], params.savgol_order, window))
         for start, stop in runs(noisy[:, channel]):
-            if stop - start < shortest or above[start:stop, channel].mean() < LEAST_SHARE:
+            if stop - start < shortest or not _dense(
+                np.abs(change[start:stop, channel]), float(threshold[channel])
+            ):
                 continue
             ratio = float(np.median(magnitude[start:stop, channel]) / threshold[channel])
             found.append(
@@ -90,3 +94,47 @@ def find_noise(
                 )
             )
     return found
+
+
+def absorb_peaks(
+    earlier: list[Finding], new: list[Finding], rate: float, params: PaperParams
+) -> list[Finding]:
+    """Join findings of two stages; peaks next to heavy noise of their channel become part of it.
+
+    Parameters
+    ----------
+    earlier, new : findings of the stages before and of this one
+    rate : frames per second
+    params : ``peak_size``; next to means within the window that makes a peak a lone one
+
+    Returns
+    -------
+    All findings but the peaks absorbed; a noise that absorbs one reaches to it.
+    """
+    reach = scaled(params.peak_size, rate) + 1
+    peaks = [f for f in earlier if f.kind is Kind.PEAK]
+    grown = []
+    for noise in new:
+        if noise.kind is Kind.NOISE:
+            near = [
+                f
+                for f in peaks
+                if f.channel == noise.channel
+                and f.start < noise.stop + reach
+                and noise.start - reach < f.stop
+            ]
+            peaks = [f for f in peaks if f not in near]
+            noise = replace(
+                noise,
+                start=min([noise.start, *(f.start for f in near)]),
+                stop=max([noise.stop, *(f.stop for f in near)]),
+                amplitude_mm=max([noise.amplitude_mm, *(f.amplitude_mm for f in near)]),
+            )
+        grown.append(noise)
+    return peaks + [f for f in earlier if f.kind is not Kind.PEAK] + grown
+
+
+def _dense(magnitude: FloatArray, threshold: float) -> bool:
+    """Whether a third of a segment stands out, from the clean signal and from ringing."""
+    level = max(threshold, RINGING * float(magnitude.max()))
+    return bool((magnitude > level).mean() >= LEAST_SHARE)

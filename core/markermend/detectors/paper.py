@@ -21,7 +21,7 @@ from markermend.artifact import Artifact, damage_mask
 from markermend.detectors.channels import channels
 from markermend.detectors.counterpart import name_swaps
 from markermend.detectors.finding import Finding, mask_of, to_artifacts
-from markermend.detectors.noise import find_noise
+from markermend.detectors.noise import absorb_peaks, find_noise
 from markermend.detectors.params import PaperParams
 from markermend.detectors.peaks import find_peaks
 from markermend.detectors.slow import find_slow
@@ -76,10 +76,9 @@ def _find_sudden(take: Take, markers: list[int], params: PaperParams) -> list[Fi
     known = seen.copy()
     found: list[Finding] = []
     for stage in (find_peaks, find_noise, find_steps):
-        new = stage(signal, seen, take.rate, params)
-        known &= ~mask_of(new, signal.shape)
-        signal = bridge(signal, known)
-        found += new
+        new = stage(bridge(signal, known), seen, take.rate, params)
+        found = absorb_peaks(found, new, take.rate, params)
+        known &= ~mask_of(found, signal.shape)
     return [replace(f, channel=3 * markers[f.channel // 3] + f.channel % 3) for f in found]
 
 

@@ -45,6 +45,9 @@ class PaperParams:
         200, "maxDist, how far to look for the step back (section 3.4.4)", "frames", 1
     )
 
+    slow_least_mm: float = _tunable(
+        3.0, "Smallest upper threshold for slow changes; 0 as published", "mm"
+    )
     slow_order: int = _tunable(7, "L of the residual's smoothing (section 3.4.5)", "", 1, 9)
     slow_window: int = _tunable(11, "M of the residual's smoothing (section 3.4.5)", "frames", 3)
     slow_half_window: bool = _tunable(

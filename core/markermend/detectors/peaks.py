@@ -81,7 +81,7 @@ def find_peaks(
 
 
 def _one_sided(out: FloatArray, size: float) -> bool:
-    """Whether first and last sample stick out to the same side, as those of a step's edge do not."""
+    """Whether first and last sample stick out to the same side; at a step's edge they do not."""
     return bool(out[0] * out[-1] > 0 and min(abs(out[0]), abs(out[-1])) > LEAST_FLANK * size)
 
 

@@ -10,7 +10,8 @@ not seen, or most of its neighbours were not, the residual is 0 and a hill ends.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator
+from contextlib import closing
 
 import numpy as np
 
@@ -65,18 +66,19 @@ def find_slow(
         if inputs.fit.sum() >= LEAST_ROWS:
             tasks.append((marker, inputs))
 
-    found = []
-    for done, ((marker, inputs), predicted) in enumerate(
-        zip(tasks, _predictions(tasks, take.rate, params), strict=True)
-    ):
-        progress(done / len(tasks), f"slow changes of {take.labels[marker]}")
-        found += _judge(marker, inputs, predicted, take.present[:, marker], take.rate, params)
+    found: list[Finding] = []
+    # Closing at once stops the processes when progress raises.
+    with closing(_predictions(tasks, take.rate, params)) as predictions:
+        for done, ((marker, inputs), predicted) in enumerate(zip(tasks, predictions, strict=True)):
+            progress(done / len(tasks), f"slow changes of {take.labels[marker]}")
+            seen = take.present[:, marker]
+            found += _judge(marker, inputs, predicted, seen, take.rate, params)
     return found
 
 
 def _predictions(
     tasks: list[tuple[int, Inputs]], rate: float, params: PaperParams
-) -> Iterator[FloatArray]:
+) -> Generator[FloatArray, None, None]:
     """Train one network a marker, in several processes where that pays; results in order."""
     from joblib import Parallel, delayed
 
@@ -114,7 +116,8 @@ def _judge(
 
     found = []
     for axis in range(3):
-        top, base = params.slow_k_top * sigma[axis], params.slow_k_base * sigma[axis]
+        top = max(params.slow_k_top * float(sigma[axis]), params.slow_least_mm)
+        base = params.slow_k_base * float(sigma[axis])
         for sign in (1.0, -1.0):
             hills = hysteresis(
                 sign * smooth[:, axis],
