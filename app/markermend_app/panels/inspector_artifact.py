@@ -45,6 +45,8 @@ class ArtifactPage(QWidget):
         self.axes: dict[str, QToolButton] = {}
         axes = QHBoxLayout()
         axes.setSpacing(4)
+        axes.addWidget(self.kind, 1)
+        axes.addSpacing(8)
         for axis in "xyz":
             button = QToolButton()
             button.setText(axis.upper())
@@ -55,7 +57,6 @@ class ArtifactPage(QWidget):
             button.clicked.connect(lambda _=False: self._axes_chosen())
             self.axes[axis] = button
             axes.addWidget(button)
-        axes.addStretch(1)
         self.first, self.last = QSpinBox(), QSpinBox()
         edges = QHBoxLayout()
         edges.setSpacing(4)
@@ -89,8 +90,7 @@ class ArtifactPage(QWidget):
         form.setHorizontalSpacing(12)
         form.setVerticalSpacing(8)
         form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
-        form.addRow(self.tr("Class"), self.kind)
-        form.addRow(self.tr("Axes"), axes)
+        form.addRow(self.tr("Class"), axes)
         form.addRow(self.tr("Frames"), edges)
         form.addRow(self.tr("Size"), self.extent)
         form.addRow(self.tr("Sure"), sure)

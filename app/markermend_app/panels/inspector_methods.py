@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSignalBlocker
-from PySide6.QtWidgets import QButtonGroup, QGridLayout, QLabel, QRadioButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QButtonGroup, QGridLayout, QRadioButton, QVBoxLayout, QWidget
 
 from markermend.artifact import Status
 from markermend_app.document import Document
@@ -13,7 +13,7 @@ KEYS = 9
 
 
 class MethodList(QWidget):
-    """Radio buttons in the registry's order; the number beside each is its key."""
+    """Radio buttons in the registry's order, in two columns; the number on each is its key."""
 
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -22,8 +22,7 @@ class MethodList(QWidget):
         self._group = QButtonGroup(self)
         self._grid = QGridLayout()
         self._grid.setHorizontalSpacing(8)
-        self._grid.setVerticalSpacing(2)
-        self._grid.setColumnStretch(0, 1)
+        self._grid.setVerticalSpacing(4)
         self.outcome = plain("muted")
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 4, 0, 0)
@@ -38,23 +37,25 @@ class MethodList(QWidget):
         """List the methods, once an artifact is looked at: the engine's repairs load late."""
         from markermend.repairs import REPAIRS
 
-        self._add("auto", self.tr("Best for this artifact"), self.tr("Picks the method."), "")
+        tip = self.tr("The method that is expected to err least here")
+        self._grid.addWidget(self._made("auto", self.tr("Best for this artifact"), tip), 0, 0, 1, 2)
+        half = (len(REPAIRS) + 1) // 2
         for i, method in enumerate(REPAIRS.values()):
-            key = str(i + 1) if i < KEYS else ""
-            self._add(method.name, method.label, method.summary, key)
+            label, tip = method.label, method.summary
+            if i < KEYS:
+                label = f"{i + 1}  {label}"
+                tip = self.tr("{0} (key {1})").format(tip, i + 1)
+            button = self._made(method.name, label, tip)
+            self._grid.addWidget(button, 1 + i % half, i // half)
 
-    def _add(self, name: str, label: str, tip: str, key: str) -> None:
-        """Add a method."""
+    def _made(self, name: str, label: str, tip: str) -> QRadioButton:
+        """Make the button of a method."""
         button = QRadioButton(label)
-        button.setToolTip(self.tr("{0} (key {1})").format(tip, key) if key else tip)
+        button.setToolTip(tip)
         button.clicked.connect(lambda _=False: self._document.choose_method(name))
         self._group.addButton(button)
-        number = QLabel(key)
-        number.setProperty("role", "small")
-        row = len(self.buttons)
-        self._grid.addWidget(button, row, 0)
-        self._grid.addWidget(number, row, 1)
         self.buttons[name] = button
+        return button
 
     def _refresh(self) -> None:
         """Show the chosen method and what it promises."""
@@ -79,8 +80,10 @@ class MethodList(QWidget):
             return self.tr("Working out the repair…")
         if not proposal.patches:
             return self.tr("No repair: {0}").format(proposal.reason or self.tr("no answer here"))
-        button = self.buttons.get(proposal.method)
-        text = button.text() if button is not None else proposal.method
+        from markermend.repairs import REPAIRS
+
+        method = proposal.method
+        text = REPAIRS[method].label if method in REPAIRS else method
         if proposal.error_mm is not None:
             text += self.tr(", expected error {0:.1f} mm").format(proposal.error_mm)
         return f"{text}. {proposal.reason}" if proposal.reason else text

@@ -20,6 +20,10 @@ from markermend_app.document import Document
 from markermend_app.panels.badge import kind_icon
 
 
+_KNOWN = ("subject", "subjects")
+"""Keys of a take's info that are told elsewhere on the page."""
+
+
 def heading(text: str = "") -> QLabel:
     """A line that names what follows."""
     label = QLabel(text)
@@ -155,9 +159,13 @@ class TakePage(QWidget):
             (self.tr("Other points"), "" if take.points is None else str(len(take.points.labels))),
             (self.tr("Analog"), "" if take.analog is None else str(len(take.analog.labels))),
             (self.tr("Events"), str(len(take.events)) if take.events else ""),
-            *((key.replace("_", " ").capitalize(), text) for key, text in take.info.items()),
+            *(
+                (key.replace("_", " ").capitalize(), text)
+                for key, text in take.info.items()
+                if key not in _KNOWN
+            ),
         ):
-            if value:
+            if value not in ("", "0"):
                 self._add(text, value)
         self.facts.addRow(_name(self.tr("Missing")), self._gaps)
         self._refresh_gaps()

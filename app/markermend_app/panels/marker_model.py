@@ -266,11 +266,7 @@ class MarkerModel(QAbstractItemModel):
         if role == Qt.ItemDataRole.DecorationRole:
             if node.label in self._shown and node.label:
                 return dot_icon(theme.marker_color(self._shown.index(node.label)))
-            return (
-                dot_icon(theme.current().muted, filled=False)
-                if node.label
-                else theme.icon(node.icon)
-            )
+            return None if node.label or not node.icon else theme.icon(node.icon)
         if role == Qt.ItemDataRole.ForegroundRole and node.note:
             return theme.current().muted
         return None

@@ -93,7 +93,7 @@ class MarkerTree(QWidget):
         header.setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
         header.setSectionResizeMode(OPEN, QHeaderView.ResizeMode.Interactive)
         header.setSectionResizeMode(MISSING, QHeaderView.ResizeMode.Fixed)
-        header.resizeSection(MISSING, 56)
+        header.resizeSection(MISSING, 58)
         self.view.selectionModel().selectionChanged.connect(self._selected)
 
         top = QHBoxLayout()
@@ -158,7 +158,7 @@ class MarkerTree(QWidget):
         if session is None:
             return
         self._model.set_counts(session.artifacts)
-        widest = 52
+        widest = 46
         for row in session.original.labels:
             counts = self._model.data(self._model.index_of(row).siblingAtColumn(OPEN), COUNTS)
             widest = max(widest, counts_width(counts or {}, self.view.font()))

@@ -18,8 +18,10 @@ from PySide6.QtCore import (
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend.edits import RepairNote
+from markermend.take import Take
 from markermend_app import theme
 from markermend_app.panels.badge import dot_icon
+from markermend_app.panels.naming import short_names
 
 Index = QModelIndex | QPersistentModelIndex
 STATUS, KIND, MARKER, AXES, FRAMES, TIME, LENGTH, SIZE, CONFIDENCE, REPAIR, WHY = range(11)
@@ -90,6 +92,8 @@ class QueueModel(QAbstractTableModel):
         self.first_frame = 1
         self._all: tuple[Artifact, ...] = ()
         self._notes: Mapping[str, RepairNote] = {}
+        self._take: Take | None = None
+        self._names: Mapping[str, str] = {}
         self._row_of: dict[str, int] = {}
         self._wanted = Wanted()
         self._column, self._descending = STATUS, False
@@ -117,12 +121,14 @@ class QueueModel(QAbstractTableModel):
         self,
         artifacts: tuple[Artifact, ...],
         notes: Mapping[str, RepairNote],
-        rate: float,
-        first_frame: int,
+        take: Take | None,
     ) -> None:
         """Take over what the session holds."""
         self._all, self._notes = artifacts, notes
-        self.rate, self.first_frame = rate, first_frame
+        if take is not None and take is not self._take:
+            self.rate, self.first_frame = take.rate, take.first_frame
+            self._names = short_names(take.labels)
+        self._take = take
         self._arrange()
 
     def set_wanted(self, wanted: Wanted) -> None:
@@ -211,7 +217,7 @@ class QueueModel(QAbstractTableModel):
         if role == ARTIFACT:
             return a
         if role == Qt.ItemDataRole.ToolTipRole:
-            return describe_length(a, self.rate) if column == LENGTH else a.why or None
+            return {LENGTH: describe_length(a, self.rate), MARKER: a.marker}.get(column, a.why)
         if role == Qt.ItemDataRole.TextAlignmentRole:
             side = Qt.AlignmentFlag.AlignRight if column in RIGHT else Qt.AlignmentFlag.AlignLeft
             return side | Qt.AlignmentFlag.AlignVCenter
@@ -231,7 +237,7 @@ class QueueModel(QAbstractTableModel):
         return {
             STATUS: lambda: self._status_names[a.status],
             KIND: lambda: theme.KIND_NAME[a.kind],
-            MARKER: lambda: f"{a.marker} ↔ {a.counterpart}" if a.counterpart else a.marker,
+            MARKER: lambda: self._marker_text(a),
             AXES: lambda: a.axes.upper(),
             FRAMES: lambda: f"{a.start + first}–{a.stop - 1 + first}",
             TIME: lambda: f"{a.start / self.rate:.2f} s",
@@ -241,6 +247,11 @@ class QueueModel(QAbstractTableModel):
             REPAIR: lambda: self._repair_text(a),
             WHY: lambda: a.why,
         }[column]()
+
+    def _marker_text(self, a: Artifact) -> str:
+        """The marker, and the one it changes places with."""
+        names = [self._names.get(m, m) for m in (a.marker, a.counterpart) if m]
+        return " ↔ ".join(names)
 
     def _repair_text(self, a: Artifact) -> str:
         """How a repaired artifact was repaired."""

@@ -32,7 +32,7 @@ from markermend_app.panels.queue_model import (
 )
 from markermend_app.panels.queue_view import QueueView
 
-_WIDTHS = (92, 100, 124, 60, 96, 72, 72, 84, 108, 180)
+_WIDTHS = (80, 94, 116, 56, 92, 70, 62, 80, 104, 180)
 _OPEN = frozenset({Status.PENDING})
 _DECIDED = frozenset({Status.ACCEPTED, Status.REJECTED, Status.REPAIRED})
 _ACCEPTED = frozenset({Status.ACCEPTED})
@@ -195,10 +195,9 @@ class ReviewQueue(QWidget):
         at, chosen = bar.value(), set(self.selected())
         self._syncing = True
         if session is None:
-            self.model.set_artifacts((), {}, 100.0, 1)
+            self.model.set_artifacts((), {}, None)
         else:
-            take = session.original
-            self.model.set_artifacts(session.artifacts, session.notes, take.rate, take.first_frame)
+            self.model.set_artifacts(session.artifacts, session.notes, session.original)
         self._select(chosen)
         self._syncing = False
         bar.setValue(at)
@@ -299,7 +298,10 @@ class ReviewQueue(QWidget):
         if session is None:
             text = self.tr("Open a take to review its artifacts here.")
         elif not session.artifacts:
-            text = self.tr("Nothing found yet. Press D to look for artifacts.")
+            if any(step.startswith("Detect") for step in session.history):
+                text = self.tr("Nothing was found. Sweep over a curve with Shift to mark by hand.")
+            else:
+                text = self.tr("Nothing found yet. Press D to look for artifacts.")
         elif not session.with_status(Status.PENDING) and self.status.currentData() == _OPEN:
             text = self.tr("All {0} artifacts are decided. Ctrl+S exports the repaired take.")
             text = text.format(len(session.artifacts))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -16,6 +16,7 @@ from markermend.take import is_unlabelled
 from markermend_app import theme
 from markermend_app.document import Document
 from markermend_app.panels import scene_paint as paint
+from markermend_app.panels.naming import short_names
 from markermend_app.panels.scene_camera import Camera
 from markermend_app.panels.scene_stage import Stage, centre_at, set_stage
 
@@ -44,6 +45,7 @@ class Scene(QWidget):
         self._vertical: int | None = None
         self._links: IntArray = np.zeros((0, 2), dtype=np.int64)
         self._radius: FloatArray = np.zeros(0)
+        self._names: Mapping[str, str] = {}
         self._open: list[tuple[int, int, int, Kind]] = []
         self._starts, self._stops = np.zeros(0, np.int64), np.zeros(0, np.int64)
         self._followed: FloatArray | None = None
@@ -136,6 +138,7 @@ class Scene(QWidget):
             self._links = np.array(links, dtype=np.int64).reshape(-1, 2)
             small = np.array([is_unlabelled(label) for label in take.labels], dtype=bool)
             body = min(RADIUS_MM, 0.008 * self.stage.size)
+            self._names = short_names(take.labels)
             self._radius = np.where(small, 0.5 * body, body)
             self.reset()
         self._take_artifacts()
@@ -199,12 +202,12 @@ class Scene(QWidget):
         plain = theme.blend(t.plot, t.text, 0.62)
         discs = paint.Discs(now, self._radius, shown, self.rings(), plain)
         self._at = paint.paint_discs(sight, discs)
-        self._paint_ghost(sight, now)
+        spots = self._paint_ghost(sight, now)
         named = list(shown)[:MANY_LABELS]
         if self.labels.isChecked():
             named += [i for i in range(take.markers) if i not in shown]
-        names = [(i, take.labels[i].rpartition(":")[2] or take.labels[i]) for i in named]
-        paint.paint_labels(sight, self._at, names)
+        names = [(i, self._names[take.labels[i]]) for i in named]
+        paint.paint_labels(sight, spots, names)
         paint.paint_triad(sight)
         unit = self.stage.unit
         text = f"{unit / 1000:g} m" if unit >= 100 else f"{unit:g} mm"
@@ -227,17 +230,25 @@ class Scene(QWidget):
             color = theme.faded(theme.marker_color(place), 0.7)
             paint.paint_trails(sight, near[None, :, column], color, 1.6)
 
-    def _paint_ghost(self, sight: paint.Sight, now: FloatArray) -> None:
-        """Paint the way of the previewed repair, and its place in this frame."""
+    def _paint_ghost(self, sight: paint.Sight, now: FloatArray) -> FloatArray:
+        """Paint the way of the previewed repair, and its place in this frame.
+
+        Returns (markers, 2) pixels where names stand: a missing marker's at its proposed place.
+        """
         ghost, session = self.ghost(), self._document.session
         if ghost is None or session is None:
-            return
+            return self._at
         marker, way, start = ghost
         color = theme.current().accent
         paint.paint_trails(sight, way[None], color, 1.6, Qt.PenStyle.DashLine)
         at = self._document.frame - start
+        spots = self._at.copy()
         if 0 <= at < len(way):
-            paint.paint_ghost(sight, way[at], now[session.original.index(marker)])
+            column = session.original.index(marker)
+            spot = paint.paint_ghost(sight, way[at], now[column])
+            if np.isnan(spots[column, 0]):
+                spots[column] = spot
+        return spots
 
     # Hands
 

@@ -135,11 +135,14 @@ def paint_discs(sight: Sight, discs: Discs) -> FloatArray:
     return at
 
 
-def paint_ghost(sight: Sight, proposed: FloatArray, now: FloatArray) -> None:
-    """Draw a dashed ring where the previewed repair puts the marker, and the way there."""
+def paint_ghost(sight: Sight, proposed: FloatArray, now: FloatArray) -> FloatArray:
+    """Draw a dashed ring where the previewed repair puts the marker, and the way there.
+
+    Returns its (2,) pixels.
+    """
     at = sight.project(np.stack((proposed, now)))
     if np.isnan(at[0]).any():
-        return
+        return at[0]
     color = theme.current().accent
     painter = sight.painter
     painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -148,6 +151,7 @@ def paint_ghost(sight: Sight, proposed: FloatArray, now: FloatArray) -> None:
         painter.drawLine(QPointF(*at[0]), QPointF(*at[1]))
     painter.setPen(QPen(color, 2, Qt.PenStyle.DashLine))
     painter.drawEllipse(QPointF(*at[0]), 7.0, 7.0)
+    return at[0]
 
 
 def paint_labels(sight: Sight, at: FloatArray, names: Sequence[tuple[int, str]]) -> None:
