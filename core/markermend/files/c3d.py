@@ -21,6 +21,7 @@ from markermend.files.c3d_samples import (
     blocks,
     decode_positions,
     decode_residuals,
+    invalid,
     quads_of,
     words_of,
 )
@@ -190,7 +191,7 @@ def _decode(
             contents.residuals[start:stop] = residuals
         contents.cameras[start:stop] = cameras
         if layout.residuals_hold:
-            contents.by_zero += int(np.count_nonzero(missing & (stored[..., 3] >= 0)))
+            contents.by_zero += int(np.count_nonzero(missing & ~invalid(stored[..., 3])))
         seen = seen or not missing.all()
         placed = placed or bool((stored[..., :3] != 0).any())
         if len(others):
@@ -208,7 +209,7 @@ def _decode_others(stored: NDArray[Any], layout: C3dLayout, out: FloatArray) -> 
         np.multiply(stored[..., :3], layout.scale, out=out, dtype=np.float64)
     missing = ~np.isfinite(out).all(axis=2)
     if layout.residuals_hold:
-        missing |= stored[..., 3] < 0
+        missing |= invalid(stored[..., 3])
     out[missing] = np.nan
     return not missing.all()
 

@@ -18,6 +18,7 @@ from markermend.files.c3d_numbers import decode_floats
 BLOCK_BYTES = 1 << 20
 # Beyond 100 km there is no marker: producers write such numbers where they saw nothing.
 FARTHEST_MM = 1e8
+_LARGEST_WORD, _UNSIGNED_WORD = 32767, 65535
 
 
 @dataclass(frozen=True)
@@ -120,11 +121,30 @@ def decode_positions(
     x, y, z = (stored[..., axis] for axis in range(3))
     missing = (x == 0) & (y == 0) & (z == 0)
     if plan.layout.residuals_hold:
-        missing |= stored[..., 3] < 0
+        missing |= invalid(stored[..., 3])
     if not near:
         missing |= ~(np.abs(out) < FARTHEST_MM).all(axis=2)
     out[missing] = np.nan
     return missing, stored
+
+
+def invalid(residual_words: NDArray[Any]) -> BoolArray:
+    """Tell which residual words mark a sample as missing.
+
+    Parameters
+    ----------
+    residual_words : as stored
+
+    Returns
+    -------
+    bool, of the same shape: negative words, and in float files also -1 written as 65535
+    """
+    negative: BoolArray = residual_words < 0
+    if residual_words.dtype.kind == "f":
+        large = residual_words > _LARGEST_WORD
+        if large.any():
+            negative |= large & (residual_words <= _UNSIGNED_WORD)
+    return negative
 
 
 def decode_residuals(stored: NDArray[Any], scale_mm: float) -> tuple[FloatArray, ByteArray]:
@@ -141,7 +161,7 @@ def decode_residuals(stored: NDArray[Any], scale_mm: float) -> tuple[FloatArray,
     """
     if stored.dtype.kind == "f":
         # The word is an integer stored as a float; what is out of its range means nothing.
-        inside = (stored >= 0) & (stored < 32768)
+        inside = (stored >= 0) & (stored <= _LARGEST_WORD)
         word = np.where(inside, stored, 0).astype(np.int16)
     else:
         word = np.maximum(stored, 0).astype(np.int16)

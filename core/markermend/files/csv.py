@@ -18,7 +18,7 @@ import numpy as np
 
 from markermend.errors import FileFormatError
 from markermend.files.labels import unique_labels
-from markermend.files.text import mark_missing, numbers, read_lines
+from markermend.files.text import check_width, mark_missing, numbers, read_lines
 from markermend.files.units import unit_mm
 from markermend.progress import Progress, quiet
 from markermend.take import AXES, Source, Take
@@ -63,6 +63,7 @@ def read_csv(path: Path, *, progress: Progress | None = None) -> Take:
         raise FileFormatError(f"{path.name} is cut short: no frame follows its header.")
     # A decimal comma can only stand in a table that something else separates.
     comma = delimiter != "," and any("," in row for row in rows[:100])
+    check_width(len(rows), len(names), status.st_size, path.name)
     table, strange = np.empty((len(rows), len(names))), 0
     for i, row in enumerate(rows):
         if i % _ROWS_A_REPORT == 0:

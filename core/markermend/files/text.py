@@ -52,6 +52,27 @@ def numbers(cells: list[str], out: FloatArray) -> int:
     return 0
 
 
+def check_width(rows: int, columns: int, size: int, name: str) -> None:
+    """Refuse a table whose header claims more cells than its file has room for.
+
+    Parameters
+    ----------
+    rows, columns : of the table
+    size : of the file in bytes
+    name : of the file
+
+    Raises
+    ------
+    FileFormatError
+        when each cell would have less than a quarter of a byte
+    """
+    # Cells that are blank to a row's end may be left out, so some rows are shorter than others.
+    if rows * columns > 4 * size + (1 << 16):
+        raise FileFormatError(
+            f"{name} is damaged: its header tells of {columns} columns, its rows have far fewer."
+        )
+
+
 def _is_number(cell: str) -> bool:
     """Whether a cell can be read as a number."""
     try:

@@ -16,7 +16,7 @@ import numpy as np
 
 from markermend.errors import FileFormatError
 from markermend.files.labels import unique_labels
-from markermend.files.text import mark_missing, number, numbers, read_lines
+from markermend.files.text import check_width, mark_missing, number, numbers, read_lines
 from markermend.files.units import unit_mm
 from markermend.progress import Progress, quiet
 from markermend.take import Source, Take
@@ -54,6 +54,7 @@ def read_trc(path: Path, *, progress: Progress | None = None) -> Take:
     rows = [line for line in lines[4:] if line.strip() and _begins_with_number(line)]
     if not rows:
         raise FileFormatError(f"{path.name} is cut short: no frame follows its header.")
+    check_width(len(rows), 3 * len(labels), status.st_size, path.name)
     values = np.empty((len(rows), 3 * len(labels)))
     strange, start = 0, number(_cells(rows[0])[0])
     for i, row in enumerate(rows):
