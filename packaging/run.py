@@ -4,8 +4,10 @@ Everything goes into ``.venv``. Without a take the bundled demo opens; without a
 is cleaned headless, with a picture of the review window beside the result.
 """
 
+import shutil
 import subprocess
 import sys
+import tempfile
 import time
 from pathlib import Path
 
@@ -47,14 +49,16 @@ def clean_headless(take):
     )
     python = bootstrap.venv_program("python")
     clean_take = [bootstrap.venv_program("markermend"), "clean", str(take), "--no-slow", "--force"]
-    steps = (
-        [*clean_take, "--output", str(clean), "--json", str(artifacts)],
-        [python, "-m", "markermend_app", str(take), "--screenshot", str(picture)],
-    )
-    for step in steps:
-        code = subprocess.call(step, env=env)
-        if code != 0:
-            return code
+    with tempfile.TemporaryDirectory() as folder:
+        # The window keeps its review beside the take; that of a copy goes away with it.
+        copy = shutil.copy(str(take), folder)
+        for step in (
+            [*clean_take, "--output", str(clean), "--json", str(artifacts)],
+            [python, "-m", "markermend_app", copy, "--screenshot", str(picture)],
+        ):
+            code = subprocess.call(step, env=env)
+            if code != 0:
+                return code
     bootstrap.say("\nDone in %.0f s:" % (time.monotonic() - start))
     for what, path in (
         ("cleaned take", clean),
