@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QFormLayout,
     QGridLayout,
@@ -18,7 +19,6 @@ from markermend.artifact import Kind
 from markermend_app import theme
 from markermend_app.document import Document
 from markermend_app.panels.badge import kind_icon
-
 
 _KNOWN = ("subject", "subjects")
 """Keys of a take's info that are told elsewhere on the page."""
@@ -175,9 +175,14 @@ class TakePage(QWidget):
     def _refresh_gaps(self) -> None:
         """Tell how much is missing now."""
         session = self._document.session
-        if session is not None and session.positions.size:
+        if session is not None and session.positions.size and self.isVisible():
             share = float(np.isnan(session.positions[:, :, 0]).mean())
             self._gaps.setText(self.tr("{0:.2f} % of all samples").format(100 * share))
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up with repairs made while another page was seen."""
+        self._refresh_gaps()
+        super().showEvent(event)
 
     def _add(self, name: str, value: str) -> None:
         label = plain()

@@ -60,8 +60,8 @@ def vertical_axis(positions: FloatArray) -> int:
     points = _sample(positions)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RuntimeWarning)
-        extent = np.nanmedian(np.nanmax(points, axis=1) - np.nanmin(points, axis=1), axis=0)
-        centre = np.nanmedian(points, axis=1)
+        extent = np.nanpercentile(np.nanmax(points, axis=1) - np.nanmin(points, axis=1), 50, axis=0)
+        centre = np.nanpercentile(points, 50, axis=1)
         travel = np.nanpercentile(centre, 95, axis=0) - np.nanpercentile(centre, 5, axis=0)
         lowest = np.nanpercentile(points.reshape(-1, 3), 1, axis=0)
     if not np.isfinite(extent).all():
@@ -81,10 +81,10 @@ def set_stage(take: Take, up: int | None = None) -> Stage:
     up : axis that points up; guessed when None
     """
     named = [i for i, label in enumerate(take.labels) if not is_unlabelled(label)]
-    positions = take.positions[:, named] if named else take.positions
-    points = _sample(positions)
+    points = _sample(take.positions)
+    points = points[:, named] if named else points
     if up is None:
-        up = vertical_axis(positions)
+        up = vertical_axis(points)
     flat = points.reshape(-1, 3)
     flat = flat[~np.isnan(flat[:, 0])]
     if not len(flat):
@@ -94,7 +94,7 @@ def set_stage(take: Take, up: int | None = None) -> Stage:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RuntimeWarning)
         spans = np.nanmax(points, axis=1) - np.nanmin(points, axis=1)
-        size = float(np.nanmedian(spans.max(axis=1))) if len(points) else 1000.0
+        size = float(np.nanpercentile(spans.max(axis=1), 50)) if len(points) else 1000.0
     if not math.isfinite(size) or size <= 0:
         size = 1000.0
     radius = min(float(np.linalg.norm(high - low)) / 2, 2.2 * size)
