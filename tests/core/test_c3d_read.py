@@ -154,11 +154,21 @@ def test_same_recording_in_six_codings(shared_data: Path) -> None:
 
 
 def test_zeros_are_missing(shared_data: Path) -> None:
+    take = mm.read(shared_data / "props/sample_static.c3d")
+    assert (~take.present).sum() == 5883
+    assert any("(0, 0, 0)" in w for w in take.warnings)
+    assert "(0, 0, 0)" in take.info["missing_samples"]
+
+
+def test_minus_one_without_sign_is_missing(shared_data: Path) -> None:
     take = mm.read(shared_data / "bodies/03_rolling.c3d")
     assert take.first_frame == 1368
     assert take.rate == 175.0
     assert (~take.present).sum() == 35965
-    assert any("(0, 0, 0)" in w for w in take.warnings)
+    assert any("65535" in w for w in take.warnings)
+    assert "65535" in take.info["missing_samples"]
+    assert take.residuals is not None
+    assert np.nanmax(take.residuals) < 5.0
 
 
 def test_invalid_everywhere_is_read_as_valid(shared_data: Path) -> None:

@@ -82,7 +82,7 @@ def test_describe_file(shared_data: Path) -> None:
     assert told["force_plates"][0]["channels"][:3] == ["Fx1", "Fy1", "Fz1"]
     assert len(told["force_plates"][0]["corners"]) == 4
     rolling = describe_file(mm.read(shared_data / "bodies/03_rolling.c3d"))
-    assert "(0, 0, 0)" in rolling["missing"]["coding"]
+    assert "65535" in rolling["missing"]["coding"]
     assert rolling["oddities"]
 
 

@@ -126,6 +126,7 @@ class _Contents:
     analog: Analog | None
     oddities: list[str]
     missing: int = 0
+    unsigned: int = 0
     by_zero: int = 0
 
 
@@ -148,6 +149,11 @@ def _read_contents(file: IO[bytes], layout: C3dLayout, progress: Progress) -> _C
         plan = replace(plan, layout=replace(layout, residuals_hold=False))
         contents, _, _ = _decode(file, plan, oddities, progress)
         contents.residuals = contents.cameras = None
+    if contents.unsigned:
+        oddities.append(
+            f"{contents.unsigned} samples have the residual word 65535, which is -1 without its"
+            " sign; they were read as missing."
+        )
     if contents.by_zero:
         oddities.append(
             f"{contents.by_zero} samples at exactly (0, 0, 0) with a valid residual were read as"
@@ -191,7 +197,9 @@ def _decode(
             contents.residuals[start:stop] = residuals
         contents.cameras[start:stop] = cameras
         if layout.residuals_hold:
-            contents.by_zero += int(np.count_nonzero(missing & ~invalid(stored[..., 3])))
+            marked = invalid(stored[..., 3])
+            contents.by_zero += int(np.count_nonzero(missing & ~marked))
+            contents.unsigned += int(np.count_nonzero(marked & (stored[..., 3] > 0)))
         seen = seen or not missing.all()
         placed = placed or bool((stored[..., :3] != 0).any())
         if len(others):
@@ -294,8 +302,11 @@ def _info(layout: C3dLayout, contents: _Contents) -> dict[str, str]:
     if not layout.residuals_hold or contents.residuals is None:
         coding.append("far-off coordinates or (0, 0, 0); residuals mean nothing")
     else:
-        if missing > contents.by_zero:
-            coding.append(f"negative residual ({missing - contents.by_zero} samples)")
+        negative = missing - contents.by_zero - contents.unsigned
+        if negative:
+            coding.append(f"negative residual ({negative} samples)")
+        if contents.unsigned:
+            coding.append(f"residual word 65535, read as -1 ({contents.unsigned} samples)")
         if contents.by_zero:
             coding.append(f"(0, 0, 0) with a valid residual ({contents.by_zero} samples)")
     named = {

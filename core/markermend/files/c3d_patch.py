@@ -15,7 +15,7 @@ from typing import IO
 import numpy as np
 
 from markermend.arrays import BoolArray, ByteArray, FloatArray, IntArray
-from markermend.errors import ExportError
+from markermend.errors import ExportError, RangeError
 from markermend.files.c3d import name_points
 from markermend.files.c3d_events import read_events
 from markermend.files.c3d_layout import C3dLayout, Storage
@@ -204,7 +204,8 @@ def _check_fits(
         limit = "32-bit floats"
     if bad.any():
         at = int(np.argmax(bad))
-        raise ExportError(
+        kind = RangeError if layout.storage is Storage.INTEGER else ExportError
+        raise kind(
             f"{take.labels[markers[at]]} at frame {take.frame_number(int(frames[at]))} is at"
             f" {words[at] * scale_mm:.0f} mm, more than this file can hold ({limit}); export it as"
             " a new file with floats."
