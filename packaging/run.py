@@ -43,15 +43,17 @@ def clean_headless(take):
     clean = RESULTS / (take.stem + "_clean" + take.suffix)
     artifacts = RESULTS / (take.stem + "_artifacts.json")
     picture = RESULTS / (take.stem + "_review.png")
-    # The offscreen platform warns of what nobody off screen could miss.
-    env = bootstrap.child_environment(
-        QT_QPA_PLATFORM="offscreen", QT_LOGGING_RULES="default.warning=false"
-    )
     python = bootstrap.venv_program("python")
     clean_take = [bootstrap.venv_program("markermend"), "clean", str(take), "--no-slow", "--force"]
     with tempfile.TemporaryDirectory() as folder:
-        # The window keeps its review beside the take; that of a copy goes away with it.
+        # The window keeps its review beside the take, and its layout in the settings: those of
+        # the copy go away with it. Off screen Qt warns of what nobody there could miss.
         copy = shutil.copy(str(take), folder)
+        env = bootstrap.child_environment(
+            QT_QPA_PLATFORM="offscreen",
+            QT_LOGGING_RULES="default.warning=false",
+            XDG_CONFIG_HOME=folder,
+        )
         for step in (
             [*clean_take, "--output", str(clean), "--json", str(artifacts)],
             [python, "-m", "markermend_app", copy, "--screenshot", str(picture)],
