@@ -144,7 +144,7 @@ def test_filter_keeps_the_branch_of_what_matches(qtbot, tree):
 
 
 def test_missing_share_is_shown(tree):
-    assert index_of(tree, "CLAV").siblingAtColumn(MISSING).data() == "7.5 %"
+    assert index_of(tree, "CLAV").siblingAtColumn(MISSING).data() == "7.5"
     assert index_of(tree, "C7").siblingAtColumn(MISSING).data() is None
 
 

@@ -134,7 +134,12 @@ class MarkerModel(QAbstractItemModel):
         self._root = Node("")
         self._by_label: dict[str, Node] = {}
         self._shown: tuple[str, ...] = ()
-        self._headers = (self.tr("Marker"), self.tr("Open"), self.tr("Gaps"))
+        self._headers = (self.tr("Marker"), self.tr("Open"), "%")
+        self._header_tips = (
+            "",
+            self.tr("Artifacts that are not decided yet, by class"),
+            self.tr("Share of the frames in which the marker is missing"),
+        )
 
     def set_root(self, root: Node) -> None:
         """Show other rows."""
@@ -218,8 +223,14 @@ class MarkerModel(QAbstractItemModel):
     def headerData(  # noqa: D102
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
-        if orientation is Qt.Orientation.Horizontal and role == Qt.ItemDataRole.DisplayRole:
+        if orientation is not Qt.Orientation.Horizontal:
+            return None
+        if role == Qt.ItemDataRole.DisplayRole:
             return self._headers[section]
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return self._header_tips[section]
+        if role == Qt.ItemDataRole.TextAlignmentRole and section == MISSING:
+            return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         return None
 
     def flags(self, index: Index) -> Qt.ItemFlag:  # noqa: D102
@@ -275,7 +286,7 @@ class MarkerModel(QAbstractItemModel):
         """Column of the share of frames missing."""
         if role == Qt.ItemDataRole.DisplayRole and node.missing:
             percent = 100 * node.missing
-            return "<0.1 %" if percent < 0.1 else f"{percent:.1f} %"
+            return "<0.1" if percent < 0.1 else f"{percent:.1f}"
         if role == Qt.ItemDataRole.FontRole:
             font = QFont()
             font.setPointSize(theme.SMALL_PT)

@@ -93,7 +93,7 @@ class MarkerTree(QWidget):
         header.setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
         header.setSectionResizeMode(OPEN, QHeaderView.ResizeMode.Interactive)
         header.setSectionResizeMode(MISSING, QHeaderView.ResizeMode.Fixed)
-        header.resizeSection(MISSING, 58)
+        header.resizeSection(MISSING, 46)
         self.view.selectionModel().selectionChanged.connect(self._selected)
 
         top = QHBoxLayout()
