@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QEventLoop, QObject, Signal
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from markermend.artifact import Artifact, Kind, Status
+from markermend.errors import RangeError
 from markermend.mesh import Mesh
 from markermend.progress import Progress, part
 from markermend.session_file import SessionFile, open_session
@@ -265,18 +266,26 @@ class Commands(QObject):
     # Exporting
 
     def export(self, *, wait: bool = False) -> bool:
-        """Ask about undecided artifacts and for a file, and write it.
+        """Ask what to write and where to, and write it.
 
         With ``wait`` the answer is whether the file was written; else whether writing began.
         """
+        from markermend.files import stale_outputs
+
         document = self._document
         session = document.session
         if session is None:
             return False
-        pending = session.with_status(Status.PENDING)
-        accepted = session.with_status(Status.ACCEPTED)
-        if (pending or accepted) and not dialogs.ask_export(self._window, pending, accepted):
+        choice = dialogs.ask_export(
+            self._window,
+            session.with_status(Status.PENDING),
+            session.with_status(Status.ACCEPTED),
+            stale_outputs(session.take),
+            settings.flag("record_repairs", False),
+        )
+        if choice is None:
             return False
+        settings.remember("record_repairs", choice.record)
         target = self._ask_target()
         if target is None:
             return False
@@ -285,41 +294,66 @@ class Commands(QObject):
             if not dialogs.ask_replace_source(self._window, target):
                 return False
             overwrite = True
-        elif target.exists():
-            overwrite = True
-        return self.export_to(target, overwrite=overwrite, wait=wait)
+        return self.export_to(target, choice, overwrite=overwrite, wait=wait)
 
-    def export_to(self, target: Path, *, overwrite: bool = False, wait: bool = False) -> bool:
+    def export_to(
+        self,
+        target: Path,
+        choice: dialogs.ExportChoice,
+        *,
+        overwrite: bool = False,
+        as_float: bool = False,
+        wait: bool = False,
+    ) -> bool:
         """Write the take as it stands; says so when done."""
         session = self._document.session
         if session is None:
             return False
         # A copy, so that decisions made while the file is written do not get into it.
         take = session.take.with_positions(session.positions.copy(), session.origin.copy())
+        record = session.repairs_in_words() if choice.record else ()
         revision = session.revision
         written: list[bool] = []
 
         def work(progress: Progress) -> Any:
             from markermend.files import write
 
-            write(take, target, overwrite=overwrite, progress=progress)
+            return write(
+                take,
+                target,
+                overwrite=overwrite,
+                as_float=as_float,
+                record=record,
+                mark_outputs=choice.mark_outputs,
+                progress=progress,
+            )
 
-        def done(_: Any) -> None:
+        def done(export: Any) -> None:
             if session.revision == revision:
                 session.mark_exported()
             if self._document.file is not None and self._document.session is session:
                 self._document.file.save()
             self._document.history_changed.emit()
             written.append(True)
-            self.said.emit(self.tr("Exported to {0}.").format(target))
+            text = self.tr("Exported to {0}; {1} samples differ.").format(target, export.samples)
+            if export.backup is not None:
+                text += " " + self.tr("The original is kept as {0}.").format(export.backup.name)
+            self.said.emit(text)
 
         def failed(error: Exception) -> None:
+            if isinstance(error, RangeError) and dialogs.ask_float(self._window, str(error)):
+                again = self.export_to(
+                    target, choice, overwrite=overwrite, as_float=True, wait=wait
+                )
+                written.append(again)
+                return
             written.append(False)
-            self.show_problem(error)
+            if not isinstance(error, RangeError):
+                self.show_problem(error)
 
         self._lane.submit(self.tr("Exporting {0}").format(target.name), work, done, failed)
         while wait and not written:
-            QApplication.processEvents()
+            QApplication.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents)
         return written[0] if wait else True
 
     def _ask_target(self) -> Path | None:

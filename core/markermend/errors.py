@@ -5,6 +5,7 @@
     MarkermendError
     ├── FileFormatError   the file is damaged, or of a kind that cannot be read
     ├── ExportError       the result could not be written; nothing was changed
+    │   └── RangeError    a value does not fit the file's 16-bit integers; floats would hold it
     ├── DataError         the take does not allow what was asked (no such marker, too few frames)
     └── MethodError       unknown method, or parameters outside their range
     Cancelled             the caller's progress function asked to stop; not an error
@@ -25,6 +26,10 @@ class FileFormatError(MarkermendError):
 
 class ExportError(MarkermendError):
     """A result could not be written; what was there before is unchanged."""
+
+
+class RangeError(ExportError):
+    """A value does not fit the 16-bit integers of the source; a file of floats would hold it."""
 
 
 class DataError(MarkermendError):

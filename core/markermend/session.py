@@ -120,6 +120,17 @@ class Session:
         """Artifacts whose status is one of these."""
         return tuple(a for a in self.artifacts if a.status in statuses)
 
+    def repairs_in_words(self) -> tuple[str, ...]:
+        """Say what was repaired and how, one line each, for the record in an exported file."""
+        lines = []
+        for a in self.with_status(Status.REPAIRED):
+            first = self.original.frame_number(a.start)
+            last = self.original.frame_number(a.stop - 1)
+            note = self._state.notes.get(a.id)
+            how = f" by {note.method}" if note else ""
+            lines.append(f"{a.kind.value} {a.marker} {a.axes} frames {first}-{last}{how}")
+        return tuple(lines)
+
     # Decisions
 
     def add_detected(self, found: Iterable[Artifact], method: str) -> Change:

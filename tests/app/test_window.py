@@ -10,6 +10,8 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 import markermend as mm
 from markermend.artifact import Artifact, Kind, Status
+from markermend.edits import SetSamples
+from markermend.patch import Patch
 from markermend_app import dialogs, settings
 from markermend_app.actions import ACTIONS
 from markermend_app.document import Selection
@@ -154,7 +156,8 @@ def test_marking_a_swept_range_by_hand(reviewed, qtbot):
 
 
 def export(window, qtbot, monkeypatch, target):
-    monkeypatch.setattr(dialogs, "ask_export", lambda *_: True)
+    choice = dialogs.ExportChoice(record=False, mark_outputs=False)
+    monkeypatch.setattr(dialogs, "ask_export", lambda *_: choice)
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(target), "C3D (*.c3d)"))
     key(qtbot, window, Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
     qtbot.waitUntil(lambda: not window.lane.busy, timeout=WAIT)
@@ -180,11 +183,32 @@ def test_export_differs_only_at_repaired_samples(reviewed, qtbot, monkeypatch, t
     assert (same == expected).all()
 
 
+def test_a_repair_that_integers_cannot_hold_is_exported_as_floats_when_wanted(
+    window, qtbot, monkeypatch, tmp_path, shared_data
+):
+    source = tmp_path / "integers.c3d"
+    source.write_bytes((shared_data / "formats" / "Eb015pi.c3d").read_bytes())
+    settings.remember("detect_on_open", False)
+    window.commands.open_path(source)
+    qtbot.waitUntil(lambda: window.document.session is not None, timeout=WAIT)
+    session = window.document.session
+    marker = session.original.labels[0]
+    patch = Patch(marker, "xyz", 3, 6, np.full((3, 3), 1e7))
+    session.perform("Put a marker far away", SetSamples((patch,)))
+    asked = []
+    monkeypatch.setattr(dialogs, "ask_float", lambda _, problem: asked.append(problem) or True)
+    target = tmp_path / "floats.c3d"
+    export(window, qtbot, monkeypatch, target)
+    qtbot.waitUntil(lambda: target.exists() and not window.lane.busy, timeout=WAIT)
+    assert marker in asked[0]
+    assert (mm.read(target).positions[3:6, 0] == 1e7).all()
+
+
 def test_export_asks_when_artifacts_are_left_and_no_means_no(
     reviewed, qtbot, monkeypatch, tmp_path
 ):
     asked = []
-    monkeypatch.setattr(dialogs, "ask_export", lambda *args: asked.append(args) or False)
+    monkeypatch.setattr(dialogs, "ask_export", lambda *args: asked.append(args) or None)
     key(qtbot, reviewed, Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
     assert len(asked) == 1
     assert list(tmp_path.glob("*_clean*")) == []
