@@ -151,7 +151,7 @@ def test_click_on_an_interval_selects_and_frames_it(bench):
     assert low <= 60 - 60
     assert high >= 90 + 90
     assert bench.panel.buttons.isVisible()
-    assert bench.panel.rows[0].region.isVisible()
+    assert bench.panel.rows[0].edges.visible
 
 
 def test_buttons_beside_the_interval_decide(bench):
@@ -256,10 +256,32 @@ def test_dragging_an_edge_changes_the_interval_and_can_be_undone(bench):
     bench.drag(89.5, 99.5)
     changed = bench.document.session.artifact(gap.id)
     assert (changed.start, changed.stop) == (60, pytest.approx(100, abs=1))
-    regions = {row.region.getRegion() for row in bench.panel.rows}
-    assert regions == {(59.5, changed.stop - 0.5)}
+    assert {row.edges.frames for row in bench.panel.rows} == {(60, changed.stop)}
     bench.document.undo()
     assert bench.document.session.artifact(gap.id) == gap
+
+
+def test_shift_drag_sweeps_even_from_an_edge(bench):
+    gap = next(a for a in bench.document.session.artifacts if a.kind is Kind.GAP)
+    bench.document.select(gap.id)
+    bench.panel.set_view(40, 140)
+    bench.drag(89.5, 120, keys=SHIFT)
+    assert bench.document.session.artifact(gap.id) == gap
+    assert bench.document.selection.stop == pytest.approx(121, abs=1)
+
+
+def test_values_follow_the_view_until_a_hand_moves_them(bench):
+    row = bench.panel.rows[0]
+    bench.panel.set_view(0, 50)
+    before = row.view.viewRange()[1]
+    bench.panel.set_view(300, 350)
+    assert row.view.viewRange()[1][0] > before[1]
+    bench.wheel(320, 1, Qt.KeyboardModifier.ControlModifier)
+    by_hand = row.view.viewRange()[1]
+    bench.panel.set_view(0, 50)
+    assert row.view.viewRange()[1] == by_hand
+    bench.panel.fit_all()
+    assert row.view.viewRange()[1] != by_hand
 
 
 def test_menu_of_an_interval_changes_its_class(bench, monkeypatch):

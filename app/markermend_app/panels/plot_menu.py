@@ -17,7 +17,7 @@ def artifact_menu(document: Document, artifact: Artifact, parent: QWidget) -> QM
     """Decide about an artifact, change it, or take it off the list."""
     menu = QMenu(parent)
     name = _tr(theme.KIND_NAME[artifact.kind])
-    menu.addSection(f"{name} · {artifact.marker}")
+    _title(menu, f"{name} · {artifact.marker}")
     status, ids = artifact.status, [artifact.id]
     _add(menu, "accept", _tr("Accept"), "A", lambda: document.accept(ids)).setEnabled(
         status is not Status.ACCEPTED
@@ -64,7 +64,7 @@ def sweep_menu(
     """Mark the swept range as an artifact, or repair what lies in it."""
     menu = QMenu(parent)
     if document.selection is not None:
-        menu.addSection(_tr("Selection on {marker}").format(marker=document.selection.marker))
+        _title(menu, _tr("Selection on {marker}").format(marker=document.selection.marker))
     for kind in Kind:
         text = _tr("Mark as {kind}").format(kind=_tr(theme.KIND_NAME[kind]).lower())
         action = _add(menu, str(kind), text, "", lambda k=kind: mark(k))
@@ -80,6 +80,12 @@ def plot_menu(fit: Callable[[], None], parent: QWidget) -> QMenu:
     menu = QMenu(parent)
     _add(menu, "overview", _tr("Show the whole take"), "", fit)
     return menu
+
+
+def _title(menu: QMenu, text: str) -> None:
+    """What the menu is about; a styled menu does not draw the text of sections."""
+    menu.addAction(text).setEnabled(False)
+    menu.addSeparator()
 
 
 def _toggled(axes: str, axis: str) -> str:

@@ -16,6 +16,7 @@ from markermend.take import AXES, Origin, Take
 from markermend_app import theme
 from markermend_app.items.band import Band
 from markermend_app.items.curve import curve, dots, lone_samples, pieces, prepare_plot
+from markermend_app.items.edges import Edges
 from markermend_app.items.intervals import Intervals
 from markermend_app.items.time_axis import TimeAxis
 from markermend_app.panels.plot_range import value_range
@@ -57,7 +58,8 @@ class PlotRow:
     axis, column : ``"x"``, ``"y"`` or ``"z"``, and its column in positions
     plot, view : the plot and its area
     intervals : the artifacts
-    region : edges of the current artifact, to be dragged
+    edges : those of the current artifact, to be dragged
+    follows : whether the values shown follow what comes into view; until a hand moves them
     """
 
     def __init__(self, axis: str, last: bool) -> None:
@@ -81,10 +83,6 @@ class PlotRow:
         self.time.setHeight(TIME_HEIGHT if last else 0)
         self.intervals = Intervals()
         self.band = Band()
-        self.region = pg.LinearRegionItem(movable=True)
-        # Only the edges move; a drag of the middle would shift the interval by accident.
-        self.region.movable = False
-        self.region.setZValue(20)
         self.sweep = pg.LinearRegionItem(movable=False)
         self.cursor = pg.InfiniteLine(angle=90, movable=False)
         self.cursor.setZValue(30)
@@ -92,11 +90,14 @@ class PlotRow:
         self.traces: dict[str, Trace] = {}
         self._take: Take | None = None
         self._before = False
-        for item in (self.intervals, self.band, self.sweep, self.region, self.cursor):
+        self.follows = True
+        for item in (self.intervals, self.band, self.sweep, self.cursor):
             self.plot.addItem(item, ignoreBounds=True)
-        self.region.hide()
+        self.edges = Edges(self.plot)
+        self.edges.show(False, False)
         self.sweep.hide()
         self.view.sigResized.connect(self._resized)
+        self.view.values_moved.connect(self._let_go)
         self.restyle()
 
     # Curves
@@ -149,17 +150,9 @@ class PlotRow:
         """Mark the artifact under review and, where it may be changed, offer its edges."""
         self.intervals.set_current(None if artifact is None else artifact.id)
         offered = artifact is not None and self.axis in artifact.axes
-        self.region.setVisible(offered)
+        self.edges.show(offered, offered and editable)
         if artifact is not None and offered:
-            self.set_edges(artifact.start, artifact.stop)
-            for line in self.region.lines:
-                line.setMovable(editable)
-
-    def set_edges(self, start: float, stop: float) -> None:
-        """Put the edges there without telling anyone."""
-        self.region.blockSignals(True)
-        self.region.setRegion((start - 0.5, stop - 0.5))
-        self.region.blockSignals(False)
+            self.edges.place(artifact.start, artifact.stop)
 
     def show_sweep(self, start: int, stop: int) -> None:
         """Draw a swept range; an empty one draws nothing."""
@@ -240,10 +233,7 @@ class PlotRow:
             f"{self.axis.upper()} (mm)", **{"color": name, "font-size": f"{theme.SMALL_PT}pt"}
         )
         accent = look.accent
-        self.region.setBrush(pg.mkBrush(None))
-        for line in self.region.lines:
-            line.setPen(pg.mkPen(accent, width=1))
-            line.setHoverPen(pg.mkPen(accent, width=3))
+        self.edges.set_color(accent)
         self.sweep.setBrush(pg.mkBrush(theme.faded(look.selection, 0.28)))
         for line in self.sweep.lines:
             line.setPen(pg.mkPen(look.selection, width=1, style=Qt.PenStyle.DashLine))
@@ -280,6 +270,10 @@ class PlotRow:
         trace.predicted.setPen(
             pg.mkPen(theme.blend(look.accent, color, 0.3), width=1, style=Qt.PenStyle.DotLine)
         )
+
+    def _let_go(self) -> None:
+        """Leave the values as the operator put them."""
+        self.follows = False
 
     def _resized(self, *_: object) -> None:
         """Work out anew how many samples a pixel stands for."""

@@ -19,6 +19,7 @@ class PlotView(pg.ViewBox):
     Signals
     -------
     time_wanted(float, float) : show these frames
+    values_moved() : the range of values was zoomed or panned by hand
     pressed(QPointF) : a click with the left button, in scene coordinates
     double_pressed(QPointF) : a double click
     menu_wanted(QPointF, QPointF) : a click with the right button, in scene and screen coordinates
@@ -27,6 +28,7 @@ class PlotView(pg.ViewBox):
     """
 
     time_wanted = Signal(float, float)
+    values_moved = Signal()
     pressed = Signal(object)
     double_pressed = Signal(object)
     menu_wanted = Signal(object, object)
@@ -54,6 +56,7 @@ class PlotView(pg.ViewBox):
         factor = _STEP**-notches
         if axis == 1 or ev.modifiers() & Qt.KeyboardModifier.ControlModifier:
             y = at.y()
+            self.values_moved.emit()
             self.setYRange(y - (y - bottom) * factor, y + (top - y) * factor, padding=0)
         else:
             x = at.x()
@@ -73,6 +76,7 @@ class PlotView(pg.ViewBox):
         before = self.mapSceneToView(ev.lastScenePos())
         (low, high), (bottom, top) = self.viewRange()
         dx, dy = before.x() - here.x(), before.y() - here.y()
+        self.values_moved.emit()
         self.setYRange(bottom + dy, top + dy, padding=0)
         self.time_wanted.emit(low + dx, high + dx)
 

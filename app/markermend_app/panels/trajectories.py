@@ -93,8 +93,7 @@ class TrajectoryPanel(QWidget):
     def fit_all(self) -> None:
         """Show the whole take."""
         if self._take is not None:
-            self.set_view(-0.5, self._take.frames - 0.5)
-            self._fit_values()
+            self._show_afresh(-0.5, self._take.frames - 0.5)
 
     def zoom(self, factor: float) -> None:
         """Show ``factor`` times as much time, around the cursor when it is in view."""
@@ -112,6 +111,8 @@ class TrajectoryPanel(QWidget):
         self._view = time_range(start, stop, take.frames)
         for row in self.rows:
             row.view.setXRange(*self._view, padding=0)
+            if row.follows:
+                row.fit_values(*self._view, self.document.current)
         self._place_buttons()
         self.view_changed.emit(*self._view)
 
@@ -175,7 +176,7 @@ class TrajectoryPanel(QWidget):
             self._show_proposal()
             self._show_predictions()
             self._show_sweep()
-            self._fit_values()
+            self._show_afresh(*self._view)
         self._show_current()
         self._show_readout(self.document.frame)
 
@@ -217,7 +218,7 @@ class TrajectoryPanel(QWidget):
             row.show_proposal(patches, None if proposal is None else proposal.band_mm)
         if patches and self._fit_when_proposed:
             self._fit_when_proposed = False
-            self._fit_values()
+            self._show_afresh(*self._view)
 
     def _show_predictions(self) -> None:
         """Draw predictions that are there and ask for those that are not."""
@@ -255,8 +256,7 @@ class TrajectoryPanel(QWidget):
             return
         pad = max(take.rate, stop - start)
         self._fit_when_proposed = True
-        self.set_view(start - pad, stop + pad)
-        self._fit_values()
+        self._show_afresh(start - pad, stop + pad)
 
     # What the mouse says
 
@@ -268,11 +268,11 @@ class TrajectoryPanel(QWidget):
         row.view.menu_wanted.connect(lambda at, screen: self._menu(row, at, screen))
         row.view.scrubbed.connect(lambda x: self.document.go_to(round(x)))
         row.view.swept.connect(self._sweep)
-        row.region.sigRegionChanged.connect(lambda: self._drag_edges(row))
-        row.region.sigRegionChangeFinished.connect(lambda: self._drop_edges(row))
+        row.edges.dragged.connect(lambda: self._drag_edges(row))
+        row.edges.dropped.connect(lambda: self._drop_edges(row))
 
     def _time_wanted(self, start: float, stop: float) -> None:
-        """Zoom or pan as asked; from now on the values stay as they are."""
+        """Zoom or pan as asked."""
         self._fit_when_proposed = False
         self.set_view(start, stop)
 
@@ -323,18 +323,16 @@ class TrajectoryPanel(QWidget):
 
     def _drag_edges(self, source: PlotRow) -> None:
         """Let the other plots follow an edge that is dragged."""
-        low, high = source.region.getRegion()
         for row in self.rows:
             if row is not source:
-                row.set_edges(low + 0.5, high + 0.5)
+                row.edges.place(*source.edges.frames)
 
     def _drop_edges(self, row: PlotRow) -> None:
         """Give the current artifact the edges it was dragged to, at whole frames."""
         current, take = self.document.current, self._take
         if current is None or take is None:
             return
-        low, high = row.region.getRegion()
-        start, stop = whole_frames(low + 0.5, high + 0.5, take.frames)
+        start, stop = whole_frames(*row.edges.frames, take.frames)
         if (start, stop) != (current.start, current.stop):
             self.document.change(current.id, start=start, stop=stop)
         self._show_current()
@@ -366,16 +364,17 @@ class TrajectoryPanel(QWidget):
         else:
             self.header.read_out(take, shown[0], frame, "" if row is None else row.axis)
 
-    def _fit_values(self) -> None:
-        """Show the values that matter of what is in view."""
+    def _show_afresh(self, start: float, stop: float) -> None:
+        """Show these frames, and of their values what matters, wherever hands had put them."""
         for row in self.rows:
-            row.fit_values(*self._view, self.document.current)
+            row.follows = True
+        self.set_view(start, stop)
 
     def _place_buttons(self) -> None:
         """Put the buttons beside the current artifact."""
         current = self.document.current
         for row in self.rows:
-            if current is not None and row.region.isVisible():
+            if current is not None and row.edges.visible:
                 extent = row.intervals.extent(current.id)
                 if extent is not None:
                     self.buttons.place(extent, row.view.sceneBoundingRect())
