@@ -148,3 +148,15 @@ def test_a_swept_range_can_be_marked(qtbot, inspector, document):
     assert asked.args == [Kind.NOISE]
     document.sweep(None)
     assert inspector.page is inspector.take
+
+
+def test_what_was_chosen_last_is_seen(inspector, document):
+    select(document, Kind.GAP)
+    document.sweep(Selection("C7", 10, 30))
+    assert inspector.page is inspector.selection
+    assert not inspector.decisions.isVisible()
+    select(document, Kind.STEP)
+    assert inspector.page is inspector.artifact
+    assert inspector.decisions.isVisible()
+    document.sweep(Selection("C7", 10, 40))
+    assert inspector.page is inspector.selection

@@ -154,6 +154,18 @@ def test_says_why_nothing_is_listed(queue, document):
     assert "Open a take" in queue._hint.text()
 
 
+def test_says_so_when_detection_found_nothing(tmp_path, damaged, qtbot):
+    document = Document()
+    queue = ReviewQueue(document)
+    qtbot.addWidget(queue)
+    document.open(open_session(damaged[0], folder=tmp_path), None)
+    assert "Press D" in queue._hint.text()
+    document.add_detected([], "paper")
+    assert "Nothing was found" in queue._hint.text()
+    document.open(None, None)
+    document.proposals.close()
+
+
 def test_class_change_updates_the_row_in_place(queue, document):
     peak = next(a for a in document.session.artifacts if a.kind is Kind.PEAK)
     row = queue.model.row_of(peak.id)

@@ -40,12 +40,11 @@ class Inspector(QWidget):
         whole.setSpacing(0)
         whole.addWidget(self._pages, 1)
         whole.addWidget(self.decisions)
-        for signal in (
-            document.opened,
-            document.current_changed,
-            document.selection_changed,
-        ):
-            signal.connect(self._choose)
+        self._seen: str | None = None
+        self._swept = False
+        document.opened.connect(self._choose)
+        document.current_changed.connect(self._current_changed)
+        document.selection_changed.connect(self._selection_changed)
         self._choose()
 
     @property
@@ -57,13 +56,28 @@ class Inspector(QWidget):
     def _all(self) -> tuple[QWidget, ...]:
         return (self.artifact, self.selection, self.take)
 
+    def _current_changed(self) -> None:
+        """See another artifact, even while a range is swept."""
+        current = self._document.current
+        now = None if current is None else current.id
+        if now != self._seen:
+            self._swept = False
+        self._seen = now
+        self._choose()
+
+    def _selection_changed(self) -> None:
+        """See the range that was swept."""
+        self._swept = self._document.selection is not None
+        self._choose()
+
     def _choose(self) -> None:
-        """See the swept range before the artifact, and the take when there is neither."""
+        """See what was chosen last, and the take when nothing is."""
         document = self._document
-        self.decisions.setVisible(document.current is not None and document.selection is None)
+        swept = document.selection is not None and (self._swept or document.current is None)
+        self.decisions.setVisible(document.current is not None and not swept)
         if document.session is None:
             self._pages.setCurrentWidget(self._nothing)
-        elif document.selection is not None:
+        elif swept:
             self._pages.setCurrentWidget(self._holders[self.selection])
         elif document.current is not None:
             self._pages.setCurrentWidget(self._holders[self.artifact])

@@ -20,8 +20,8 @@ from markermend_app import theme
 from markermend_app.document import Document
 from markermend_app.panels.badge import kind_icon
 
-_KNOWN = ("subject", "subjects")
-"""Keys of a take's info that are told elsewhere on the page."""
+_KNOWN = ("subject", "subjects", "x_screen", "y_screen")
+"""Keys of a take's info that are told elsewhere, or tell operators nothing."""
 
 
 def heading(text: str = "") -> QLabel:

@@ -158,7 +158,7 @@ class MarkerTree(QWidget):
         if session is None:
             return
         self._model.set_counts(session.artifacts)
-        widest = 46
+        widest = 54
         for row in session.original.labels:
             counts = self._model.data(self._model.index_of(row).siblingAtColumn(OPEN), COUNTS)
             widest = max(widest, counts_width(counts or {}, self.view.font()))

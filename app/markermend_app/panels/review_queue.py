@@ -79,6 +79,7 @@ class ReviewQueue(QWidget):
         self.model.order_changed.connect(self._order_changed)
         document.opened.connect(self._reset)
         document.artifacts_changed.connect(self._refresh)
+        document.history_changed.connect(self._explain)
         document.current_changed.connect(self._follow_current)
         theme.watcher.changed.connect(self._recolour)
         self._recolour()
