@@ -18,7 +18,7 @@ import markermend as mm
 from markermend.cli import main
 from markermend.cli.console import check_outputs, count, table, write_json, write_text
 from markermend.cli.parser import COMMANDS, Span
-from markermend.errors import ExportError
+from markermend.errors import ExportError, RangeError
 
 FRAMES, RATE, GAP = 400, 100.0, slice(150, 160)
 
@@ -139,6 +139,17 @@ def test_unexpected_errors_become_a_sentence_too(
     monkeypatch.setenv("MARKERMEND_DEBUG", "1")
     with pytest.raises(ZeroDivisionError):
         run("info", recording)
+
+
+def test_a_repair_beyond_integers_names_the_way_out(
+    recording: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture
+) -> None:
+    def full(*_: object, **__: object) -> None:
+        raise RangeError("TOP1 is too far away for this file.")
+
+    monkeypatch.setattr(mm, "write", full)
+    assert run("fill", recording, "-o", tmp_path / "out.c3d", "--method", "linear") == 1
+    assert "--float" in capsys.readouterr().err
 
 
 def test_interrupt_stops(

@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from markermend.cli.parser import COMMANDS, make_parser
-from markermend.errors import Cancelled, MarkermendError
+from markermend.errors import Cancelled, MarkermendError, RangeError
 
 DONE, FAILED = 0, 1
 
@@ -51,6 +51,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         # The reader left (``| head``); nothing more may be written, not even at exit.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return FAILED
+    except RangeError as error:
+        return _fail(f"{error} (--float does that.)")
     except MarkermendError as error:
         return _fail(str(error))
     except OSError as error:
