@@ -73,11 +73,11 @@ class PlotRow:
         self.view.setDefaultPadding(0)
         self.values = self.plot.getAxis("left")
         self.values.setWidth(_VALUES_WIDTH)
-        self.values.enableAutoSIPrefix(False)
         self.plot.showGrid(x=True, y=True, alpha=1.0)
         for side in (self.values, self.time):
             # Else the grid lies over the curves, and minor lines outnumber what is drawn.
             side.setZValue(-1000)
+            side.enableAutoSIPrefix(False)
             side.setStyle(maxTickLevel=0)
         self.time.setStyle(showValues=last)
         self.time.setHeight(TIME_HEIGHT if last else 0)

@@ -109,10 +109,11 @@ class TrajectoryPanel(QWidget):
         if take is None:
             return
         self._view = time_range(start, stop, take.frames)
+        current = self.document.current
         for row in self.rows:
             row.view.setXRange(*self._view, padding=0)
             if row.follows:
-                row.fit_values(*self._view, self.document.current)
+                row.fit_values(*self._view, current)
         self._place_buttons()
         self.view_changed.emit(*self._view)
 
