@@ -11,9 +11,13 @@ from markermend.take import Take, is_unlabelled
 STRIDE = 4
 # A reference that would cost more than this share of the frames to learn from is passed over.
 LOSS = 0.2
+# Spreads below these make no difference: to what holds the frame, and to what describes the pose.
+RIGID_MM, NEAR_MM = 1.0, 3.0
 
 
-def rank_references(take: Take, seen: BoolArray, marker: int, during: slice) -> IntArray:
+def rank_references(
+    take: Take, seen: BoolArray, marker: int, during: slice
+) -> tuple[IntArray, FloatArray]:
     """Order the markers that may tell where one marker is, best first.
 
     Candidates are named markers of the same subject that are seen all through the interval;
@@ -28,7 +32,8 @@ def rank_references(take: Take, seen: BoolArray, marker: int, during: slice) -> 
 
     Returns
     -------
-    (k,) columns, possibly none
+    columns : (k,) best first, possibly none
+    spread : (k,) median absolute deviation of their distance, mm
     """
     subject = take.subject(take.labels[marker])
     usable: BoolArray = np.all(seen[during], axis=0)
@@ -45,7 +50,7 @@ def rank_references(take: Take, seen: BoolArray, marker: int, during: slice) -> 
     columns, distance = columns[often], distance[:, often]
     spread = np.nanmedian(np.abs(distance - np.nanmedian(distance, axis=0)), axis=0)
     order = np.argsort(spread, kind="stable")
-    return np.asarray(columns[order], dtype=np.int64)
+    return np.asarray(columns[order], dtype=np.int64), spread[order]
 
 
 def pick_references(ranked: IntArray, seen: BoolArray, marker: int, count: int) -> IntArray:
@@ -60,40 +65,47 @@ def pick_references(ranked: IntArray, seen: BoolArray, marker: int, count: int) 
 
     Returns
     -------
-    (k,) columns, best first; k may be less than `count`
+    (k,) places in `ranked`, in order; k may be less than `count`
     """
     picked: list[int] = []
     rows = seen[:, marker]
-    for column in ranked:
+    for place, column in enumerate(ranked):
         with_it = rows & seen[:, column]
         if with_it.sum() >= (1 - LOSS) * rows.sum():
-            picked.append(int(column))
+            picked.append(place)
             rows = with_it
         if len(picked) == count:
             break
     return np.array(picked, dtype=np.int64)
 
 
-def align(points: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Find the frame that moves with a cloud of points, by orthogonal Procrustes.
+def align(points: FloatArray, spread: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Find the frame that moves with a cloud of points, by weighted orthogonal Procrustes.
+
+    A point's weight falls with the fourth power of its spread: points that are rigid to the
+    marker hold the frame alone, and where there are none all the nearest share in it.
 
     Parameters
     ----------
     points : (frames, points, 3), mm, nothing missing
+    spread : (points,) of each point's distance to the marker, mm
 
     Returns
     -------
     rotation : (frames, 3, 3); ``(p - centre) @ rotation`` is a point in the moving frame
     centre : (frames, 3), mm
     """
-    centre = points.mean(axis=1)
-    spread = points - centre[:, None]
-    pose = spread[len(spread) // 2]
+    weight = 1.0 / (spread**2 + RIGID_MM**2) ** 2
+    weight = weight / weight.sum()
+    centre = np.einsum("fki,k->fi", points, weight)
+    around = points - centre[:, None]
+    pose = around[len(around) // 2]
     for _ in range(2):
-        u, _, vt = np.linalg.svd(np.einsum("fki,kj->fij", spread, pose))
+        # Matrix products over all frames at once are several times faster than einsum.
+        u, _, vt = np.linalg.svd(around.transpose(0, 2, 1) @ (weight[:, None] * pose))
         u[:, :, 2] *= np.sign(np.linalg.det(u @ vt))[:, None]
         rotation = u @ vt
-        pose = np.einsum("fki,fij->kj", spread, rotation) / len(spread)
+        pose = np.mean(around @ rotation, axis=0)
     return rotation, centre
 
 
@@ -107,26 +119,22 @@ def to_lab(points: FloatArray, rotation: FloatArray, centre: FloatArray) -> Floa
     return np.asarray(np.einsum("fj,fij->fi", points, rotation) + centre)
 
 
-def describe_pose(points: FloatArray, components: int = 8) -> tuple[FloatArray, FloatArray]:
-    """Describe the pose of the references for a regression.
+def describe_pose(points: FloatArray, spread: FloatArray) -> FloatArray:
+    """Describe the pose of the references: where each is, the nearest weighing most.
 
     Parameters
     ----------
     points : (frames, points, 3) in the moving frame, mm
-    components : principal components whose products are taken
+    spread : (points,) of each point's distance to the marker, mm
 
     Returns
     -------
-    linear : (frames, 3 * points) coordinates, standardised
-    products : (frames, k) pairwise products of the first principal components, standardised
+    (frames, 3 * points) standardised coordinates times a weight that falls with the spread; their
+    mean square is 1
     """
     coordinates = points.reshape(len(points), -1)
     coordinates = coordinates - coordinates.mean(axis=0)
-    _, axes = np.linalg.eigh(coordinates.T @ coordinates)
-    main = coordinates @ axes[:, ::-1][:, :components]
-    main = np.clip(main / (main.std(axis=0) + 1e-9), -4.0, 4.0)
-    one, other = np.triu_indices(main.shape[1])
-    products = main[:, one] * main[:, other]
-    products = products - products.mean(axis=0)
-    products = products / (products.std(axis=0) + 1e-9)
-    return coordinates / (coordinates.std(axis=0) + 1e-6), products
+    coordinates /= coordinates.std(axis=0) + 1e-6
+    weight = 1.0 / (spread + NEAR_MM)
+    weight /= np.sqrt(np.mean(weight**2))
+    return np.asarray(coordinates * np.repeat(weight, 3))
