@@ -15,7 +15,7 @@ from markermend.mesh import Mesh
 from markermend.progress import Progress, part
 from markermend.session_file import SessionFile, open_session
 from markermend.take import Origin, Take
-from markermend_app import dialogs, settings
+from markermend_app import dialogs, export_dialog, settings
 from markermend_app.document import Document
 from markermend_app.jobs import Lane
 
@@ -276,11 +276,12 @@ class Commands(QObject):
         session = document.session
         if session is None:
             return False
-        choice = dialogs.ask_export(
+        choice = export_dialog.ask_export(
             self._window,
             session.with_status(Status.PENDING),
             session.with_status(Status.ACCEPTED),
             stale_outputs(session.take),
+            session.original.first_frame,
             settings.flag("record_repairs", False),
         )
         if choice is None:
@@ -299,7 +300,7 @@ class Commands(QObject):
     def export_to(
         self,
         target: Path,
-        choice: dialogs.ExportChoice,
+        choice: export_dialog.ExportChoice,
         *,
         overwrite: bool = False,
         as_float: bool = False,

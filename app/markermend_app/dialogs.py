@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 import traceback
-from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtWidgets import (
-    QCheckBox,
     QDialog,
     QDialogButtonBox,
     QGridLayout,
@@ -21,7 +18,6 @@ from PySide6.QtWidgets import (
 )
 
 import markermend
-from markermend.artifact import Artifact
 from markermend.errors import MarkermendError
 from markermend_app.actions import ACTIONS, native
 
@@ -70,78 +66,6 @@ def ask_unexported(parent: QWidget, path: Path | None) -> str:
         if clicked is button:
             return answer
     return "cancel"
-
-
-@dataclass(frozen=True)
-class ExportChoice:
-    """What the operator wants written besides the samples.
-
-    Attributes
-    ----------
-    record : what was repaired, and how, in a MARKERMEND group of the file
-    mark_outputs : the names of model outputs that no longer match, in the same group
-    """
-
-    record: bool
-    mark_outputs: bool
-
-
-def ask_export(
-    parent: QWidget,
-    pending: Sequence[Artifact],
-    accepted: Sequence[Artifact],
-    outputs: Sequence[str],
-    record: bool,
-) -> ExportChoice | None:
-    """Say what export leaves as it is and what will no longer match; None to stay."""
-    box = QMessageBox(parent)
-    box.setIcon(QMessageBox.Icon.Question)
-    box.setWindowTitle(_tr("Export"))
-    left, details = [], []
-    if pending:
-        left.append(_tr("{0} not decided").format(len(pending)))
-    if accepted:
-        left.append(_tr("{0} accepted but not repaired").format(len(accepted)))
-    if left:
-        box.setText(_tr("Export with artifacts left as they are: {0}?").format(", ".join(left)))
-    else:
-        box.setText(_tr("Every artifact is decided. Export?"))
-    notes = [_tr("Export repairs nothing by itself: only samples you repaired will differ.")]
-    if outputs:
-        notes.append(
-            _tr(
-                "{0} model outputs in this file (angles, forces, moments…) were computed from the "
-                "markers before their repair and no longer match."
-            ).format(len(outputs))
-        )
-        details += [_tr("No longer matching:"), ", ".join(outputs), ""]
-    box.setInformativeText("\n\n".join(notes))
-    details += [
-        f"{a.kind.value:6} {a.marker:12} {a.axes:3} {a.start}–{a.stop - 1}  {a.status.value}"
-        for a in (*accepted, *pending)
-    ]
-    if details:
-        box.setDetailedText("\n".join(details))
-    recording = QCheckBox(_tr("Write into the file what was repaired, and how"))
-    recording.setChecked(record)
-    marking = QCheckBox(_tr("Name in the file the model outputs that no longer match"))
-    marking.setChecked(bool(outputs))
-    marking.setVisible(bool(outputs))
-    options = QWidget()
-    column = QVBoxLayout(options)
-    column.setContentsMargins(0, 8, 0, 0)
-    column.addWidget(recording)
-    column.addWidget(marking)
-    grid = box.layout()
-    if isinstance(grid, QGridLayout):
-        grid.addWidget(options, grid.rowCount(), 0, 1, grid.columnCount())
-    go = box.addButton(_tr("Export…"), Role.AcceptRole)
-    box.addButton(Buttons.Cancel)
-    box.setDefaultButton(go)
-    box.exec()
-    if box.clickedButton() is not go:
-        return None
-    return ExportChoice(recording.isChecked(), bool(outputs) and marking.isChecked())
 
 
 def ask_float(parent: QWidget, problem: str) -> bool:

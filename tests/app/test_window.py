@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
-from PySide6.QtWidgets import QFileDialog, QMessageBox
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QPlainTextEdit
 
 import markermend as mm
 from markermend.artifact import Artifact, Kind, Status
 from markermend.edits import SetSamples
 from markermend.patch import Patch
-from markermend_app import dialogs, settings
+from markermend_app import dialogs, export_dialog, settings
 from markermend_app.actions import ACTIONS
 from markermend_app.document import Selection
 from markermend_app.window import MainWindow
@@ -156,8 +156,8 @@ def test_marking_a_swept_range_by_hand(reviewed, qtbot):
 
 
 def export(window, qtbot, monkeypatch, target):
-    choice = dialogs.ExportChoice(record=False, mark_outputs=False)
-    monkeypatch.setattr(dialogs, "ask_export", lambda *_: choice)
+    choice = export_dialog.ExportChoice(record=False, mark_outputs=False)
+    monkeypatch.setattr(export_dialog, "ask_export", lambda *_: choice)
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(target), "C3D (*.c3d)"))
     key(qtbot, window, Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
     qtbot.waitUntil(lambda: not window.lane.busy, timeout=WAIT)
@@ -208,7 +208,7 @@ def test_export_asks_when_artifacts_are_left_and_no_means_no(
     reviewed, qtbot, monkeypatch, tmp_path
 ):
     asked = []
-    monkeypatch.setattr(dialogs, "ask_export", lambda *args: asked.append(args) or None)
+    monkeypatch.setattr(export_dialog, "ask_export", lambda *args: asked.append(args) or None)
     key(qtbot, reviewed, Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
     assert len(asked) == 1
     assert list(tmp_path.glob("*_clean*")) == []
@@ -290,3 +290,14 @@ def test_every_action_has_a_verb_and_no_shortcut_is_taken_twice(window):
         if not spec.enabled(window.document):
             assert not window.actions_by_name[spec.name].isEnabled()
         assert window.can(spec.name)
+
+
+def test_export_dialog_says_what_is_left_and_what_no_longer_matches(qtbot, window):
+    pending = [Artifact("CLAV", "xyz", 4, 9, Kind.GAP)]
+    dialog = export_dialog.ExportDialog(window, pending, [], ["LKneeAngles"], 100, False)
+    qtbot.addWidget(dialog)
+    dialog.show()
+    assert dialog.choice == export_dialog.ExportChoice(record=False, mark_outputs=True)
+    shown = dialog.findChild(QPlainTextEdit).toPlainText()
+    assert "104–108" in shown
+    assert "LKneeAngles" in shown
