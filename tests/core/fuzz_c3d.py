@@ -10,6 +10,7 @@ The suite runs the same for a moment (``test_c3d_fuzz.py``).
 from __future__ import annotations
 
 import argparse
+import json
 import sys
 import tempfile
 import time
@@ -22,6 +23,8 @@ from pathlib import Path
 import numpy as np
 
 import markermend as mm
+from markermend.files.info import describe_file
+from markermend.files.restructure import crop, relabel
 
 SHARED = Path(__file__).resolve().parents[3] / "shared" / "data"
 SLOWEST_S = 2.0
@@ -84,6 +87,14 @@ def check(data: bytes, path: Path) -> str:
         target = path.with_suffix(".out.c3d")
         mm.write(take, target)
         assert target.read_bytes() == data, "exported without edits, yet not the same"
+        if take.markers:
+            try:
+                mm.write(relabel(take, {take.labels[0]: "A name"}), target)
+                mm.write(crop(take, take.frames // 2, take.frames), target)
+                assert mm.read(target).frames == take.frames - take.frames // 2
+            except mm.ExportError as error:
+                said = str(error)
+        json.dumps(describe_file(take))
     return outcome
 
 

@@ -139,7 +139,10 @@ def write(
         raise ExportError(f"{target.name} is damaged and was opened only to look at it.")
     fill = _writer(take, target, progress or quiet, as_float, record, mark_outputs)
     written: list[IntArray] = []
-    backup = write_whole(target, lambda file: written.append(fill(file)), backup=onto_source)
+    try:
+        backup = write_whole(target, lambda file: written.append(fill(file)), backup=onto_source)
+    except FileFormatError as error:
+        raise ExportError(str(error)) from error
     changed = tuple(s for s, n in zip(take.labels, written[0], strict=True) if n)
     patched = take.source is not None and take.source.format == "c3d"
     outputs = stale_outputs(take, changed) if patched and target.suffix.lower() == ".c3d" else ()

@@ -31,7 +31,7 @@ def write_whole(target: Path, fill: Callable[[IO[bytes]], None], *, backup: bool
         when the folder, the disk or another program does not let us; nothing is left behind
     """
     target = Path(os.path.realpath(target))
-    temporary = target.with_name(f".{target.name}.{os.getpid()}.part")
+    temporary = target.with_name(f".markermend-{os.urandom(4).hex()}.part")
     kept: Path | None = None
     done = False
     try:

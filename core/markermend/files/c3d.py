@@ -208,6 +208,7 @@ def _decode(
             channels.decode(words[:, 4 * layout.points :], start, stop)
     if channels is not None:
         contents.analog = channels.finish()
+    contents.others.flags.writeable = False
     return contents, seen, placed
 
 

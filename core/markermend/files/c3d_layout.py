@@ -279,10 +279,13 @@ def _measured(draft: C3dLayout, name: str, warnings: list[str]) -> C3dLayout:
     stride = (4 * points + analog) * int(storage)
     # Frames of nothing cost no bytes, so the file's size does not bound them.
     frames = min(declared, room // stride if stride else MOST_HEADER_FRAMES)
-    if frames <= 0:
+    if declared <= 0:
+        raise FileFormatError(f"{name} holds no frame: by its header it ends before it begins.")
+    if not frames:
         raise FileFormatError(
-            f"{name} holds no frame: the header says {max(declared, 0)}, and {room} bytes follow"
-            " where they should begin; look for another copy of it."
+            f"{name} holds no whole frame: its header tells of {points} points and {analog} analog"
+            f" samples, {stride} bytes a frame, but only {room} bytes follow; look for another copy"
+            " of it."
         )
     if frames < declared:
         say(f"The file is cut short: it says that it has {declared} frames, {frames} are present.")

@@ -83,8 +83,11 @@ def copy_patched(take: Take, file: IO[bytes], progress: Progress) -> IntArray:
             before, after = scratch[: stop - start], take.positions[start:stop]
             decode_positions(quads_of(words_of(raw, layout), layout), plan, before)
             # NaN has one bit pattern here, so equal bits are the quick way to "nothing changed".
-            if not np.array_equal(before.view(np.int64), after.view(np.int64)):
-                written += patch_block(raw, before, after, plan, take, start)
+            rows = np.flatnonzero((before.view(np.int64) != after.view(np.int64)).any(axis=(1, 2)))
+            if len(rows):
+                part = raw[rows]
+                written += patch_rows(part, before[rows], after[rows], plan, take, start + rows)
+                raw[rows] = part
             file.write(raw.reshape(-1).data)
         copy_bytes(original, file, source.size - layout.data - layout.frames * layout.stride)
         check_unchanged(source, os.fstat(original.fileno()))
@@ -125,10 +128,15 @@ def copy_bytes(original: IO[bytes], file: IO[bytes], count: int) -> None:
         count -= len(part)
 
 
-def patch_block(
-    raw: ByteArray, before: FloatArray, after: FloatArray, plan: Plan, take: Take, start: int
+def patch_rows(
+    raw: ByteArray,
+    before: FloatArray,
+    after: FloatArray,
+    plan: Plan,
+    take: Take,
+    frames: IntArray,
 ) -> IntArray:
-    """Overwrite the words of a block where its positions differ from those wanted.
+    """Overwrite the words of some frames where their positions differ from those wanted.
 
     Parameters
     ----------
@@ -136,7 +144,7 @@ def patch_block(
     before : (frames, markers, 3) float64, the positions it holds, in mm
     after : the positions it shall hold
     plan : which points these are, and their scale
-    take, start : names markers and frames in messages
+    take, frames : name markers and frames in messages
 
     Returns
     -------
@@ -162,7 +170,7 @@ def patch_block(
     columns = np.array(plan.columns)
     each = 4 * layout.points + layout.analog_words
     places = frame * each + 4 * columns[marker] + axis
-    _check_fits(values, layout, take, frame + start, marker, plan.scale_mm)
+    _check_fits(values, layout, take, frames[frame], marker, plan.scale_mm)
     cells[places] = _encode(values, layout)
     if layout.residuals_hold:
         for mask, word in ((appears, 0.0), (vanishes, -1.0)):

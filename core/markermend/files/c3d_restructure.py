@@ -20,7 +20,7 @@ from markermend.files.c3d_events import KEY_AT, read_events
 from markermend.files.c3d_layout import C3dLayout, Storage
 from markermend.files.c3d_numbers import encode_floats
 from markermend.files.c3d_parameters import rewrite_parameters
-from markermend.files.c3d_patch import check_unchanged, copy_bytes, open_unchanged, patch_block
+from markermend.files.c3d_patch import check_unchanged, copy_bytes, open_unchanged, patch_rows
 from markermend.files.c3d_records import BLOCK
 from markermend.files.c3d_samples import Plan, blocks, decode_positions, quads_of, words_of
 from markermend.progress import Progress
@@ -132,7 +132,7 @@ def copy_restructured(
             if target.storage is not layout.storage:
                 # Rounding to single precision is no edit.
                 after = np.where(np.abs(after - before) <= 2e-7 * np.abs(before), before, after)
-            written += patch_block(rows, before, after, plan, take, a - first)
+            written += patch_rows(rows, before, after, plan, take, np.arange(a - first, b - first))
             file.write(rows.reshape(-1).data)
         end = layout.data + layout.frames * layout.stride
         if target.frames == layout.frames and (

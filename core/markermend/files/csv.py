@@ -12,6 +12,7 @@ import csv
 import os
 import re
 from pathlib import Path
+from types import MappingProxyType
 from typing import IO
 
 import numpy as np
@@ -90,7 +91,7 @@ def read_csv(path: Path, *, progress: Progress | None = None) -> Take:
         first_frame=_first_frame(names, table),
         source=Source(path.absolute(), "csv", status.st_size, status.st_mtime_ns, scale_mm=scale),
         warnings=tuple(warnings),
-        info={"units": unit, "storage": "text"},
+        info=MappingProxyType({"units": unit, "storage": "text"}),
     )
 
 
