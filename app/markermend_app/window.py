@@ -177,6 +177,7 @@ class MainWindow(QMainWindow):
         self.trajectories.repair_selection_requested.connect(self.commands.repair_selection)
         self.inspector.mark_requested.connect(self.commands.mark_selection)
         self.trajectories.view_changed.connect(self.overview.set_view)
+        self.trajectories.view_changed.connect(self.transport.set_view)
         document.opened.connect(self._take_opened)
         document.history_changed.connect(self._retitle)
 

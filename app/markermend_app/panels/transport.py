@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from PySide6.QtCore import QElapsedTimer, Qt, QTimer
 from PySide6.QtWidgets import (
     QComboBox,
@@ -130,9 +132,9 @@ class Transport(QWidget):
             self.toggle_play()
         self._document.go_to(self._document.frame + by)
 
-    def set_view(self, start: int, stop: int) -> None:
+    def set_view(self, start: float, stop: float) -> None:
         """Tell which frames the plots show: what a loop repeats."""
-        self._view = (start, stop)
+        self._view = (math.ceil(start), math.floor(stop))
 
     def tick(self) -> None:
         """Go to the frame that is due now."""
