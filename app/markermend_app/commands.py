@@ -407,4 +407,17 @@ def load(path: Path, progress: Progress) -> tuple[SessionFile, Mesh]:
     take: Take = read(path, progress=part(progress, 0.0, 0.5))
     mesh = infer_mesh(take, progress=part(progress, 0.5, 0.95))
     progress(0.95, "Opening the review")
-    return open_session(take), mesh
+    return open_session(take, folder=_review_folder(path)), mesh
+
+
+def _review_folder(path: Path) -> Path | None:
+    """Where the review of a take is kept: beside it, but the demo's with the user's own files."""
+    from markermend_resources import demo_take
+
+    if path != demo_take():
+        return None
+    from platformdirs import user_data_path
+
+    folder = user_data_path("markermend", appauthor=False) / "sessions"
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
