@@ -8,6 +8,7 @@ import io
 import math
 from collections import Counter
 from collections.abc import Iterable, Sequence
+from dataclasses import fields
 from pathlib import Path
 
 import markermend as mm
@@ -67,7 +68,8 @@ def find(
 ) -> tuple[Artifact, ...]:
     """Detect as the options of ``detect`` and ``clean`` ask for."""
     method = find_detector(options.detector)
-    params = method.params(slow=False) if options.no_slow else method.params()
+    has_slow = any(field.name == "slow" for field in fields(method.params))
+    params = method.params(slow=False) if options.no_slow and has_slow else method.params()
     return mm.detect(take, method=method.name, params=params, mesh=mesh, progress=progress)
 
 
