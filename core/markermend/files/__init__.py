@@ -210,12 +210,12 @@ def _writer(
         return new
     if target.suffix.lower() != ".c3d":
         raise ExportError(f"{target.name} should end in .c3d, .trc or .csv, to tell what to write.")
-    structure = structure_of(take)
-    if structure is None:
-        return new
     notes = _notes(take, record, mark_outputs)
     if patchable(take) and not notes and not (as_float and to_be_floats(take)):
         return lambda file: copy_patched(take, file, report)
+    structure = structure_of(take)
+    if structure is None:
+        return new
     return lambda file: copy_restructured(
         take, structure, file, report, as_float=as_float, notes=notes
     )

@@ -54,7 +54,9 @@ def structure_of(take: Take) -> Structure | None:
     offset = take.first_frame - layout.first_frame
     columns = source.columns
     inside = offset >= 0 and offset + take.frames <= layout.frames
-    if not inside or len(columns) != take.markers or take.rate != layout.rate:
+    # Damage may put the parameters among the frames; they cannot grow there.
+    in_order = layout.section_end <= layout.data
+    if not inside or not in_order or len(columns) != take.markers or take.rate != layout.rate:
         return None
     others = take.points.columns if take.points is not None else ()
     kept = sorted([c for c in (*columns, *others) if c >= 0])
