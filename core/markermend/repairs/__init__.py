@@ -11,6 +11,7 @@ from markermend.repairs import (  # noqa: F401, importing a module registers its
     savgol,
     swap,
 )
+from markermend.repairs.advice import Advice, advise
 from markermend.repairs.choice import choose
 from markermend.repairs.registry import REPAIRS, Evidence, Method, Repair, find_method
 from markermend.repairs.run import (
@@ -25,9 +26,11 @@ from markermend.repairs.run import (
 
 __all__ = [
     "REPAIRS",
+    "Advice",
     "Evidence",
     "Method",
     "Repair",
+    "advise",
     "choose",
     "evidence_for",
     "fill",

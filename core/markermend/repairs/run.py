@@ -14,6 +14,7 @@ from markermend.errors import DataError
 from markermend.mesh import Mesh
 from markermend.patch import Patch, patched
 from markermend.progress import Progress, quiet
+from markermend.repairs.advice import with_expected_error
 from markermend.repairs.choice import alternatives, choose
 from markermend.repairs.registry import Evidence, Repair, find_method
 from markermend.repairs.result import read_params, refuse
@@ -109,7 +110,8 @@ def propose_from(
     with threadpool_limits(1):
         if method != AUTO:
             found = find_method(method)
-            return found.run(evidence, artifact, read_params(found, params))
+            done = found.run(evidence, artifact, read_params(found, params))
+            return with_expected_error(evidence, artifact, done)
         first = _by_defaults(evidence, artifact, choose(artifact))
         if first.patches:
             return first
@@ -297,7 +299,8 @@ def _without(evidence: Evidence, artifact: Artifact) -> Evidence:
 def _by_defaults(evidence: Evidence, artifact: Artifact, name: str) -> Repair:
     """Run a method with its default parameters."""
     method = find_method(name)
-    return method.run(evidence, artifact, method.params())
+    done = method.run(evidence, artifact, method.params())
+    return with_expected_error(evidence, artifact, done)
 
 
 def _mirror(artifact: Artifact, done: Iterable[Artifact]) -> Artifact | None:

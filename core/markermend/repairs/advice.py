@@ -1,0 +1,172 @@
+"""Which method fits an artifact best, measured on known stretches of the same marker near it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from threadpoolctl import threadpool_limits
+
+from markermend.arrays import BoolArray
+from markermend.artifact import Artifact, Kind, axis_columns
+from markermend.repairs.choice import choose
+from markermend.repairs.registry import Evidence, Repair, find_method
+from markermend.repairs.result import axes_of
+
+CANDIDATES = ("local_regression", "spline", "pchip", "makima", "linear")
+"""Methods that invent what was not seen; they can be measured by hiding what was."""
+
+# A few trials cannot tell less than this apart: the usual choice stays first unless another
+# method is expected to do better by more.
+CLEARLY_BETTER = 0.8
+
+
+@dataclass(frozen=True, eq=False)
+class Advice:
+    """One method's proposal and how far off it is expected to be.
+
+    Attributes
+    ----------
+    repair : what the method proposes, with :attr:`Repair.error_mm` set where it is known
+    trials : known stretches on which it was measured
+    """
+
+    repair: Repair
+    trials: int
+
+    @property
+    def method(self) -> str:
+        """Name in the registry."""
+        return self.repair.method
+
+    @property
+    def error_mm(self) -> float | None:
+        """Expected mean Euclidean error over the interval."""
+        return self.repair.error_mm
+
+
+def advise(
+    evidence: Evidence,
+    artifact: Artifact,
+    *,
+    methods: Iterable[str] = CANDIDATES,
+    trials: int = 4,
+) -> tuple[Advice, ...]:
+    """Rank methods for an artifact by expected error, best first.
+
+    The nearest stretches of the same length in which the marker is known are hidden one at a
+    time, together with every other marker that is missing during the artifact, and each method
+    fills them. Its expected error is the mean over these; where a method also gives a band of
+    its own for this very interval, the geometric mean of the two.
+
+    Parameters
+    ----------
+    evidence : what may be believed
+    artifact : what is to be repaired
+    methods : names in the registry; those that cannot repair here come last, with their reason
+    trials : stretches to hide at most
+
+    Returns
+    -------
+    One for each method, best first; the usual choice (:func:`markermend.repairs.choose`) stays
+    before others that are not better by a fifth. A swap whose counterpart is known is first: it
+    invents nothing.
+    """
+    own = _hidden(evidence, artifact, artifact.start)
+    places = _places(own, artifact, trials)
+    advice = []
+    with threadpool_limits(1):
+        for name in methods:
+            advice.append(_measure(own, artifact, name, places))
+        if choose(artifact) == "swap":
+            method = find_method("swap")
+            advice.insert(0, Advice(method.run(own, artifact, method.params()), 0))
+    usual = choose(artifact)
+    return tuple(sorted(advice, key=lambda a: _rank(a, usual)))
+
+
+def with_expected_error(
+    evidence: Evidence, artifact: Artifact, repair: Repair, *, trials: int = 3
+) -> Repair:
+    """Say how far off a repair may be when its method does not say so itself.
+
+    Parameters
+    ----------
+    evidence : what may be believed
+    artifact : what was repaired
+    repair : the proposal; returned as it is when it has an error already, has no patches, or was
+        made by a method that does not invent
+    trials : stretches to hide at most
+    """
+    if repair.error_mm is not None or not repair.patches or repair.method not in CANDIDATES:
+        return repair
+    own = _hidden(evidence, artifact, artifact.start)
+    errors = _trials(own, artifact, repair.method, _places(own, artifact, trials))
+    return replace(repair, error_mm=float(np.mean(errors))) if errors else repair
+
+
+def _rank(advice: Advice, usual: str) -> tuple[int, float]:
+    """Repairs of known error first, then those of unknown error, then those without patches."""
+    if not advice.repair.patches:
+        return (2, 0.0)
+    if advice.error_mm is None:
+        return (1, 0.0)
+    return (0, advice.error_mm * (CLEARLY_BETTER if advice.method == usual else 1.0))
+
+
+def _measure(evidence: Evidence, artifact: Artifact, name: str, places: list[int]) -> Advice:
+    """Propose with one method and measure it at each place."""
+    method = find_method(name)
+    repair = method.run(evidence, artifact, method.params())
+    errors = _trials(evidence, artifact, name, places) if repair.patches else []
+    if not errors:
+        return Advice(repair, 0)
+    expected = float(np.mean(errors))
+    if repair.error_mm is not None:
+        expected = float(np.sqrt(expected * repair.error_mm))
+    return Advice(replace(repair, error_mm=expected), len(errors))
+
+
+def _trials(evidence: Evidence, artifact: Artifact, name: str, places: list[int]) -> list[float]:
+    """Mean error of a method at each place where it could fill what was hidden."""
+    method, marker = find_method(name), evidence.take.index(artifact.marker)
+    columns = axis_columns(axes_of(artifact))
+    errors = []
+    for start in places:
+        trial = replace(artifact, start=start, stop=start + artifact.length, kind=Kind.GAP, id="")
+        done = method.run(_hidden(evidence, artifact, start), trial, method.params())
+        if done.patches:
+            truth = evidence.take.positions[trial.start : trial.stop, marker]
+            miss = (done.patches[0].values - truth)[:, columns]
+            errors.append(float(np.linalg.norm(miss, axis=1).mean()))
+    return errors
+
+
+def _hidden(evidence: Evidence, artifact: Artifact, start: int) -> Evidence:
+    """Evidence with the marker, and all that is missing during the artifact, hidden at a place."""
+    trusted = evidence.trusted.copy()
+    marker = evidence.take.index(artifact.marker)
+    there = slice(start, start + artifact.length)
+    trusted[there] &= evidence.trusted[artifact.start : artifact.stop]
+    trusted[there, marker] = False
+    trusted[artifact.start : artifact.stop, marker, axis_columns(axes_of(artifact))] = False
+    return replace(evidence, trusted=trusted)
+
+
+def _places(evidence: Evidence, artifact: Artifact, count: int) -> list[int]:
+    """Starts of the nearest known stretches, none overlapping another or the artifact."""
+    marker, length = evidence.take.index(artifact.marker), artifact.length
+    known: BoolArray = np.all(evidence.trusted[:, marker], axis=1)
+    clear = np.concatenate([[0], np.cumsum(~known)])
+    # One frame more on either side, so that a curve has somewhere to start from.
+    starts = np.arange(1, len(known) - length)
+    free = clear[starts + length + 1] == clear[starts - 1]
+    nearest = starts[free][np.argsort(np.abs(starts[free] - artifact.start), kind="stable")]
+    places: list[int] = []
+    for start in nearest:
+        if all(abs(start - other) >= length for other in places):
+            places.append(int(start))
+        if len(places) == count:
+            break
+    return places

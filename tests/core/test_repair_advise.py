@@ -1,0 +1,106 @@
+"""Advice: methods ranked by what they would have done to known stretches nearby."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from markermend.artifact import Artifact, Kind
+from markermend.bench.gaps import read_cases, read_named
+from markermend.repairs import advise, evidence_for, propose
+from markermend.take import Take
+
+BENCH = Path(__file__).resolve().parents[3] / "shared" / "bench" / "gaps-dev.json"
+
+
+def wave_take(frames: int = 400, alone: bool = False) -> Take:
+    t = np.arange(frames)[:, None] / 100.0
+    centre = 200 * np.sin(3 * t + np.arange(3))
+    offsets = np.array([[0, 0, 0], [100, 0, 0], [0, 100, 0], [0, 0, 100], [50, 60, 70]], float)
+    positions = centre[:, None] + offsets
+    labels = tuple(f"M{i}" for i in range(5))
+    return Take(positions[:, :1], labels[:1], 100.0) if alone else Take(positions, labels, 100.0)
+
+
+def hide(take: Take, start: int, stop: int) -> tuple[Take, Artifact]:
+    positions = take.positions.copy()
+    positions[start:stop, 0] = np.nan
+    gap = Artifact(take.labels[0], "xyz", start, stop, Kind.GAP)
+    return Take(positions, take.labels, take.rate), gap
+
+
+def test_the_body_wins_over_curves_where_it_is_seen() -> None:
+    take, gap = hide(wave_take(), 150, 200)
+    advice = advise(evidence_for(take), gap)
+    assert advice[0].method == "local_regression"
+    assert {a.method for a in advice} >= {"spline", "pchip", "makima", "linear"}
+    known = [a.error_mm for a in advice[1:] if a.error_mm is not None]
+    assert known == sorted(known)
+
+
+def test_a_lone_marker_gets_the_best_curve_and_the_reason_for_the_rest() -> None:
+    take, gap = hide(wave_take(alone=True), 150, 165)
+    advice = advise(evidence_for(take), gap)
+    assert advice[0].method == "spline"
+    assert advice[0].trials == 4
+    assert advice[-1].method == "local_regression"
+    assert advice[-1].repair.reason
+
+
+def test_what_is_missing_during_the_artifact_is_hidden_in_the_trials_too() -> None:
+    whole = wave_take()
+    positions = whole.positions.copy()
+    positions[150:200] = np.nan
+    take = Take(positions, whole.labels, whole.rate)
+    advice = advise(evidence_for(take), Artifact("M0", "xyz", 150, 200, Kind.GAP))
+    assert advice[0].method != "local_regression"
+    assert not advice[-1].repair.patches
+
+
+def test_a_known_swap_comes_first() -> None:
+    take = wave_take()
+    artifact = Artifact("M0", "xyz", 100, 120, Kind.STEP, counterpart="M1")
+    assert advise(evidence_for(take), artifact)[0].method == "swap"
+
+
+def test_nothing_to_try_on_leaves_the_error_unknown() -> None:
+    take, gap = hide(wave_take(60, alone=True), 10, 50)
+    curves = [a for a in advise(evidence_for(take), gap) if a.method == "pchip"]
+    assert curves[0].trials == 0
+    assert curves[0].error_mm is None
+
+
+def test_curves_say_how_far_off_they_may_be() -> None:
+    take, gap = hide(wave_take(alone=True), 150, 165)
+    truth = wave_take(alone=True).positions[150:165, 0]
+    done = propose(take, gap, method="linear")
+    assert done.error_mm is not None
+    error = np.linalg.norm(done.patches[0].values - truth, axis=1).mean()
+    assert 0.3 < done.error_mm / error < 3
+
+
+def test_expected_errors_follow_the_true_ones_on_real_takes(shared_data: Path) -> None:
+    if not BENCH.is_file():
+        pytest.skip(f"the gap list is not here ({BENCH})")
+    cases = [c for c in read_cases(BENCH) if c.take == "85_12" and c.length <= 120][::5]
+    take = read_named("85_12", shared_data)
+    expected, true, seconds = [], [], []
+    for case in cases:
+        positions = take.positions.copy()
+        for label, start, stop in case.gaps:
+            positions[start:stop, take.index(label)] = np.nan
+        evidence = evidence_for(Take(positions, take.labels, take.rate))
+        for label, start, stop in case.gaps:
+            began = time.perf_counter()
+            best = advise(evidence, Artifact(label, "xyz", start, stop, Kind.GAP))[0]
+            seconds.append(time.perf_counter() - began)
+            truth = take.positions[start:stop, take.index(label)]
+            miss = np.linalg.norm(best.repair.patches[0].values - truth, axis=1)
+            expected.append(best.error_mm)
+            true.append(miss.mean())
+    assert np.corrcoef(np.log(expected), np.log(true))[0, 1] > 0.8
+    assert 0.6 < np.mean(expected) / np.mean(true) < 1.7
+    assert np.median(seconds) < 1.0
