@@ -88,7 +88,7 @@ class Source:
     path : absolute path
     format : ``"c3d"``, ``"trc"``, ``"csv"``…
     size, mtime_ns : of the file when it was read, to notice later changes
-    columns : position of each marker in the file's own point list
+    columns : position of each marker in the file's own point list, -1 for one added since
     scale_mm : millimetres per file unit
     layout : the format's own description of the file (for C3D a ``C3dLayout``)
     """

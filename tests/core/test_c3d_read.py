@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import itertools
+import subprocess
+import sys
 import warnings
 from pathlib import Path
 
@@ -212,3 +214,14 @@ def test_what_is_not_c3d(tmp_path: Path) -> None:
         mm.read(tmp_path / "none.c3d")
     with pytest.raises(mm.FileFormatError, match="cannot be opened"):
         mm.read(tmp_path)
+
+
+def test_reading_needs_numpy_only(shared_data: Path) -> None:
+    script = (
+        "import sys, markermend as mm\n"
+        "mm.read(sys.argv[1])\n"
+        "heavy = {'scipy', 'sklearn', 'ezc3d', 'joblib', 'PySide6'} & set(sys.modules)\n"
+        "assert not heavy, heavy\n"
+    )
+    source = shared_data / "bodies/85_02.c3d"
+    subprocess.run([sys.executable, "-c", script, str(source)], check=True)

@@ -179,6 +179,13 @@ def test_record_of_what_was_done(shared_data: Path, tmp_path: Path) -> None:
     ]
 
 
+def test_record_in_a_new_file(shared_data: Path, tmp_path: Path) -> None:
+    take = mm.read(shared_data / "trc/exampleFormat.trc")
+    mm.write(take, tmp_path / "new.c3d", record=["marker1 1 pchip"])
+    layout = layout_of(mm.read(tmp_path / "new.c3d"))
+    assert layout.strings("MARKERMEND", "CHANGES") == ("marker1 1 pchip",)
+
+
 def test_outputs_of_other_subjects_still_match(shared_data: Path, tmp_path: Path) -> None:
     take = mm.read(shared_data / "gait/PiG_Motion-FlatFoot-Full.c3d")
     done = mm.write(take, tmp_path / "same.c3d")

@@ -203,7 +203,7 @@ def _writer(
             case ".csv":
                 write_csv(take, file, report)
             case _:
-                write_new(take, file, report)
+                write_new(take, file, report, notes=_notes(take, record, mark_outputs))
         return present
 
     if target.suffix.lower() in (".trc", ".csv"):

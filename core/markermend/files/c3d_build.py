@@ -14,6 +14,8 @@ from markermend.files.c3d_records import BLOCK
 from markermend.take import Event
 
 MOST_ROWS = 255
+# Name of our own group, where what was done to a file is recorded on request.
+GROUP = "MARKERMEND"
 TEXT, BYTE, INTEGER, FLOAT = -1, 1, 2, 4
 
 

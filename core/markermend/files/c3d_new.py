@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import IO
 
 import numpy as np
@@ -11,6 +12,7 @@ from markermend.arrays import BoolArray, Float32Array
 from markermend.errors import ExportError
 from markermend.files.c3d_build import (
     FLOAT,
+    GROUP,
     INTEGER,
     event_records,
     group_record,
@@ -38,7 +40,9 @@ _LISTS = {
 }
 
 
-def write_new(take: Take, file: IO[bytes], progress: Progress) -> None:
+def write_new(
+    take: Take, file: IO[bytes], progress: Progress, *, notes: Mapping[str, Sequence[str]]
+) -> None:
     """Write a take as a C3D file of its own: Intel order, floats, millimetres.
 
     Parameters
@@ -46,6 +50,7 @@ def write_new(take: Take, file: IO[bytes], progress: Progress) -> None:
     take : any take; its markers come first, then its other points, then its analog channels
     file : written from its beginning
     progress : told the share of frames written
+    notes : texts for the MARKERMEND group, by parameter
 
     Raises
     ------
@@ -61,10 +66,12 @@ def write_new(take: Take, file: IO[bytes], progress: Progress) -> None:
             " file can hold (65,535); drop some first."
         )
     residual_scale = _residual_scale(take)
-    records = _records(take, (*take.labels, *others), channels, each, residual_scale, 0)
+    records = _records(take, (*take.labels, *others), channels, each, residual_scale, 0, notes)
     section = section_bytes(records, _INTEL, "The take")
     data_block = 2 + len(section) // BLOCK
-    records = _records(take, (*take.labels, *others), channels, each, residual_scale, data_block)
+    records = _records(
+        take, (*take.labels, *others), channels, each, residual_scale, data_block, notes
+    )
     file.write(
         header_bytes(
             b"",
@@ -139,6 +146,7 @@ def _records(
     each: int,
     residual_scale: float,
     data_block: int,
+    notes: Mapping[str, Sequence[str]],
 ) -> list[bytes]:
     """Encode the parameters."""
 
@@ -209,4 +217,8 @@ def _records(
     if take.events:
         records.append(group_record(6, "EVENT", "", _INTEL))
         records += event_records(6, take.events, _INTEL)
+    if notes:
+        records.append(group_record(7, GROUP, "", _INTEL))
+        for name, lines in notes.items():
+            records += texts(7, name, tuple(lines))
     return records

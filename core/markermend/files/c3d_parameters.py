@@ -8,6 +8,7 @@ from typing import Protocol
 
 from markermend.files.c3d_build import (
     FLOAT,
+    GROUP,
     INTEGER,
     MOST_ROWS,
     TEXT,
@@ -22,7 +23,6 @@ from markermend.files.c3d_records import BLOCK, Record, text_of
 from markermend.files.labels import unique_labels
 from markermend.take import Take
 
-GROUP = "MARKERMEND"
 _PER_EVENT = ("USED", "LABELS", "CONTEXTS", "TIMES")
 
 
