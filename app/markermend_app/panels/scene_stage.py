@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import warnings
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 
@@ -116,6 +117,7 @@ def set_stage(take: Take, up: int | None = None) -> Stage:
     )
 
 
+@lru_cache(maxsize=4)
 def floor_lines(stage: Stage) -> tuple[FloatArray, FloatArray]:
     """Starts and ends, (n, 3) each, of the lines of the floor."""
     a, b = (stage.up + 1) % 3, (stage.up + 2) % 3
