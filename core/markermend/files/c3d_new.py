@@ -176,20 +176,8 @@ def _records(
     for key, name in (("x_screen", "X_SCREEN"), ("y_screen", "Y_SCREEN")):
         if key in take.info:
             records += texts(1, name, (take.info[key],))
-    if take.points is not None:
-        for kind, name in _LISTS.items():
-            listed = tuple(
-                label
-                for label, k in zip(take.points.labels, take.points.kinds, strict=True)
-                if k == kind
-            )
-            records += texts(1, name, listed) if listed else []
-        modelled = tuple(
-            label
-            for label, k in zip(take.points.labels, take.points.kinds, strict=True)
-            if k not in _LISTS
-        )
-        records += texts(1, "MODELED_MARKERS", modelled) if modelled else []
+    for name, listed in _type_lists(take).items():
+        records += texts(1, name, listed)
     records += [
         group_record(2, "ANALOG", "", _INTEL),
         one(2, "USED", INTEGER, channels),
@@ -222,3 +210,12 @@ def _records(
         for name, lines in notes.items():
             records += texts(7, name, tuple(lines))
     return records
+
+
+def _type_lists(take: Take) -> dict[str, tuple[str, ...]]:
+    """Labels of the points that are not markers, by the list that tells their kind."""
+    found: dict[str, list[str]] = {}
+    if take.points is not None:
+        for label, kind in zip(take.points.labels, take.points.kinds, strict=True):
+            found.setdefault(_LISTS.get(kind, "MODELED_MARKERS"), []).append(label)
+    return {name: tuple(labels) for name, labels in found.items()}
