@@ -204,17 +204,18 @@ class MarkerTree(QWidget):
         if self._syncing:
             return
         picked = QItemSelection()
-        first = QModelIndex()
+        first = last = QModelIndex()
         for label in shown:
             index = self._proxy.mapFromSource(self._model.index_of(label))
             if index.isValid():
                 picked.select(index, index.siblingAtColumn(MISSING))
-                first = first if first.isValid() else index
+                first, last = (first if first.isValid() else index), index
         self._syncing = True
         flag = QItemSelectionModel.SelectionFlag
         self.view.selectionModel().select(picked, flag.ClearAndSelect)
         if first.isValid():
             self.view.selectionModel().setCurrentIndex(first, flag.NoUpdate)
+            self.view.scrollTo(last)
             self.view.scrollTo(first)
         self._syncing = False
 

@@ -32,7 +32,7 @@ from markermend_app.panels.queue_model import (
 )
 from markermend_app.panels.queue_view import QueueView
 
-_WIDTHS = (76, 92, 114, 54, 92, 70, 62, 84, 100, 180, 60)
+_WIDTHS = (76, 92, 112, 54, 92, 68, 68, 84, 100, 180, 60)
 _OPEN = frozenset({Status.PENDING})
 _DECIDED = frozenset({Status.ACCEPTED, Status.REJECTED, Status.REPAIRED})
 _ACCEPTED = frozenset({Status.ACCEPTED})
