@@ -8,6 +8,9 @@ and peaks close to each other make longer runs, which are left to the heavy nois
 run is wider than the peak in it; what is reported are the samples between its first and its
 last differential above the threshold.
 
+A peak smaller than about twice what the marker moves in a frame stays hidden: among samples that
+far apart it hardly changes its rank, and the median follows it.
+
 Beyond the paper: a moving median cuts the corners of fast motion, and what it cuts looks like
 small peaks; so does the edge of a step in motion. A peak is kept only if interpolation across it
 moves it by more than threshold₁, and its first and last sample to the same side, each by half of

@@ -100,6 +100,7 @@ def find_derivate_pairs(
             & (distance >= shortest)
             & (distance <= longest)
             & (size >= LEAST_BALANCE * size[i])
+            & (size * LEAST_BALANCE <= size[i])
         )
         for j in np.flatnonzero(fits)[np.argsort(-size[fits], kind="stable")]:
             first, last = int(min(i, j)), int(max(i, j))

@@ -42,7 +42,7 @@ def _bridged(at: IntArray, values: FloatArray, holes: BoolArray) -> FloatArray:
     """One channel, complete: known values at their frames, holes bridged."""
     frames = np.arange(len(holes))
     if len(at) < LEAST_KNOWN:
-        return values[np.abs(frames[:, None] - at).argmin(axis=1)]
+        return np.asarray(values[np.abs(frames[:, None] - at).argmin(axis=1)])
     whole = np.empty(len(holes))
     whole[at] = values
     lengths = runs(holes)

@@ -37,6 +37,9 @@ from markermend.take import Take
 
 # Fewer rows than this cannot say anything about some thousand weights.
 LEAST_ROWS = 50
+# A coordinate that moves less than this share of the liveliest is not scaled up any further; else
+# the network learns its noise.
+FLOOR = 0.1
 
 
 @dataclass(frozen=True)
@@ -125,12 +128,12 @@ def fit_and_predict(inputs: Inputs, rate: float, params: FfnnParams, seed: int) 
     window = max(1, min(round(params.average * rate / 100), frames))
     average = uniform_filter1d(own, window, axis=0, mode="nearest")
     neighbours = (inputs.neighbours - centre[:, None]).reshape(frames, -1)
-    around = lagged_powers(neighbours, params.lags, params.powers)
-    design = np.concatenate([around, lagged_powers(average, 0, params.powers)], axis=1)
+    around = lagged_powers(neighbours, params.lags, params.powers, floor=FLOOR)
+    design = np.concatenate([around, lagged_powers(average, 0, params.powers, floor=FLOOR)], axis=1)
     learnt = np.flatnonzero(inputs.fit)
     learnt = learnt[:: max(1, int(np.ceil(len(learnt) / params.rows)))]
     target = own[learnt]
-    scale = np.maximum(target.std(axis=0), 1e-6)
+    scale = np.maximum(target.std(axis=0), max(FLOOR * target.std(axis=0).max(), 1e-6))
 
     network = MLPRegressor(
         hidden_layer_sizes=(params.first, params.second),
@@ -142,7 +145,7 @@ def fit_and_predict(inputs: Inputs, rate: float, params: FfnnParams, seed: int) 
     with threadpool_limits(1), warnings.catch_warnings():
         # Stopping before convergence is what keeps the predictor loose.
         warnings.simplefilter("ignore", ConvergenceWarning)
-        network.fit(design[learnt], np.tile(standardised(target), params.replicas))
+        network.fit(design[learnt], np.tile(standardised(target, FLOOR), params.replicas))
         replicas = network.predict(design).reshape(frames, params.replicas, 3)
     predicted = centre + replicas.mean(axis=1) * scale + target.mean(axis=0)
     predicted[~inputs.usable] = np.nan

@@ -130,7 +130,9 @@ def trusted_samples(take: Take, trusted: BoolArray | None) -> BoolArray:
     return present if trusted is None else trusted & present
 
 
-def lagged_powers(regressors: FloatArray, lags: int, powers: int) -> FloatArray:
+def lagged_powers(
+    regressors: FloatArray, lags: int, powers: int, *, floor: float = 0.0
+) -> FloatArray:
     """Rows of current and former values, each raised to powers (skurowski2022, eq. 9).
 
     Parameters
@@ -138,20 +140,26 @@ def lagged_powers(regressors: FloatArray, lags: int, powers: int) -> FloatArray:
     regressors : (frames, n) without NaN
     lags : number of former frames; before the first frame its value is held
     powers : highest power
+    floor : see :func:`standardised`
 
     Returns
     -------
-    (frames, n × (lags + 1) × powers); every column has mean 0 and standard deviation 1 (a
-    constant one is 0), as has each regressor before it is raised
+    (frames, n × (lags + 1) × powers), standardised, as is each regressor before it is raised
     """
-    scaled = standardised(regressors)
+    scaled = standardised(regressors, floor)
     frames = np.arange(len(scaled))
     former = np.concatenate([scaled[np.maximum(frames - k, 0)] for k in range(lags + 1)], axis=1)
-    return standardised(np.concatenate([former**p for p in range(1, powers + 1)], axis=1))
+    raised = np.concatenate([former**p for p in range(1, powers + 1)], axis=1)
+    return standardised(raised, floor)
 
 
-def standardised(columns: FloatArray) -> FloatArray:
-    """Centre columns and scale them to standard deviation 1; constant ones become 0."""
+def standardised(columns: FloatArray, floor: float = 0.0) -> FloatArray:
+    """Centre columns and scale them to standard deviation 1; constant ones become 0.
+
+    With a ``floor``, no column is divided by less than that share of the largest standard
+    deviation, so that one which hardly moves is not blown up to be noise of full size.
+    """
     spread = columns.std(axis=0)
+    spread = np.maximum(spread, floor * spread.max(initial=0.0))
     centred = columns - columns.mean(axis=0)
     return np.asarray(centred / np.where(spread > 1e-9, spread, np.inf))
