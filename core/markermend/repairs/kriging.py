@@ -13,11 +13,11 @@ from itertools import pairwise
 
 import numpy as np
 
-from markermend.arrays import FloatArray, IntArray
+from markermend.arrays import BoolArray, FloatArray, IntArray
 
 # Prior standard deviations in mm: of the place itself, of the part linear in the pose, of the
-# non-linear part, of the slowly changing parts, and of the measurement.
-PLACE_MM, LINEAR_MM, CURVED_MM, MEASURED_MM = 25.0, 20.0, 6.0, 0.1
+# non-linear part, and of the slowly changing parts.
+PLACE_MM, LINEAR_MM, CURVED_MM = 25.0, 20.0, 6.0
 TIME_MM = (2.0, 1.0, 1.0)
 # Poses so far apart, in standard deviations of a coordinate, have little to say to each other.
 CURVED_SCALE = 0.7
@@ -42,7 +42,13 @@ class Conditioned:
 
 
 def condition(
-    frames: IntArray, rate: float, pose: FloatArray, target: FloatArray, block: int
+    frames: IntArray,
+    rate: float,
+    pose: FloatArray,
+    target: FloatArray,
+    noise_mm: float,
+    block: int,
+    judged: BoolArray,
 ) -> Conditioned:
     """Predict the place of a marker in some frames from its place in others.
 
@@ -52,7 +58,9 @@ def condition(
     rate : frames per second
     pose : (known + wanted, features) pose of the body in these frames, mean square 1
     target : (known, 3) place of the marker in the known ones, mm
+    noise_mm : standard deviation of the measurement
     block : length of the stretches that are hidden to see how far off the process is, in frames
+    judged : (known,) frames by which that is judged
 
     Returns
     -------
@@ -65,14 +73,14 @@ def condition(
     middle = np.median(target, axis=0)
     prior = _covariance(frames / rate, pose, known)
     covariance = prior[:known].copy()
-    covariance[np.diag_indices(known)] += MEASURED_MM**2
+    covariance[np.diag_indices(known)] += noise_mm**2
     factor, _ = cho_factor(covariance, lower=True, overwrite_a=True)
     weights = cho_solve((factor, True), target - middle)
     across = prior[known:]
     explained = solve_triangular(factor, across.T, lower=True)
-    variance = np.maximum(_variance(pose[known:]) - np.sum(explained**2, axis=0), MEASURED_MM**2)
+    variance = np.maximum(_variance(pose[known:]) - np.sum(explained**2, axis=0), noise_mm**2)
     inverse, _ = dpotri(factor, lower=1)
-    scale = _scale(frames[:known] // block, np.tril(inverse), weights)
+    scale = _scale(frames[:known] // block, np.tril(inverse), weights, judged)
     return Conditioned(middle + across @ weights, scale * np.sqrt(variance))
 
 
@@ -106,7 +114,7 @@ def _matern52(distance: FloatArray) -> FloatArray:
     return np.asarray((1.0 + scaled + scaled**2 / 3.0) * np.exp(-scaled))
 
 
-def _scale(blocks: IntArray, inverse: FloatArray, weights: FloatArray) -> float:
+def _scale(blocks: IntArray, inverse: FloatArray, weights: FloatArray, judged: BoolArray) -> float:
     """How much larger errors are than the process thinks, from blocks left out one at a time.
 
     `inverse` is the lower triangle of the inverse covariance. What is predicted for a block
@@ -119,5 +127,6 @@ def _scale(blocks: IntArray, inverse: FloatArray, weights: FloatArray) -> float:
         corner = corner + np.tril(corner, -1).T
         covariance = np.linalg.inv(corner)
         miss = covariance @ weights[start:stop]
-        ratios.append(np.linalg.norm(miss, axis=1) / np.sqrt(np.diag(covariance)))
+        ratio = np.linalg.norm(miss, axis=1) / np.sqrt(np.diag(covariance))
+        ratios.append(ratio[judged[start:stop]])
     return float(np.quantile(np.concatenate(ratios), 0.9)) / BALL_90

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from markermend.arrays import BoolArray, IntArray
+from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.artifact import Artifact
 from markermend.repairs.body_frame import (
     align,
@@ -29,6 +29,11 @@ from markermend.repairs.result import make_repair, refuse
 METHOD = "local_regression"
 # Fewer frames than this cannot tell how the marker follows its body.
 LEAST_FRAMES = 20
+# Intervals shorter than this are judged by the frames near them, where every frame is used.
+SHORT_S = 0.25
+# How far around the interval the noise is estimated, and its limits.
+NOISE_S = 2.0
+LEAST_NOISE_MM, MOST_NOISE_MM = 0.03, 1.0
 
 
 @dataclass(frozen=True)
@@ -92,7 +97,11 @@ def repair_local_regression(evidence: Evidence, artifact: Artifact, params: Any)
     learnt, inside = slice(len(known)), slice(len(known), None)
     own = take.positions[known, marker][:, None]
     target = to_frame(own, rotation[learnt], centre[learnt])[:, 0]
-    result = condition(frames, take.rate, pose, target, artifact.length)
+    noise = _noise(take.positions[:, marker], seen[:, marker], artifact, take.rate)
+    near = _near(known, artifact, take.rate, params)
+    short = artifact.length < SHORT_S * take.rate
+    judged = near if short and near.any() else np.ones(len(known), dtype=bool)
+    result = condition(frames, take.rate, pose, target, noise, artifact.length, judged)
     values = to_lab(result.mean, rotation[inside], centre[inside])
     deviation = np.repeat(result.deviation[:, None], 3, axis=1)
     return make_repair(METHOD, evidence, artifact, values, params, deviation)
@@ -111,8 +120,29 @@ def _learn_from(
 ) -> IntArray:
     """Frames to learn from: all near the interval, an even sample of the others."""
     frames = np.flatnonzero(usable)
-    margin = params.near_s * rate
-    near = (frames >= artifact.start - margin) & (frames < artifact.stop + margin)
+    near = _near(frames, artifact, rate, params)
     rest = frames[~near]
     step = max(1, len(rest) // params.samples)
     return np.sort(np.concatenate([frames[near], rest[step // 2 :: step]]))
+
+
+def _near(
+    frames: IntArray, artifact: Artifact, rate: float, params: LocalRegressionParams
+) -> BoolArray:
+    """Frames so near the interval that every one is used."""
+    margin = params.near_s * rate
+    return (frames >= artifact.start - margin) & (frames < artifact.stop + margin)
+
+
+def _noise(own: FloatArray, seen: BoolArray, artifact: Artifact, rate: float) -> float:
+    """Noise of the measurement in mm, from fourth differences of the trajectory around."""
+    reach = round(NOISE_S * rate)
+    around = slice(max(0, artifact.start - reach), artifact.stop + reach)
+    track = np.where(seen[around, None], own[around], np.nan)
+    rough = np.abs(np.diff(track, n=4, axis=0))
+    rough = rough[np.isfinite(rough)]
+    if len(rough) == 0:
+        return MOST_NOISE_MM
+    # Fourth differences of white noise have 70 times its variance.
+    noise = np.quantile(rough, 0.25) / 0.3186 / np.sqrt(70.0)
+    return float(np.clip(noise, LEAST_NOISE_MM, MOST_NOISE_MM))
