@@ -227,10 +227,16 @@ def _processor(code: int, raw: bytes, warnings: list[str]) -> Processor:
     try:
         return Processor(code)
     except ValueError:
-        little, big = (struct.unpack_from(f"{o}HHH", raw, 6) for o in "<>")
-        chosen = Processor.MIPS if big[1] - big[0] < little[1] - little[0] else Processor.INTEL
+        # In the wrong order first and last frame are far apart, or the wrong way round.
+        little, big = ((last - first) % (1 << 16) for first, last in _spans(raw))
+        chosen = Processor.MIPS if big < little else Processor.INTEL
         warnings.append(f"The kind of processor ({code}) is unknown; read as {chosen.name}.")
         return chosen
+
+
+def _spans(raw: bytes) -> list[tuple[int, int]]:
+    """First and last frame by the header, read in both orders of bytes."""
+    return [struct.unpack_from(f"{order}HH", raw, 6) for order in "<>"]
 
 
 def _measured(draft: C3dLayout, name: str, warnings: list[str]) -> C3dLayout:

@@ -238,8 +238,7 @@ def _header(take: Take, layout: C3dLayout, target: C3dLayout) -> bytes:
     if target.storage is not layout.storage:
         scale = np.array([-layout.residual_scale], dtype=np.float32)
         head[12:16] = encode_floats(scale, layout.processor).tobytes()
-    if target.data != layout.data:
-        struct.pack_into(f"{order}H", head, 16, target.data // BLOCK + 1)
+    struct.pack_into(f"{order}H", head, 16, target.data // BLOCK + 1)
     if take.events != read_events(layout):
         # All events are in the EVENT group then; two lists could contradict each other.
         head[KEY_AT : KEY_AT + 4] = bytes(4)
