@@ -354,3 +354,14 @@ def test_number_keys_pick_methods_in_order() -> None:
     keyed = [(m.key, name) for name, m in REPAIRS.items() if m.key is not None]
     assert keyed == sorted(keyed)
     assert keyed[0] == (1, "local_regression")
+
+
+def test_a_missing_limb_is_worked_out_from_repairs_and_says_so(rigid: Take) -> None:
+    positions = rigid.positions.copy()
+    for column, start, stop in ((1, 100, 220), (2, 200, 380), (3, 360, 540), (4, 100, 540)):
+        positions[start:stop, column] = np.nan
+    take = Take(positions[:, :6], rigid.labels[:6], RATE)
+    pairs = {a.marker: r for a, r in repair_all(take, find_gaps(take))}
+    late = {m for m, r in pairs.items() if r.patches and "other repairs" in r.reason}
+    assert late == {"M2", "M4"}
+    assert np.abs(fill(take).positions - rigid.positions[:, :6]).max() < 0.01

@@ -26,22 +26,29 @@ TRUSTED_REPAIR_S = 0.1
 
 
 def evidence_for(
-    take: Take, artifacts: Iterable[Artifact] = (), mesh: Mesh | None = None
+    take: Take,
+    artifacts: Iterable[Artifact] = (),
+    mesh: Mesh | None = None,
+    *,
+    believe_repairs: bool = False,
 ) -> Evidence:
     """Say which samples of a take may be believed.
 
     Not believed are missing samples and those covered by an artifact that was not rejected.
     Repaired ones are believed again where little was invented: swaps, peaks, and intervals of
-    up to 0.1 s. Longer repairs are never evidence for others, so that errors do not spread.
+    up to 0.1 s. Longer repairs are not evidence for others, so that errors do not spread.
 
     Parameters
     ----------
     take : the recording as it stands
     artifacts : all that are known about it
     mesh : the body's structure, if it was worked out before
+    believe_repairs : believe long repairs too; for what cannot be repaired otherwise
     """
     doubtful = [
-        a for a in artifacts if not (a.status is Status.REPAIRED and _as_good_as_new(take, a))
+        a
+        for a in artifacts
+        if a.status is not Status.REPAIRED or not (believe_repairs or _as_good_as_new(take, a))
     ]
     trusted = take.present[:, :, None] & ~damage_mask(take, doubtful)
     trusted.flags.writeable = False
@@ -82,11 +89,17 @@ def propose(
     """
     others = tuple(artifacts)
     # It may stand among the others with an older status or interval.
-    evidence = evidence_for(take, (*(a for a in others if a.id != artifact.id), artifact), mesh)
+    known = (*(a for a in others if a.id != artifact.id), artifact)
+    evidence = evidence_for(take, known, mesh)
     twin = _mirror(artifact, (a for a in others if a.status is Status.REPAIRED))
     if twin is not None and method in (AUTO, "swap"):
         return refuse("swap", _swapped(twin))
-    return propose_from(evidence, artifact, method=method, params=params)
+    done = propose_from(evidence, artifact, method=method, params=params)
+    if done.patches or not any(a.status is Status.REPAIRED for a in others):
+        return done
+    evidence = evidence_for(take, known, mesh, believe_repairs=True)
+    second = propose_from(evidence, artifact, method=method, params=params)
+    return replace(second, reason=_from_repairs(done.reason)) if second.patches else done
 
 
 def propose_from(
@@ -135,8 +148,10 @@ def repair_all(
     """Propose a repair for every artifact that is sure enough and was not rejected.
 
     First come swaps, then peaks and what is no longer than 0.1 s, then the rest. What an
-    earlier stage repaired is evidence for the next; within a stage all see the same evidence,
-    so that their order does not matter.
+    earlier stage repaired is evidence for the next as far as :func:`evidence_for` believes it;
+    within a stage all see the same evidence, so that their order does not matter. What cannot be
+    repaired so, because whole limbs are missing, is tried once more believing all repairs, and
+    the repair's reason says so.
 
     Parameters
     ----------
@@ -271,6 +286,14 @@ def _run(
                 if done.method == "swap":
                     swapped.append(repaired)
         take = patched(take, patches) if patches else take
+    evidence = evidence_for(take, states.values(), mesh, believe_repairs=True)
+    again = [p for p in pairs if states[p[0].id].status is not Status.REPAIRED]
+    for artifact, refused in again:
+        done = propose_from(evidence, artifact, method=method)
+        if done.patches:
+            pairs.remove((artifact, refused))
+            pairs.append((artifact, replace(done, reason=_from_repairs(refused.reason))))
+            take = patched(take, done.patches)
     report(1.0, "Repaired")
     return take, pairs
 
@@ -314,6 +337,11 @@ def _mirror(artifact: Artifact, done: Iterable[Artifact]) -> Artifact | None:
         ):
             return a
     return None
+
+
+def _from_repairs(reason: str) -> str:
+    """Why repairs of other markers were believed."""
+    return f"{reason} Worked out from other repairs instead; look at it closely."
 
 
 def _swapped(twin: Artifact) -> str:
