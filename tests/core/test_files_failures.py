@@ -125,3 +125,31 @@ def test_permissions_of_the_file_stay(take: mm.Take, tmp_path: Path) -> None:
     target.chmod(0o640)
     mm.write(take, target)
     assert target.stat().st_mode & 0o777 == 0o640
+
+
+def test_killed_in_the_middle_leaves_the_target(shared_data: Path, tmp_path: Path) -> None:
+    target = tmp_path / "take.c3d"
+    target.write_bytes((shared_data / "bodies/HDM_mm_01-02_03_120.c3d").read_bytes())
+    before = target.read_bytes()
+    script = (
+        "import os, signal, sys, markermend as mm\n"
+        "take = mm.read(sys.argv[1])\n"
+        "def die(share, doing):\n"
+        "    if share > 0.5:\n"
+        "        os.kill(os.getpid(), signal.SIGKILL)\n"
+        "mm.write(take, sys.argv[1], overwrite=True, progress=die)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", script, str(target)], check=False)
+    assert done.returncode == -9
+    assert target.read_bytes() == before
+    mm.write(mm.read(target), target, overwrite=True)
+    assert target.read_bytes() == before
+
+
+def test_reading_can_be_cancelled(shared_data: Path) -> None:
+    def stop(share: float, doing: str) -> None:
+        raise mm.Cancelled
+
+    for name in ("bodies/85_02.c3d", "trc/markers_walk.trc"):
+        with pytest.raises(mm.Cancelled):
+            mm.read(shared_data / name, progress=stop)

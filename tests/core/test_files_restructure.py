@@ -204,3 +204,35 @@ def test_what_cannot_be_done_is_said(shared_data: Path) -> None:
         drop(take, ["NOBODY"])
     with pytest.raises(mm.DataError, match="marker of this take"):
         add(take, "NEW", np.zeros((3, 3)))
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["gait/PiG_Motion-FlatFoot-Hole.c3d", "formats/pc_int.c3d", "formats/Eb015vr.c3d",
+     "gait/Walking_Hybrid_2.c3d", "gait/Qualisys.c3d"],
+)  # fmt: skip
+def test_other_readers_read_restructured_files(
+    shared_data: Path, tmp_path: Path, name: str
+) -> None:
+    ezc3d, c3d = pytest.importorskip("ezc3d"), pytest.importorskip("c3d")
+    take = mm.read(shared_data / name)
+    wanted = crop(relabel(drop(take, [take.labels[1]]), {take.labels[0]: LONG}), 5, 60)
+    path = tmp_path / "out.c3d"
+    mm.write(wanted, path, record=["a line"])
+    back = mm.read(path)
+    assert back.labels == wanted.labels
+    theirs = ezc3d.c3d(str(path))
+    columns = list(back.source.columns)
+    points = np.transpose(theirs["data"]["points"], (2, 1, 0))[:, columns, :3]
+    seen = wanted.present
+    np.testing.assert_allclose(points[seen], wanted.positions[seen], rtol=1e-6, atol=1e-5)
+    assert theirs["parameters"]["POINT"]["LABELS"]["value"][columns[0]] == LONG
+    assert theirs["parameters"]["MARKERMEND"]["CHANGES"]["value"] == ["a line"]
+    np.testing.assert_allclose(
+        theirs["data"]["analogs"][0].T, wanted.analog.values, rtol=1e-6, atol=1e-5
+    )
+    with path.open("rb") as handle:
+        frame = next(c3d.Reader(handle).read_frames())
+    np.testing.assert_allclose(
+        frame[1][columns, :3][seen[0]], wanted.positions[0][seen[0]], rtol=1e-6, atol=1e-5
+    )

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 import markermend as mm
 from markermend.files.axes import vertical_of, with_vertical
+from markermend.files.labels import unique_labels
 
 SHARED = Path(__file__).resolve().parents[3] / "shared" / "data"
 REFUSED = {"Empty.trc": "empty", "Truncated.trc": "cut short"}
@@ -132,3 +133,13 @@ def test_vertical_axis_only_when_asked(shared_data: Path) -> None:
     np.testing.assert_allclose(*lengths)
     with pytest.raises(mm.DataError, match="say which"):
         with_vertical(mm.read(shared_data / "bodies/85_02.c3d"), "y")
+
+
+@given(st.lists(st.sampled_from(["", "A", "A_2", "A_2_2", "*1", "*2", "B"]), max_size=12))
+def test_labels_become_unique(stated: list[str]) -> None:
+    labels, repeated = unique_labels(stated, len(stated) + 1)
+    assert len(labels) == len(set(labels)) == len(stated) + 1
+    assert all(labels)
+    assert set(repeated) == {name for name in stated if name and stated.count(name) > 1}
+    for name in set(stated) - {""}:
+        assert labels[stated.index(name)] == name
