@@ -299,11 +299,7 @@ class Document(QObject):
 
     def travel(self, steps_done: int) -> None:
         """Undo or redo until so many steps are done."""
-        session = self.session
-        while session is not None and len(session.history) > steps_done:
-            self.undo()
-        while session is not None and len(session.history) < steps_done and session.undone:
-            self.redo()
+        self._do(lambda s: s.travel(steps_done))
 
     # Inner workings
 

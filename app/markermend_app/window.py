@@ -110,7 +110,7 @@ class MainWindow(QMainWindow):
         }
         self.setCorner(Qt.Corner.BottomLeftCorner, left)
         self.setCorner(Qt.Corner.BottomRightCorner, right)
-        self.resizeDocks([self.docks["markers"], self.docks["scene"]], [270, 400], _H)
+        self.resizeDocks([self.docks["markers"], self.docks["scene"]], [300, 400], _H)
         self.resizeDocks([self.docks["markers"], self.docks["history"]], [640, 200], _V)
         self.resizeDocks([self.docks["scene"], self.docks["inspector"]], [430, 430], _V)
         self.resizeDocks([self.docks["queue"]], [230], _V)

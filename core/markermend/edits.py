@@ -7,7 +7,7 @@ built on this one property.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -159,6 +159,18 @@ def extent(edit: Edit) -> Change:
         start=min(p.start for p in patches),
         stop=max(p.stop for p in patches),
         artifacts=artifacts,
+    )
+
+
+def merged(changes: Iterable[Change]) -> Change:
+    """What several edits touch together."""
+    known = list(changes)
+    moved = [c for c in known if c.markers]
+    return Change(
+        markers=tuple(dict.fromkeys(m for c in moved for m in c.markers)),
+        start=min((c.start for c in moved), default=0),
+        stop=max((c.stop for c in moved), default=0),
+        artifacts=any(c.artifacts for c in known),
     )
 
 

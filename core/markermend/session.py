@@ -23,6 +23,7 @@ from markermend.edits import (
     SetSamples,
     State,
     extent,
+    merged,
     restoring,
 )
 from markermend.errors import DataError
@@ -281,6 +282,15 @@ class Session:
         step.edit.apply(self._state)
         self._done.append(step)
         return self._after("redo", step)
+
+    def travel(self, steps_done: int) -> Change:
+        """Undo or redo until so many steps are done; the changes are told as one."""
+        changes = []
+        while len(self._done) > max(0, steps_done):
+            changes.append(self.undo())
+        while len(self._done) < steps_done and self._undone:
+            changes.append(self.redo())
+        return merged(changes)
 
     @property
     def exported(self) -> bool:

@@ -205,6 +205,10 @@ def test_undo_and_redo_restore_every_state_bit_for_bit(script):
     for state in states[1:]:
         session.redo()
         assert state_of(session) == state
+    session.travel(0)
+    assert state_of(session) == states[0]
+    session.travel(len(states) - 1)
+    assert state_of(session) == states[-1]
 
 
 @settings(max_examples=25, deadline=None)

@@ -10,7 +10,8 @@ from functools import lru_cache
 import numpy as np
 
 from markermend.arrays import FloatArray
-from markermend.take import Take, is_unlabelled
+from markermend.files.axes import vertical_of
+from markermend.take import AXES, Take, is_unlabelled
 from markermend_app.panels.scene_camera import FOV, Camera
 
 _SAMPLED = 200
@@ -79,13 +80,14 @@ def set_stage(take: Take, up: int | None = None) -> Stage:
     Parameters
     ----------
     take : its samples as opened
-    up : axis that points up; guessed when None
+    up : axis that points up; None takes what the file says, and guesses when it says nothing
     """
     named = [i for i, label in enumerate(take.labels) if not is_unlabelled(label)]
     points = _sample(take.positions)
     points = points[:, named] if named else points
     if up is None:
-        up = vertical_axis(points)
+        told = vertical_of(take)
+        up = AXES.index(told) if told else vertical_axis(points)
     flat = points.reshape(-1, 3)
     flat = flat[~np.isnan(flat[:, 0])]
     if not len(flat):
