@@ -9,8 +9,9 @@ from markermend.take import Take, is_unlabelled
 
 # Distances are compared on every 4th frame: they change slowly.
 STRIDE = 4
-# A reference that would cost more than this share of the frames to learn from is passed over.
-LOSS = 0.2
+# A reference that would cost more than this share of the frames to learn from is passed over; the
+# second holds where there are fewer than three otherwise.
+LOSS, MOST_LOSS = 0.2, 0.8
 # Spreads below these make no difference: to what holds the frame, and to what describes the pose.
 RIGID_MM, NEAR_MM = 1.0, 3.0
 
@@ -67,14 +68,15 @@ def pick_references(ranked: IntArray, seen: BoolArray, marker: int, count: int) 
     -------
     (k,) places in `ranked`, in order; k may be less than `count`
     """
-    picked: list[int] = []
-    rows = seen[:, marker]
-    for place, column in enumerate(ranked):
-        with_it = rows & seen[:, column]
-        if with_it.sum() >= (1 - LOSS) * rows.sum():
-            picked.append(place)
-            rows = with_it
-        if len(picked) == count:
+    for loss in (LOSS, MOST_LOSS):
+        picked: list[int] = []
+        rows = seen[:, marker]
+        for place, column in enumerate(ranked):
+            with_it = rows & seen[:, column]
+            if len(picked) < count and with_it.sum() >= (1 - loss) * rows.sum():
+                picked.append(place)
+                rows = with_it
+        if len(picked) >= 3:
             break
     return np.array(picked, dtype=np.int64)
 
