@@ -8,6 +8,7 @@ from types import MappingProxyType
 from typing import Any
 
 from markermend.artifact import Artifact
+from markermend.detectors.joint import JointParams, detect_joint
 from markermend.detectors.paper import detect_paper
 from markermend.detectors.params import PaperParams
 from markermend.errors import MethodError
@@ -49,7 +50,15 @@ DETECTORS: Mapping[str, Detector] = MappingProxyType(
             params=PaperParams,
             run=detect_paper,
             source="skurowski2022, section 3.4",
-        )
+        ),
+        "joint": Detector(
+            name="joint",
+            label="Joint",
+            summary="Jumps and jitter that neither smooth motion nor the neighbours explain, "
+            "with calibrated confidence.",
+            params=JointParams,
+            run=detect_joint,
+        ),
     }
 )
 """Every detection method by name."""

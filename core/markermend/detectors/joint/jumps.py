@@ -77,13 +77,19 @@ def find_jumps(
     """
     rest = signal.copy()
     begin, end = segments(seen)
-    found = _none()
+    reach = reach_at(rate)
+    noise = jitter(sixth_difference(signal), seen, rate)
+    found, where = _none(), seen
     for _ in range(PASSES):
-        new = _one_pass(rest, seen, begin, end, rate, least_score, longest)
+        new = _one_pass(rest, where, begin, end, noise, reach, least_score, longest)
         if not len(new):
             break
+        where = np.zeros_like(seen)
         for c, f, n, size in zip(new.channel, new.frame, new.length, new.size, strict=True):
             rest[f : f + n if n else end[f, c], c] -= size
+            # Elsewhere nothing has changed.
+            where[max(0, f - 2 * reach) : f + n + 2 * reach, c] = True
+        where &= seen
         found = _merged(found, new)
     order = np.lexsort((found.frame, found.channel))
     return found.take(order), rest
@@ -117,25 +123,24 @@ def segments(seen: BoolArray) -> tuple[IntArray, IntArray]:
 
 def _one_pass(
     signal: FloatArray,
-    seen: BoolArray,
+    where: BoolArray,
     begin: IntArray,
     end: IntArray,
-    rate: float,
+    noise: FloatArray,
+    reach: int,
     least_score: float,
     longest: int,
 ) -> Jumps:
     """The jumps that stand out most within their reach."""
-    reach = reach_at(rate)
-    change = sixth_difference(signal)
-    noise = jitter(change, seen, rate)
-    frame, channel = np.nonzero((np.abs(change) > SCREEN * noise + FLOOR_MM / 3) & seen)
+    change = np.abs(sixth_difference(signal))
+    frame, channel = np.nonzero((change > SCREEN * noise + FLOOR_MM / 3) & where)
     # The sixth difference of an edge is largest within three frames of it.
     near = np.zeros(signal.shape, dtype=bool)
     for shift in range(-2, 4):
         at = frame + shift
         inside = (at > 0) & (at < len(signal))
         near[at[inside], channel[inside]] = True
-    frame, channel = np.nonzero(near & seen)
+    frame, channel = np.nonzero(near & where)
     first, stop = begin[frame, channel], end[frame, channel]
     level = noise[frame, channel]
     candidates = []
@@ -157,7 +162,8 @@ def _one_pass(
 
 def _error(judged: Judged, level: FloatArray) -> FloatArray:
     """Standard error: from the window itself, from the long run, and a floor."""
-    return np.asarray(np.sqrt(judged.error**2 + (judged.unit * level) ** 2 + FLOOR_MM**2))
+    own = np.where(np.isfinite(judged.unit), judged.unit, 0.0) * level
+    return np.asarray(np.sqrt(judged.error**2 + own**2 + FLOOR_MM**2))
 
 
 def _clearest(jumps: Jumps, reach: int) -> Jumps:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
@@ -27,11 +29,11 @@ def jitter(change: FloatArray, valid: BoolArray, rate: float) -> FloatArray:
     (frames, channels): the median over nine blocks of 0.42 s of each block's median magnitude,
     over 0.6745, interpolated between blocks. Channels without a valid sample have 0.
     """
-    frames, channels = change.shape
+    frames = len(change)
     count = max(1, round(frames / (BLOCK_S * rate)))
     edges = np.linspace(0, frames, count + 1).astype(int)
     size = np.where(valid, np.abs(change), np.nan) if not valid.all() else np.abs(change)
-    blocks = np.stack([_median(size[a:b]) for a, b in zip(edges[:-1], edges[1:], strict=True)])
+    blocks = np.stack([_median(size[a:b]) for a, b in pairwise(edges)])
     half = min(BLOCKS // 2, (count - 1) // 2)
     around = np.pad(blocks, ((half, half), (0, 0)), mode="reflect") if half else blocks
     level = _median(np.moveaxis(sliding_window_view(around, 2 * half + 1, axis=0), -1, 0))

@@ -1,0 +1,59 @@
+"""Steps: a jump, and later a jump back of about the same size."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from markermend.detectors.joint.jumps import Jumps
+
+LONGEST_S = 2.0
+# What comes back differs by noise, and by the way the marker turns meanwhile.
+LARGEST_MISMATCH = 0.35
+
+
+def pair_jumps(jumps: Jumps, rate: float) -> list[tuple[int, int, float]]:
+    """Pair jumps with the jumps that take them back, the surest pair first.
+
+    Parameters
+    ----------
+    jumps : in order of channel and frame; blocks are passed over
+    rate : frames per second
+
+    Returns
+    -------
+    (i, j, score) of each pair, i before j, the shorter first of equals: indices into ``jumps``,
+    and the smaller score of both, less what they differ in standard errors. No jump is in two
+    pairs, no pair overlaps another of its channel.
+    """
+    alone = [int(i) for i in np.flatnonzero(jumps.length == 0)]
+    longest = LONGEST_S * rate
+    pairs: list[tuple[float, int, int, int]] = []
+    for n, i in enumerate(alone):
+        for j in alone[n + 1 :]:
+            if jumps.channel[j] != jumps.channel[i] or jumps.frame[j] - jumps.frame[i] > longest:
+                break
+            score = _pair_score(jumps, i, j)
+            if score > 0:
+                pairs.append((-score, int(jumps.frame[j] - jumps.frame[i]), i, j))
+    used: set[int] = set()
+    taken: dict[int, list[tuple[int, int]]] = {}
+    kept: list[tuple[int, int, float]] = []
+    for minus_score, _, i, j in sorted(pairs):
+        a, b = int(jumps.frame[i]), int(jumps.frame[j])
+        others = taken.setdefault(int(jumps.channel[i]), [])
+        if i in used or j in used or any(a < y and x < b for x, y in others):
+            continue
+        used |= {i, j}
+        others.append((a, b))
+        kept.append((i, j, -minus_score))
+    return kept
+
+
+def _pair_score(jumps: Jumps, i: int, j: int) -> float:
+    """Smaller score of two opposite jumps, less their difference in standard errors."""
+    a, b = float(jumps.size[i]), float(jumps.size[j])
+    larger = max(abs(a), abs(b))
+    if a * b >= 0 or abs(a + b) > LARGEST_MISMATCH * larger + 0.3:
+        return 0.0
+    error = np.hypot(a / jumps.score[i], b / jumps.score[j])
+    return float(min(jumps.score[i], jumps.score[j]) - max(0.0, abs(a + b) / error - 2.0))

@@ -1,0 +1,121 @@
+"""Sudden artifacts of each coordinate: what jumps, blocks and jitter amount to."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from markermend.arrays import BoolArray, FloatArray, IntArray
+from markermend.artifact import Kind
+from markermend.detectors.joint.jumps import Jumps, find_jumps, reach_at, segments
+from markermend.detectors.joint.noise import Noise, find_noise
+from markermend.detectors.joint.shapes import judge
+from markermend.detectors.joint.steps import pair_jumps
+
+LEAST_SCORE = 4.5
+"""Standard errors from which a shape is written down; confidence decides what is flagged."""
+SHORT_STEP = 2
+"""Blocks are looked for up to so many times the longest peak; beyond, edges are jumps."""
+
+
+@dataclass(frozen=True)
+class Sudden:
+    """A sudden artifact of one coordinate.
+
+    Attributes
+    ----------
+    channel : 3 × marker + axis
+    start, stop : half-open interval of frames
+    kind : peak, noise or step
+    size_mm : of the deviation; of noise its standard deviation
+    score : size over its standard error; for noise over the least that counts
+    beside_mm : how far the nearest markers jump in that same frame, their median; 0 for noise,
+        which is compared with theirs when it is found
+    """
+
+    channel: int
+    start: int
+    stop: int
+    kind: Kind
+    size_mm: float
+    score: float
+    beside_mm: float
+
+
+def find_sudden(
+    signal: FloatArray,
+    seen: BoolArray,
+    neighbours: IntArray,
+    rate: float,
+    peak_frames: int,
+) -> list[Sudden]:
+    """Find sudden artifacts.
+
+    Parameters
+    ----------
+    signal : (frames, 3 × markers) mm, without NaN
+    seen : (frames, 3 × markers) bool
+    neighbours : (markers, k) columns of the nearest other markers, k may be 0
+    rate : frames per second
+    peak_frames : longest peak
+
+    Returns
+    -------
+    Sudden artifacts by channel and start; on one channel they do not overlap, but for a peak on
+    a step
+    """
+    jumps, rest = find_jumps(
+        signal, seen, rate, least_score=LEAST_SCORE, longest=SHORT_STEP * peak_frames
+    )
+    noise = find_noise(signal, rest, seen, neighbours, rate)
+    jumps = _outside(jumps, noise, reach_at(rate))
+    beside = _beside(signal, seen, neighbours, jumps, rate)
+    found = [
+        Sudden(n.channel, n.start, n.stop, Kind.NOISE, n.sigma_mm, n.ratio, 0.0) for n in noise
+    ]
+    for i in np.flatnonzero(jumps.length > 0):
+        length = int(jumps.length[i])
+        kind = Kind.PEAK if length <= peak_frames else Kind.STEP
+        start, size = int(jumps.frame[i]), abs(float(jumps.size[i]))
+        channel, score = int(jumps.channel[i]), float(jumps.score[i])
+        found.append(Sudden(channel, start, start + length, kind, size, score, float(beside[i])))
+    for first, last, clear in pair_jumps(jumps, rate):
+        size = 0.5 * (abs(float(jumps.size[first])) + abs(float(jumps.size[last])))
+        start, stop = int(jumps.frame[first]), int(jumps.frame[last])
+        moved = float(max(beside[first], beside[last]))
+        channel = int(jumps.channel[first])
+        found.append(Sudden(channel, start, stop, Kind.STEP, size, clear, moved))
+    return sorted(found, key=lambda s: (s.channel, s.start, s.stop))
+
+
+def _outside(jumps: Jumps, noise: list[Noise], reach: int) -> Jumps:
+    """Jumps that no fit through heavy noise has made."""
+    inside = np.zeros(len(jumps), dtype=bool)
+    for n in noise:
+        inside |= (
+            (jumps.channel == n.channel)
+            & (jumps.frame + jumps.length > n.start - reach)
+            & (jumps.frame < n.stop + reach)
+        )
+    return jumps.take(~inside)
+
+
+def _beside(
+    signal: FloatArray, seen: BoolArray, neighbours: IntArray, jumps: Jumps, rate: float
+) -> FloatArray:
+    """Median over neighbours of how far each jumps where a marker does, (jumps,) mm."""
+    if not neighbours.shape[1] or not len(jumps):
+        return np.zeros(len(jumps))
+    begin, end = segments(seen)
+    around = neighbours[jumps.channel // 3]
+    count, k = around.shape
+    channel = (3 * around[:, :, None] + np.arange(3)).ravel()
+    frame, length = (np.repeat(v, 3 * k) for v in (jumps.frame, jumps.length))
+    moved = np.zeros(len(channel))
+    for one in np.unique(length):
+        at = np.flatnonzero(length == one)
+        f, c = frame[at], channel[at]
+        moved[at] = judge(signal, c, f, int(one), reach_at(rate), begin[f, c], end[f, c]).size
+    distance = np.sqrt((moved.reshape(count, k, 3) ** 2).sum(axis=2))
+    return np.asarray(np.median(distance, axis=1))

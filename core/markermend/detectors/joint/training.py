@@ -1,0 +1,136 @@
+"""Learn the confidence of sudden artifacts from contaminated takes, seeded."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from threadpoolctl import threadpool_limits
+
+from markermend.arrays import BoolArray, FloatArray
+from markermend.artifact import Artifact, Kind, damage_mask
+from markermend.detectors.channels import channels
+from markermend.detectors.joint.confidence import FEATURES, Curve, features
+from markermend.detectors.joint.neighbours import nearest_markers
+from markermend.detectors.joint.sudden import Sudden, find_sudden
+from markermend.errors import DataError
+from markermend.progress import Progress, quiet
+from markermend.simulation import contaminate
+from markermend.take import Take, is_unlabelled
+
+AMPLITUDES_MM = (2.0, 5.0, 10.0, 30.0)
+SHARE = 0.03
+RARER = 10.0
+"""Training has several artifacts a second, so that all sorts are seen; takes as they come have
+far fewer. Odds are divided by this."""
+LONGEST_PEAK_S = 0.05
+KINDS = (Kind.PEAK, Kind.NOISE, Kind.STEP)
+
+
+def train_sudden(
+    takes: Sequence[tuple[Take, Sequence[Artifact]]],
+    *,
+    rounds: int = 4,
+    seed: int = 0,
+    progress: Progress | None = None,
+) -> dict[Kind, Curve]:
+    """Learn one logistic curve a class.
+
+    Parameters
+    ----------
+    takes : clean recordings, each with what is damaged in it already; that is left out
+    rounds : contaminations of each take and amplitude (2 to 30 mm)
+    seed : same takes and seed, same curves
+    progress : told the share done; may raise ``Cancelled``
+
+    Returns
+    -------
+    Curves by class. A flag counts as real when half of it is damage. Every take counts alike,
+    however many flags it has.
+
+    Raises
+    ------
+    DataError
+        when no false flag, or no real one, of a class turned up to learn from
+    """
+    report = progress or quiet
+    measured: dict[Kind, list[FloatArray]] = {kind: [] for kind in KINDS}
+    real: dict[Kind, list[BoolArray]] = {kind: [] for kind in KINDS}
+    with threadpool_limits(1):
+        for i, (take, flaws) in enumerate(takes):
+            report(i / len(takes), "contaminating")
+            for found, hit in _examples(take, flaws, rounds, seed + 1000 * i):
+                for kind in KINDS:
+                    of_kind = np.array([s.kind is kind for s in found], dtype=bool)
+                    measured[kind].append(features(found)[of_kind])
+                    real[kind].append(hit[of_kind])
+    return {
+        kind: fit_curve(np.concatenate(measured[kind]), np.concatenate(real[kind]))
+        for kind in KINDS
+    }
+
+
+def fit_curve(measured: FloatArray, real: BoolArray) -> Curve:
+    """Fit a logistic curve.
+
+    Parameters
+    ----------
+    measured : (n, features)
+    real : (n,) bool
+
+    Raises
+    ------
+    DataError
+        when all flags are real or none is
+    """
+    from sklearn.linear_model import LogisticRegression
+
+    if real.all() or not real.any():
+        raise DataError("Real and false flags are both needed to learn confidence from.")
+    model: Any = LogisticRegression(C=10.0, max_iter=1000).fit(measured, real)
+    bias = float(model.intercept_[0]) - math.log(RARER)
+    return Curve(bias, tuple(float(w) for w in model.coef_[0]))
+
+
+def as_json(curves: dict[Kind, Curve]) -> dict[str, Any]:
+    """Turn curves into what ``models/sudden.json`` holds."""
+    return {
+        "features": list(FEATURES),
+        "curves": {
+            kind.value: {
+                "bias": round(curve.bias, 4),
+                "weights": [round(w, 4) for w in curve.weights],
+            }
+            for kind, curve in curves.items()
+        },
+    }
+
+
+def _examples(
+    take: Take, flaws: Sequence[Artifact], rounds: int, seed: int
+) -> list[tuple[list[Sudden], BoolArray]]:
+    """Flags on contaminated copies of a take, and which of them are real."""
+    labels = [label for label in take.labels if not is_unlabelled(label)]
+    markers = [take.index(label) for label in labels]
+    known = damage_mask(take, flaws)[:, markers].reshape(take.frames, -1)
+    neighbours = nearest_markers(take, markers)
+    examples = []
+    for number in range(rounds):
+        for k, amplitude in enumerate(AMPLITUDES_MM):
+            damaged, truth = contaminate(
+                take,
+                share=SHARE,
+                amplitude_mm=amplitude,
+                markers=labels,
+                seed=seed + number * len(AMPLITUDES_MM) + k,
+            )
+            signal, seen = channels(damaged, markers)
+            peak = max(1, round(LONGEST_PEAK_S * take.rate))
+            found = find_sudden(signal, seen, neighbours, take.rate, peak)
+            hurt = damage_mask(damaged, truth)[:, markers].reshape(take.frames, -1)
+            ours = [s for s in found if not known[s.start : s.stop, s.channel].any()]
+            hit = [hurt[s.start : s.stop, s.channel].mean() >= 0.5 for s in ours]
+            examples.append((ours, np.array(hit, dtype=bool)))
+    return examples

@@ -1,0 +1,99 @@
+"""From what is wrong on coordinates to artifacts: axes of a marker joined, put into words."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import groupby
+
+import numpy as np
+
+from markermend.arrays import FloatArray
+from markermend.artifact import Artifact, Kind
+from markermend.detectors.finding import how_long, in_mm, overlap
+from markermend.detectors.joint.sudden import Sudden
+from markermend.take import AXES, Take
+
+SAME = 0.5
+"""Intervals on two axes are one artifact when they share this much of their union."""
+FAINT = 0.2
+"""What is as sure as this counts where another axis of the marker is surely wrong as well."""
+
+
+def to_artifacts(
+    take: Take,
+    markers: Sequence[int],
+    found: Sequence[Sudden],
+    confidence: FloatArray,
+    least: float,
+) -> list[Artifact]:
+    """Join what is wrong on the axes of one marker, and say why.
+
+    Parameters
+    ----------
+    take : the recording
+    markers : columns of the take, in the order the channels of ``found`` count
+    found : sudden artifacts of single coordinates
+    confidence : (n,) of each
+    least : smallest confidence of an artifact, that of its surest axis
+
+    Returns
+    -------
+    Artifacts in no particular order. Each spans its axes' intervals and has the confidence of
+    the surest and the amplitude of all (root of summed squares).
+    """
+    order = np.lexsort((-confidence, np.array([s.channel // 3 for s in found], dtype=np.int64)))
+    artifacts = []
+    for marker, same in groupby(order, key=lambda i: found[i].channel // 3):
+        groups: list[list[int]] = []
+        for i in same:
+            home = next((g for g in groups if _belongs(found[i], [found[k] for k in g])), None)
+            if home is not None and confidence[i] >= min(FAINT, least):
+                home.append(int(i))
+            elif home is None and confidence[i] >= least:
+                groups.append([int(i)])
+        for group in groups:
+            sure = float(confidence[group].max())
+            artifacts.append(_artifact(take, markers[marker], [found[i] for i in group], sure))
+    return artifacts
+
+
+def _belongs(one: Sudden, group: Sequence[Sudden]) -> bool:
+    """Whether it is the same artifact on another axis."""
+    first = group[0]
+    return (
+        all(one.channel != other.channel for other in group)
+        and one.kind is first.kind
+        and overlap((one.start, one.stop), (first.start, first.stop)) >= SAME
+    )
+
+
+def _artifact(take: Take, marker: int, group: Sequence[Sudden], confidence: float) -> Artifact:
+    """One artifact for the same damage on some axes of a marker."""
+    start, stop = min(s.start for s in group), max(s.stop for s in group)
+    size = float(np.sqrt(sum(s.size_mm**2 for s in group)))
+    return Artifact(
+        marker=take.labels[marker],
+        axes="".join(AXES[axis] for axis in sorted(s.channel % 3 for s in group)),
+        start=start,
+        stop=stop,
+        kind=group[0].kind,
+        confidence=confidence,
+        amplitude_mm=size,
+        why=_explain(group, size, stop - start, take.rate),
+    )
+
+
+def _explain(group: Sequence[Sudden], size: float, length: int, rate: float) -> str:
+    """The evidence in one sentence."""
+    surest = max(group, key=lambda s: s.score)
+    lasting, mm = how_long(length, rate), in_mm(size)
+    if surest.kind is Kind.NOISE:
+        return (
+            f"jitters by {mm} mm (standard deviation) for {lasting}, {6 * surest.score:.0f} times "
+            "its usual; its neighbours are calm"
+        )
+    beside = f"while its neighbours move {in_mm(surest.beside_mm)} mm"
+    clear = f"{surest.score:.0f} standard errors of its motion around"
+    if surest.kind is Kind.PEAK:
+        return f"sticks out by {mm} mm for {lasting} {beside}; {clear}"
+    return f"jumps {mm} mm in one frame {beside} and comes back {lasting} later; {clear}"

@@ -1,0 +1,251 @@
+"""The joint detector: what it finds, to the frame, and what it leaves alone."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import markermend as mm
+from markermend.artifact import Artifact, Kind, damage_mask
+from markermend.artifact_json import artifacts_of
+from markermend.detectors.joint import JointParams
+from markermend.detectors.joint.confidence import Curve, confidences, shipped_curves
+from markermend.detectors.joint.jumps import Jumps
+from markermend.detectors.joint.shapes import fit_of, judge
+from markermend.detectors.joint.steps import pair_jumps
+from markermend.detectors.joint.sudden import Sudden
+from markermend.detectors.joint.training import fit_curve, train_sudden
+from markermend.errors import Cancelled, DataError, MethodError
+from markermend.simulation import contaminate, simulate_clean
+from markermend.take import Take
+
+REVIEWED = Path(__file__).with_name("reviewed")
+
+
+@pytest.fixture(scope="module")
+def performer():
+    return simulate_clean(duration_s=10.0, rate=120.0, seed=5)
+
+
+def sudden(take, **changes):
+    found = mm.detect(take, method="joint", params=JointParams(**changes))
+    return [a for a in found if a.kind is not Kind.GAP]
+
+
+def hurt(take, marker, axis, start, deviation):
+    positions = take.positions.copy()
+    positions[start : start + len(deviation), take.index(marker), axis] += deviation
+    return Take(positions, take.labels, take.rate)
+
+
+@pytest.mark.parametrize("rate", [100.0, 120.0, 240.0])
+def test_a_clean_performance_is_left_alone(rate):
+    assert sudden(simulate_clean(duration_s=8.0, rate=rate, seed=1)) == []
+
+
+@pytest.mark.parametrize("length", [1, 2, 4])
+def test_a_peak_is_found_to_the_frame(performer, length):
+    (a,) = sudden(hurt(performer, "LWRA", 1, 500, np.full(length, 8.0)))
+    assert (a.marker, a.axes, a.start, a.stop) == ("LWRA", "y", 500, 500 + length)
+    assert a.kind is Kind.PEAK
+    assert a.amplitude_mm == pytest.approx(8.0, abs=1.0)
+    assert "sticks out" in a.why
+
+
+@pytest.mark.parametrize("length", [10, 18, 60, 150])
+def test_a_step_is_found_to_the_frame(performer, length):
+    (a,) = sudden(hurt(performer, "RKNE", 2, 400, np.full(length, -6.0)))
+    assert (a.marker, a.axes, a.start, a.stop) == ("RKNE", "z", 400, 400 + length)
+    assert a.kind is Kind.STEP
+    assert a.amplitude_mm == pytest.approx(6.0, abs=1.0)
+    assert "comes back" in a.why
+
+
+def test_heavy_noise_is_found(performer):
+    jitter = 5.0 * np.random.default_rng(0).standard_normal(50)
+    (a,) = sudden(hurt(performer, "C7", 0, 700, jitter))
+    assert (a.marker, a.axes, a.kind) == ("C7", "x", Kind.NOISE)
+    assert abs(a.start - 700) <= 2
+    assert abs(a.stop - 750) <= 2
+    assert a.amplitude_mm == pytest.approx(5.0, rel=0.3)
+
+
+def test_axes_hurt_together_are_one_artifact(performer):
+    take = hurt(performer, "LTOE", 0, 300, np.full(30, 12.0))
+    take = hurt(take, "LTOE", 2, 300, np.full(30, -5.0))
+    (a,) = sudden(take)
+    assert (a.marker, a.axes, a.start, a.stop, a.kind) == ("LTOE", "xz", 300, 330, Kind.STEP)
+    assert a.amplitude_mm == pytest.approx(13.0, abs=1.0)
+
+
+def test_a_jump_of_the_whole_body_is_no_artifact_of_its_markers(performer):
+    positions = performer.positions.copy()
+    positions[600:640] += [0.0, 0.0, 3.0]
+    moved = Take(positions, performer.labels, performer.rate)
+    alone = hurt(performer, "LFHD", 2, 600, np.full(40, 3.0))
+    assert sudden(alone)[0].confidence > 0.7
+    together = [a.confidence for a in sudden(moved, sensitivity=1.0) if a.kind is Kind.STEP]
+    assert max(together, default=0.0) < sudden(alone)[0].confidence
+
+
+def test_nothing_is_made_of_gaps(performer):
+    positions = performer.positions.copy()
+    rng = np.random.default_rng(3)
+    for marker in range(0, performer.markers, 3):
+        start = int(rng.integers(20, performer.frames - 120))
+        positions[start : start + int(rng.integers(1, 80)), marker] = np.nan
+    assert sudden(Take(positions, performer.labels, performer.rate)) == []
+
+
+def test_a_peak_next_to_a_gap_is_found(performer):
+    positions = performer.positions.copy()
+    positions[500:530, 4] = np.nan
+    positions[496, 4, 1] += 25.0
+    found = sudden(Take(positions, performer.labels, performer.rate))
+    assert [(a.start, a.stop, a.axes) for a in found] == [(496, 497, "y")]
+
+
+def test_a_swap_is_one_artifact_with_both_names(performer):
+    positions = performer.positions.copy()
+    a, b = performer.index("LFHD"), performer.index("RFHD")
+    positions[500:560, [a, b]] = positions[500:560, [b, a]]
+    found = sudden(Take(positions, performer.labels, performer.rate))
+    swap = next(x for x in found if x.counterpart)
+    assert {swap.marker, swap.counterpart} == {"LFHD", "RFHD"}
+    assert (swap.start, swap.stop, swap.axes) == (500, 560, "xyz")
+
+
+def test_sensitivity_only_adds(performer):
+    damaged, _ = contaminate(performer, share=0.05, amplitude_mm=1.0, seed=4)
+    counts = [
+        int(damage_mask(damaged, sudden(damaged, sensitivity=s)).sum()) for s in (0.1, 0.5, 0.95)
+    ]
+    assert counts[0] <= counts[1] <= counts[2]
+    assert counts[0] < counts[2]
+
+
+@settings(max_examples=5, deadline=None)
+@given(
+    st.tuples(*[st.floats(-1e4, 1e4) for _ in range(3)]),
+    st.permutations([0, 1, 2]),
+)
+def test_origin_and_order_of_axes_do_not_matter(shift, order):
+    take = simulate_clean(duration_s=4.0, seed=2, labels=("LFHD", "RFHD", "C7", "LSHO", "RSHO"))
+    take = hurt(take, "C7", 1, 200, np.full(20, 9.0))
+    moved = Take(take.positions[:, :, list(order)] + np.array(shift), take.labels, take.rate)
+    (here,), (there,) = sudden(take), sudden(moved)
+    assert (here.start, here.stop, here.kind) == (there.start, there.stop, there.kind)
+    assert "xyz"[order.index(1)] == there.axes
+    assert there.confidence == pytest.approx(here.confidence, abs=1e-6)
+
+
+def test_most_of_a_contamination_is_found(performer):
+    damaged, truth = contaminate(
+        performer, share=0.05, amplitude_mm=10.0, kinds=("peak", "noise", "step"), seed=8
+    )
+    hit = damage_mask(damaged, sudden(damaged))
+    true = damage_mask(damaged, truth)
+    assert (hit & true).sum() >= 0.97 * true.sum()
+    assert (hit & ~true).sum() <= 0.02 * true.sum()
+
+
+def test_it_can_be_stopped(performer):
+    def stop(share, doing):
+        raise Cancelled
+
+    with pytest.raises(Cancelled):
+        mm.detect(performer, method="joint", progress=stop)
+
+
+def test_parameters_are_checked():
+    with pytest.raises(MethodError, match="sensitivity"):
+        JointParams(sensitivity=1.5)
+
+
+def test_a_take_without_named_markers_has_nothing_to_find():
+    positions = np.cumsum(np.ones((60, 1, 3)), axis=0)
+    assert sudden(Take(positions, ("*1",), 100.0)) == []
+
+
+def test_fits_are_exact_for_a_polynomial_and_a_shape():
+    frames = np.arange(40.0)
+    signal = (1e4 + frames**3 / 50 - frames**2)[:, None]
+    signal[20:23] += 7.0
+    one = np.array([0])
+    first, stop = np.array([0]), np.array([40])
+    for frame in (20,):
+        judged = judge(signal, one, np.array([frame]), 3, 6, first, stop)
+        assert judged.size[0] == pytest.approx(7.0)
+        assert judged.error[0] < 1e-6
+    fit = fit_of(15, 6, 9)
+    assert np.abs(fit.rest.T @ fit.rest - np.eye(fit.rest.shape[1])).max() < 1e-12
+
+
+def test_pairs_are_opposite_and_never_overlap():
+    def jump(frames, sizes):
+        n = len(frames)
+        return Jumps(
+            np.zeros(n, dtype=np.int64),
+            np.array(frames),
+            np.zeros(n, dtype=np.int64),
+            np.array(sizes, dtype=float),
+            np.full(n, 20.0),
+        )
+
+    assert [p[:2] for p in pair_jumps(jump([10, 40], [5, -5]), 100.0)] == [(0, 1)]
+    assert pair_jumps(jump([10, 40], [5, 5]), 100.0) == []
+    assert pair_jumps(jump([10, 40], [5, -15]), 100.0) == []
+    assert pair_jumps(jump([10, 900], [5, -5]), 100.0) == []
+    both = pair_jumps(jump([10, 30, 50, 70], [5, 8, -8, -5]), 100.0)
+    assert [p[:2] for p in both] == [(1, 2)]
+
+
+def test_confidence_grows_with_score_and_falls_with_moving_neighbours():
+    def one(**changes):
+        values = {"size_mm": 3.0, "score": 8.0, "beside_mm": 0.1} | changes
+        return Sudden(0, 10, 12, Kind.PEAK, **values)
+
+    base, clearer, shared = confidences([one(), one(score=16.0), one(beside_mm=6.0)])
+    assert shared < base < clearer <= 1.0
+    assert set(shipped_curves()) == {Kind.PEAK, Kind.NOISE, Kind.STEP}
+
+
+def test_curves_agree_with_scikit_learn():
+    from sklearn.linear_model import LogisticRegression
+
+    rng = np.random.default_rng(0)
+    measured = rng.standard_normal((400, 4))
+    real = measured[:, 0] + 0.5 * rng.standard_normal(400) > 0
+    curve = fit_curve(measured, real)
+    model = LogisticRegression(C=10.0, max_iter=1000).fit(measured, real)
+    ours = curve.bias + measured @ np.array(curve.weights) + np.log(10.0)
+    assert np.allclose(ours, model.decision_function(measured))
+    with pytest.raises(DataError):
+        fit_curve(measured, np.ones(400, dtype=bool))
+
+
+def test_training_is_seeded():
+    # Damage that nobody tells of is what false flags are learned from.
+    take, _ = contaminate(
+        simulate_clean(duration_s=8.0, seed=7), share=0.2, amplitude_mm=4.0, seed=1
+    )
+    first = train_sudden([(take, ())], rounds=1, seed=2)
+    assert first == train_sudden([(take, ())], rounds=1, seed=2)
+    assert isinstance(first[Kind.PEAK], Curve)
+
+
+@pytest.mark.parametrize("name", ["85_02", "85_12", "HDM_mm_01-02_03_120"])
+def test_real_takes_raise_no_false_alarm(shared_data, name):
+    take = mm.read(shared_data / "bodies" / f"{name}.c3d")
+    flaws = artifacts_of(json.loads((REVIEWED / f"{name}.json").read_text("utf-8")))
+    known = damage_mask(take, flaws).any(axis=2)
+
+    def outside(a: Artifact) -> bool:
+        return not known[a.start : a.stop, take.index(a.marker)].any()
+
+    assert [a for a in sudden(take) if outside(a)] == []
