@@ -135,7 +135,7 @@ class Take:
     first_frame: int = 1
     residuals: Float32Array | None = None
     cameras: ByteArray | None = None
-    origin: ByteArray = field(default=None)  # type: ignore[assignment]
+    origin: ByteArray = field(default_factory=lambda: np.empty((0, 0), dtype=np.uint8))
     events: tuple[Event, ...] = ()
     analog: Analog | None = None
     points: Points | None = None
@@ -162,7 +162,7 @@ class Take:
         if any((absent[:, :, axis] != missing).any() for axis in (1, 2)):
             raise DataError("A missing sample must be NaN in all three coordinates.")
         origin = self.origin
-        if origin is None:
+        if origin.size == 0:
             # Not missing is 1, which is Origin.MEASURED.
             origin = (~missing).astype(np.uint8)
         if origin.shape != positions.shape[:2]:

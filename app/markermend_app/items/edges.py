@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pyqtgraph as pg
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QColor
@@ -10,7 +12,7 @@ from PySide6.QtGui import QColor
 class _Edge(pg.InfiniteLine):
     """One edge; with Shift a drag is a sweep, also when it begins here."""
 
-    def mouseDragEvent(self, ev: object) -> None:
+    def mouseDragEvent(self, ev: Any) -> None:
         """Move, or leave it to the plot."""
         if ev.modifiers() & Qt.KeyboardModifier.ShiftModifier:
             self.getViewBox().mouseDragEvent(ev)

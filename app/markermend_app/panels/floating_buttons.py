@@ -21,7 +21,7 @@ class FloatingButtons(QFrame):
         self.setObjectName("floatingButtons")
         self.setAccessibleName(self.tr("Decide about this artifact"))
         self.setCursor(Qt.CursorShape.ArrowCursor)
-        layout = QHBoxLayout(self)
+        self._row = layout = QHBoxLayout(self)
         layout.setContentsMargins(2, 2, 2, 2)
         layout.setSpacing(2)
         self.accept = self._add("accept", self.tr("Accept: the flag is right (A)"))
@@ -68,7 +68,7 @@ class FloatingButtons(QFrame):
         button.setIconSize(QSize(18, 18))
         # The keys A, R and F do the same; the focus stays with the plots.
         button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.layout().addWidget(button)
+        self._row.addWidget(button)
         return button
 
     def _restyle(self) -> None:

@@ -129,13 +129,18 @@ def _ink(artifact: Artifact, look: theme.Theme) -> QColor:
     return theme.faded(look.kinds[artifact.kind], strength)
 
 
+def _rgb(color: QColor) -> FloatArray:
+    """Red, green and blue of a colour, 0 to 255."""
+    return np.array([color.red(), color.green(), color.blue()], dtype=np.float64)
+
+
 def _draw_missing(
     image: QImage, missing: FloatArray, edges: list[tuple[int, int]], look: theme.Theme
 ) -> None:
     """Shade missing samples; (rows, width) shares."""
     width, height = image.width(), image.height()
-    plain = np.array(look.plot.getRgb()[:3], dtype=np.float64)
-    shade = np.array(theme.blend(look.plot, look.muted, 0.5).getRgb()[:3], dtype=np.float64)
+    plain = _rgb(look.plot)
+    shade = _rgb(theme.blend(look.plot, look.muted, 0.5))
     row_at = np.zeros(height, dtype=np.int64)
     for row, (top, bottom) in enumerate(edges):
         row_at[top:bottom] = row

@@ -65,8 +65,10 @@ class PlotHeader(QWidget):
         """List these markers, each in its colour, the foremost first."""
         self._markers = tuple(markers)
         while (item := self._legend.takeAt(0)) is not None:
-            item.widget().hide()
-            item.widget().deleteLater()
+            widget = item.widget()
+            if widget is not None:
+                widget.hide()
+                widget.deleteLater()
         for i, name in enumerate(self._markers[:_MOST]):
             button = QToolButton()
             button.setText(name)

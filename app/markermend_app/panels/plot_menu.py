@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtGui import QAction
@@ -67,7 +68,7 @@ def sweep_menu(
         _title(menu, _tr("Selection on {marker}").format(marker=document.selection.marker))
     for kind in Kind:
         text = _tr("Mark as {kind}").format(kind=_tr(theme.KIND_NAME[kind]).lower())
-        action = _add(menu, str(kind), text, "", lambda k=kind: mark(k))
+        action = _add(menu, str(kind), text, "", partial(mark, kind))
         action.setEnabled(document.editable)
     menu.addSeparator()
     _add(menu, "repair-all", _tr("Repair the selection"), "", repair).setEnabled(document.editable)

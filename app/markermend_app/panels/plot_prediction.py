@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import partial
 
 from PySide6.QtCore import QObject, Signal
 
@@ -38,9 +39,13 @@ class Predictions(QObject):
                 self._lane.submit(
                     "Predict",
                     _work(session, name),
-                    lambda found, name=name: self._came(name, found),
-                    lambda _, name=name: self._asked.discard(name),
+                    partial(self._came, name),
+                    partial(self._failed, name),
                 )
+
+    def _failed(self, name: str, _: Exception) -> None:
+        """Let a prediction that could not be made be asked for again."""
+        self._asked.discard(name)
 
     def forget(self) -> None:
         """Let all go: the samples they rest on have changed."""

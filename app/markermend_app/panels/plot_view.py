@@ -7,6 +7,8 @@ that all plots follow together.
 
 from __future__ import annotations
 
+from typing import Any
+
 import pyqtgraph as pg
 from PySide6.QtCore import QPointF, Qt, Signal
 
@@ -43,7 +45,7 @@ class PlotView(pg.ViewBox):
         """Frame index under a point of the scene, not rounded."""
         return float(self.mapSceneToView(scene).x())
 
-    def wheelEvent(self, ev: object, axis: int | None = None) -> None:
+    def wheelEvent(self, ev: Any, axis: int | None = None) -> None:
         """Zoom at the mouse; a sideways wheel moves through time."""
         ev.accept()
         notches = ev.delta() / 120.0
@@ -62,7 +64,7 @@ class PlotView(pg.ViewBox):
             x = at.x()
             self.time_wanted.emit(x - (x - low) * factor, x + (high - x) * factor)
 
-    def mouseDragEvent(self, ev: object, axis: int | None = None) -> None:
+    def mouseDragEvent(self, ev: Any, axis: int | None = None) -> None:
         """Scrub, sweep or pan."""
         ev.accept()
         here = self.mapSceneToView(ev.scenePos())
@@ -80,7 +82,7 @@ class PlotView(pg.ViewBox):
         self.setYRange(bottom + dy, top + dy, padding=0)
         self.time_wanted.emit(low + dx, high + dx)
 
-    def mouseClickEvent(self, ev: object) -> None:
+    def mouseClickEvent(self, ev: Any) -> None:
         """Tell which button was clicked where."""
         if ev.button() == Qt.MouseButton.LeftButton:
             ev.accept()
