@@ -10,6 +10,7 @@ from markermend.repairs import (  # noqa: F401, importing a module registers its
     local_regression,
     savgol,
     swap,
+    tits2018,
 )
 from markermend.repairs.advice import Advice, advise
 from markermend.repairs.choice import choose
