@@ -162,7 +162,7 @@ class Take:
         if any((absent[:, :, axis] != missing).any() for axis in (1, 2)):
             raise DataError("A missing sample must be NaN in all three coordinates.")
         origin = self.origin
-        if origin.size == 0:
+        if origin is None or origin.size == 0:
             # Not missing is 1, which is Origin.MEASURED.
             origin = (~missing).astype(np.uint8)
         if origin.shape != positions.shape[:2]:
