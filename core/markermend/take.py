@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from copy import copy
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from enum import IntEnum
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 
@@ -173,6 +174,11 @@ class Take:
         object.__setattr__(self, "positions", positions)
         object.__setattr__(self, "origin", origin)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        # A read-only mapping cannot be pickled, and takes go to worker processes.
+        values = {f.name: getattr(self, f.name) for f in fields(self)}
+        return _take_from, (values | {"info": dict(self.info)},)
+
     @property
     def frames(self) -> int:
         """Number of frames."""
@@ -246,6 +252,11 @@ class Take:
         view.__dict__.pop("present", None)
         view.__dict__.update(positions=positions, origin=origin)
         return view
+
+
+def _take_from(values: dict[str, Any]) -> Take:
+    """Make a take that was pickled."""
+    return Take(**(values | {"info": MappingProxyType(values["info"])}))
 
 
 def is_unlabelled(label: str) -> bool:
