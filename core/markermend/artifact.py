@@ -102,6 +102,13 @@ def in_order(artifacts: Iterable[Artifact]) -> tuple[Artifact, ...]:
     return tuple(sorted(artifacts, key=lambda a: (a.start, a.marker, a.axes, a.kind, a.stop, a.id)))
 
 
+def repair_in_words(take: Take, artifact: Artifact, method: str) -> str:
+    """One line that says what was repaired and how, with the file's frame numbers."""
+    first, last = take.frame_number(artifact.start), take.frame_number(artifact.stop - 1)
+    how = f" by {method}" if method else ""
+    return f"{artifact.kind.value} {artifact.marker} {artifact.axes} frames {first}-{last}{how}"
+
+
 def damage_mask(take: Take, artifacts: Iterable[Artifact]) -> BoolArray:
     """Mark the samples that artifacts cover.
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from markermend.arrays import ByteArray, FloatArray, runs
-from markermend.artifact import Artifact, Kind, Status, in_order
+from markermend.artifact import Artifact, Kind, Status, in_order, repair_in_words
 from markermend.edits import (
     Change,
     Edit,
@@ -123,14 +123,11 @@ class Session:
 
     def repairs_in_words(self) -> tuple[str, ...]:
         """Say what was repaired and how, one line each, for the record in an exported file."""
-        lines = []
-        for a in self.with_status(Status.REPAIRED):
-            first = self.original.frame_number(a.start)
-            last = self.original.frame_number(a.stop - 1)
-            note = self._state.notes.get(a.id)
-            how = f" by {note.method}" if note else ""
-            lines.append(f"{a.kind.value} {a.marker} {a.axes} frames {first}-{last}{how}")
-        return tuple(lines)
+        return tuple(
+            repair_in_words(self.original, a, note.method if note else "")
+            for a in self.with_status(Status.REPAIRED)
+            for note in [self._state.notes.get(a.id)]
+        )
 
     # Decisions
 

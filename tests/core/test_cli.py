@@ -231,6 +231,15 @@ def test_clean_repairs_only_what_it_names(
     assert sorted(p.name for p in tmp_path.iterdir()) == ["out.c3d", "report.json"]
 
 
+def test_clean_writes_down_what_it_did_when_asked(recording: Path, tmp_path: Path) -> None:
+    out = tmp_path / "clean.c3d"
+    assert run("clean", recording, "-o", out, "--no-slow", "--record") == 0
+    group = ezc3d.c3d(str(out))["parameters"]["MARKERMEND"]
+    changes = group["CHANGES"]["value"]
+    assert any("gap TOP1 xyz frames 151-160" in line for line in changes)
+    assert group["VERSION"]["value"] == [mm.__version__]
+
+
 def test_clean_obeys_a_reviewed_list(recording: Path, tmp_path: Path) -> None:
     listed, out = tmp_path / "found.json", tmp_path / "out.c3d"
     assert run("detect", recording, "--no-slow", "--json", listed) == 0

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import markermend as mm
-from markermend.artifact import Artifact
+from markermend.artifact import Artifact, repair_in_words
 from markermend.artifact_json import artifacts_of, document
 from markermend.cli.console import (
     STDOUT,
@@ -51,7 +51,15 @@ def run(options: argparse.Namespace) -> int:
             progress=part(bar, 0.8, 1.0),
         )
     clean = patched(take, (patch for _, repair in pairs for patch in repair.patches))
-    export = mm.write(clean, options.output, as_float=options.float)
+    export = mm.write(
+        clean,
+        options.output,
+        as_float=options.float,
+        record=[repair_in_words(take, a, r.method) for a, r in pairs if r.patches]
+        if options.record
+        else (),
+        mark_outputs=options.mark_outputs,
+    )
     done = outcomes(found, pairs, options.min_confidence)
     if options.json is not None:
         write_json(options.json, _report(take, done, method, options.take))

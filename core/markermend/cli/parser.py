@@ -124,6 +124,16 @@ def _add_clean(p: argparse.ArgumentParser) -> None:
         "instead of detecting; what it calls rejected is left alone",
     )
     _detection(p, "--detector")
+    p.add_argument(
+        "--record",
+        action="store_true",
+        help="write into the C3D, in a MARKERMEND group, what was repaired and how",
+    )
+    p.add_argument(
+        "--mark-outputs",
+        action="store_true",
+        help="name in the C3D the model outputs (angles, moments…) that no longer match",
+    )
     p.add_argument("--list", action="store_true", help="show every single repair")
     _json(p)
     _force(p)
