@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import io
 import json
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from markermend.bench.gaps import as_text, read_cases, replay, summarise, write_csv
+from markermend.bench.gaps import PROTOCOLS, draw_cases, read_cases, replay, summarise
+from markermend.bench.gaps_text import gaps_csv, gaps_table
 from markermend.errors import DataError, FileFormatError
 from markermend.take import Take
 
@@ -42,7 +42,7 @@ def test_a_line_hides_nothing_from_linear(tmp_path: Path, ramps: Take) -> None:
     (row,) = summarise([result])
     assert row.reference_mm == 2.0
     assert row.ratio < 1e-9
-    assert "linear" in as_text([row])
+    assert "linear" in gaps_table([row])[1]
 
 
 def test_an_unfilled_frame_counts_three_times_the_reference(tmp_path: Path, ramps: Take) -> None:
@@ -55,9 +55,30 @@ def test_an_unfilled_frame_counts_three_times_the_reference(tmp_path: Path, ramp
 
 def test_csv_has_a_line_for_each_case_and_method(tmp_path: Path, ramps: Take) -> None:
     cases = read_cases(write_list(tmp_path, ENTRY, ENTRY))
-    file = io.StringIO()
-    write_csv(replay(cases, {"ramps": ramps}, ["linear", "pchip"]), file)
-    assert len(file.getvalue().splitlines()) == 5
+    results = replay(cases, {"ramps": ramps}, ["linear", "pchip"])
+    assert len(gaps_csv(results).splitlines()) == 5
+
+
+@pytest.mark.parametrize("protocol", PROTOCOLS)
+def test_drawn_cases_repeat_by_seed_and_fit_the_take(protocol: str) -> None:
+    rng = np.random.default_rng(0)
+    take = Take(rng.normal(size=(900, 8, 3)), tuple("ABCDEFGH"), 100.0)
+    cases = draw_cases({"t": take}, protocol, simulations=2, seed=3)
+    assert cases == draw_cases({"t": take}, protocol, simulations=2, seed=3)
+    assert cases != draw_cases({"t": take}, protocol, simulations=2, seed=4)
+    for case in cases:
+        for marker, start, stop in case.gaps:
+            assert marker in take
+            assert 0 < start < stop < take.frames
+    counts = {len(c.gaps) for c in cases}
+    assert counts == {"skurowski2021": {2}, "tits2018": {3}, "tits2018-count": {1, 3, 6}}[protocol]
+
+
+def test_without_a_reference_there_is_no_ratio(ramps: Take) -> None:
+    cases = draw_cases({"t": ramps}, "skurowski2021", simulations=1, seed=0)
+    rows = summarise(replay(cases, {"t": ramps}, ["linear"]), None)
+    assert all(np.isnan(r.ratio) and r.rmse_mm < 1e-9 for r in rows)
+    assert "ratio" not in gaps_table(rows, None)[0]
 
 
 def test_wrong_lists_are_errors(tmp_path: Path, ramps: Take) -> None:

@@ -7,16 +7,16 @@ reached on the same gaps under names that end in ``_mm``. Unlabelled trajectorie
 
 from __future__ import annotations
 
-import csv
 import json
 import time
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, TextIO
+from typing import Any
 
 import numpy as np
 
+from markermend.arrays import FloatArray
 from markermend.artifact import Artifact, Kind
 from markermend.errors import DataError, FileFormatError
 from markermend.progress import Progress, quiet
@@ -58,6 +58,7 @@ class GapResult:
     case : the gaps
     method : name in the registry, or ``"auto"``
     error_mm : mean over the gaps of the mean Euclidean distance over filled frames, NaN if none
+    rmse_mm : root mean square over all filled samples and coordinates, NaN if none
     filled : share of frames that were filled
     in_band : share of filled frames inside the 90 % band, NaN when the method gives none
     seconds : per gap
@@ -66,6 +67,7 @@ class GapResult:
     case: GapCase
     method: str
     error_mm: float
+    rmse_mm: float
     filled: float
     in_band: float
     seconds: float
@@ -111,7 +113,11 @@ def read_named(name: str, folder: str | Path) -> Take:
     path = next(iter(sorted(Path(folder).rglob(f"{name}.c3d"))), None)
     if path is None:
         raise DataError(f"There is no {name}.c3d below {folder}.")
-    take = read(path)
+    return only_named(read(path))
+
+
+def only_named(take: Take) -> Take:
+    """The take without its unlabelled trajectories."""
     named = [i for i, label in enumerate(take.labels) if not is_unlabelled(label)]
     return Take(take.positions[:, named], tuple(take.labels[i] for i in named), take.rate)
 
@@ -152,6 +158,7 @@ def _replay_one(case: GapCase, take: Take, method: str) -> GapResult:
         holed[start:stop, take.index(marker)] = np.nan
     evidence = evidence_for(Take(holed, take.labels, take.rate))
     errors: list[float] = []
+    squares: list[FloatArray] = []
     inside: list[bool] = []
     frames = filled = 0
     began = time.perf_counter()
@@ -161,16 +168,17 @@ def _replay_one(case: GapCase, take: Take, method: str) -> GapResult:
         repair = propose_from(evidence, gap, method=method)
         for patch in repair.patches:
             filled += stop - start
-            miss = np.linalg.norm(
-                patch.values - take.positions[start:stop, take.index(marker)], axis=1
-            )
-            errors.append(float(miss.mean()))
+            miss = patch.values - take.positions[start:stop, take.index(marker)]
+            distance = np.linalg.norm(miss, axis=1)
+            errors.append(float(distance.mean()))
+            squares.append(miss.ravel() ** 2)
             if repair.band_mm is not None:
-                inside.extend(miss <= BAND_90 * repair.band_mm)
+                inside.extend(distance <= BAND_90 * repair.band_mm)
     return GapResult(
         case,
         method,
         float(np.mean(errors)) if errors else float("nan"),
+        float(np.sqrt(np.mean(np.concatenate(squares)))) if squares else float("nan"),
         filled / frames,
         float(np.mean(inside)) if inside else float("nan"),
         (time.perf_counter() - began) / len(case.gaps),
@@ -185,9 +193,10 @@ class GapRow:
     ----------
     protocol, length, method : what is summed up
     cases : how many
-    error_mm : with unfilled frames counted as three times the reference's error
-    reference_mm : mean error of the reference
-    ratio : of the two
+    error_mm : mean error; with a reference, unfilled frames count as three times the reference's
+    rmse_mm : mean of the cases' root mean squares
+    reference_mm : mean error of the reference, NaN without one
+    ratio : of the two errors
     filled, in_band, seconds : means of the results'
     """
 
@@ -196,6 +205,7 @@ class GapRow:
     method: str
     cases: int
     error_mm: float
+    rmse_mm: float
     reference_mm: float
     ratio: float
     filled: float
@@ -203,20 +213,20 @@ class GapRow:
     seconds: float
 
 
-def summarise(results: Sequence[GapResult], reference: str = "pma") -> tuple[GapRow, ...]:
+def summarise(results: Sequence[GapResult], reference: str | None = "pma") -> tuple[GapRow, ...]:
     """Mean errors by protocol, length and method, beside a reference known for the same gaps.
 
     Parameters
     ----------
     results : of :func:`replay`
-    reference : name of the known error to compare with
+    reference : name of the known error to compare with, or None
 
     Raises
     ------
     DataError
         when a case does not know the reference's error
     """
-    if any(reference not in r.case.known_mm for r in results):
+    if reference is not None and any(reference not in r.case.known_mm for r in results):
         raise DataError(f"The list does not give the error of “{reference}” for every case.")
     rows = []
     keys = dict.fromkeys((r.case.protocol, r.case.length, r.method) for r in results)
@@ -226,9 +236,11 @@ def summarise(results: Sequence[GapResult], reference: str = "pma") -> tuple[Gap
             for r in results
             if (r.case.protocol, r.case.length, r.method) == (protocol, length, method)
         ]
-        error = float(np.mean([r.penalised_mm(reference) for r in some]))
-        other = float(np.mean([r.case.known_mm[reference] for r in some]))
-        bands = [r.in_band for r in some if not np.isnan(r.in_band)]
+        if reference is None:
+            error, other = _mean(r.error_mm for r in some), float("nan")
+        else:
+            error = _mean(r.penalised_mm(reference) for r in some)
+            other = _mean(r.case.known_mm[reference] for r in some)
         rows.append(
             GapRow(
                 protocol,
@@ -236,41 +248,79 @@ def summarise(results: Sequence[GapResult], reference: str = "pma") -> tuple[Gap
                 method,
                 len(some),
                 error,
+                _mean(r.rmse_mm for r in some),
                 other,
                 error / other,
-                float(np.mean([r.filled for r in some])),
-                float(np.mean(bands)) if bands else float("nan"),
-                float(np.mean([r.seconds for r in some])),
+                _mean(r.filled for r in some),
+                _mean(r.in_band for r in some),
+                _mean(r.seconds for r in some),
             )
         )
     return tuple(rows)
 
 
-def as_text(rows: Sequence[GapRow], reference: str = "pma") -> str:
-    """Lay rows out as a table for a terminal."""
-    lines = [
-        f"{'protocol':<16}{'frames':>7}  {'method':<18}{'cases':>5}{'error mm':>10}"
-        f"{reference + ' mm':>9}{'ratio':>7}{'filled':>8}{'in band':>9}{'ms':>7}"
-    ]
-    for r in rows:
-        band = "" if np.isnan(r.in_band) else f"{100 * r.in_band:.0f} %"
-        lines.append(
-            f"{r.protocol:<16}{r.length:>7}  {r.method:<18}{r.cases:>5}{r.error_mm:>10.2f}"
-            f"{r.reference_mm:>9.2f}{r.ratio:>7.2f}{100 * r.filled:>6.0f} %{band:>9}"
-            f"{1000 * r.seconds:>7.0f}"
-        )
-    return "\n".join(lines)
+def _mean(values: Iterable[float]) -> float:
+    """Mean of what is not NaN, NaN when nothing is left."""
+    known = [v for v in values if not np.isnan(v)]
+    return float(np.mean(known)) if known else float("nan")
 
 
-def write_csv(results: Iterable[GapResult], file: TextIO) -> None:
-    """Write one line for each case and method."""
-    writer = csv.writer(file)
-    writer.writerow(
-        ["take", "protocol", "length", "gaps", "method", "error_mm", "filled", "in_band", "seconds"]
-    )
-    for r in results:
-        c = r.case
-        writer.writerow(
-            [c.take, c.protocol, c.length, len(c.gaps), r.method]
-            + [f"{v:.6g}" for v in (r.error_mm, r.filled, r.in_band, r.seconds)]
-        )
+# Protocols as published: gaps at a time, lengths in frames at 100 Hz or in seconds.
+POISSON_FRAMES = (10, 20, 50, 100, 200)
+CONCOMITANT_S = (0.5, 1.0, 2.0, 5.0)
+CONCOMITANT_COUNTS = (1, 3, 6, 10, 20)
+PROTOCOLS = ("skurowski2021", "tits2018", "tits2018-count")
+
+
+def draw_cases(
+    takes: Mapping[str, Take], protocol: str, *, simulations: int, seed: int
+) -> tuple[GapCase, ...]:
+    """Place gaps at random as a paper does.
+
+    ``skurowski2021``: two gaps of Poisson length with means 10 to 200 frames; ``tits2018``: three
+    markers at once for 0.5 to 5 s; ``tits2018-count``: 1 to 20 markers at once for 1 s.
+
+    Parameters
+    ----------
+    takes : by name; what a take has no room for is left out
+    protocol : of :data:`PROTOCOLS`
+    simulations : for each take and setting
+    seed : same seed, same gaps
+
+    Raises
+    ------
+    DataError
+        when there is no such protocol
+    """
+    from markermend.simulation.gap_placement import place_gaps
+
+    cases = []
+    for name, take in takes.items():
+        for number, (label, length, count, together) in enumerate(_settings(protocol, take.rate)):
+            for i in range(simulations):
+                try:
+                    _, gaps = place_gaps(
+                        take,
+                        count=count,
+                        mean_length=length,
+                        concomitant=together,
+                        fixed_length=protocol != "skurowski2021",
+                        seed=seed + 1000 * number + i,
+                    )
+                except DataError:
+                    break
+                hidden = tuple((g.marker, g.start, g.stop) for g in gaps)
+                cases.append(GapCase(name, label, round(length), hidden, {}))
+    return tuple(cases)
+
+
+def _settings(protocol: str, rate: float) -> list[tuple[str, float, int, int]]:
+    """Label, length in frames, intervals and markers at once for each setting."""
+    if protocol == "skurowski2021":
+        return [(protocol, float(n), 2, 1) for n in POISSON_FRAMES]
+    if protocol == "tits2018":
+        return [("3 at once", s * rate, 1, 3) for s in CONCOMITANT_S]
+    if protocol == "tits2018-count":
+        return [(f"{n} at once", rate, 1, n) for n in CONCOMITANT_COUNTS]
+    known = ", ".join(PROTOCOLS)
+    raise DataError(f"There is no protocol “{protocol}”; choose one of {known}.")

@@ -53,4 +53,32 @@ def _run_e1(options: argparse.Namespace) -> int:
     return 0
 
 
-RUN = {"e1": _run_e1}
+def _run_gaps(options: argparse.Namespace) -> int:
+    """Hide, fill, and show the errors."""
+    from markermend.bench.gaps import draw_cases, only_named, read_cases, replay, summarise
+    from markermend.bench.gaps_text import gaps_csv, gaps_table
+
+    check_outputs([options.csv], source=None, force=options.force)
+    takes = {Path(path).stem: only_named(mm.read(path)) for path in options.takes}
+    if options.list is not None:
+        cases = tuple(c for c in read_cases(options.list) if c.take in takes)
+    else:
+        cases = tuple(
+            case
+            for protocol in options.protocol
+            for case in draw_cases(
+                takes, protocol, simulations=options.simulations, seed=options.seed
+            )
+        )
+    with Bar() as bar:
+        results = replay(cases, takes, dict.fromkeys(options.method), progress=bar)
+    rows = summarise(results, options.reference)
+    if options.csv is not None:
+        write_text(options.csv, gaps_csv(results))
+    if options.csv != STDOUT:
+        for line in gaps_table(rows, options.reference):
+            say(line)
+    return 0
+
+
+RUN = {"e1": _run_e1, "gaps": _run_gaps}

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import argparse
 
-EXPERIMENTS = {"e1": "contaminate clean takes, detect, compare by sample and by event"}
+EXPERIMENTS = {
+    "e1": "contaminate clean takes, detect, compare by sample and by event",
+    "gaps": "hide pieces of takes, fill them, compare with what was hidden",
+}
 
 
 def add_experiments(parser: argparse.ArgumentParser) -> None:
     """Give ``bench`` a command for each experiment."""
-    adders = {"e1": _add_e1}
+    adders = {"e1": _add_e1, "gaps": _add_gaps}
     names = parser.add_subparsers(dest="experiment", metavar="NAME", required=True)
     for name, summary in EXPERIMENTS.items():
         adders[name](
@@ -51,4 +54,30 @@ def _add_e1(p: argparse.ArgumentParser) -> None:
     p.add_argument("--seed", metavar="N", type=int, default=0, help="same seed, same result")
     p.add_argument("--jobs", metavar="N", type=int, default=-1, help="processes (-1: all cores)")
     p.add_argument("--csv", metavar="FILE", help="write all counts as CSV; “-” for standard output")
+    p.add_argument("--force", action="store_true", help="overwrite what is there already")
+
+
+def _add_gaps(p: argparse.ArgumentParser) -> None:
+    p.add_argument("takes", metavar="TAKE", nargs="+", help="recordings with little missing")
+    p.add_argument(
+        "--method",
+        metavar="NAME",
+        nargs="+",
+        default=["auto", "pma", "spline", "pchip", "linear"],
+        help="repair methods (default: auto pma spline pchip linear)",
+    )
+    p.add_argument(
+        "--protocol",
+        metavar="NAME",
+        nargs="+",
+        default=["skurowski2021", "tits2018"],
+        help="skurowski2021, tits2018, tits2018-count (default: the first two)",
+    )
+    p.add_argument("--list", metavar="FILE", help="replay the gaps of this JSON list instead")
+    p.add_argument(
+        "--reference", metavar="NAME", help="error the list knows, to compare with (such as pma)"
+    )
+    p.add_argument("--simulations", metavar="N", type=int, default=10, help="per take and setting")
+    p.add_argument("--seed", metavar="N", type=int, default=0, help="same seed, same gaps")
+    p.add_argument("--csv", metavar="FILE", help="write every case as CSV; “-” for standard output")
     p.add_argument("--force", action="store_true", help="overwrite what is there already")
