@@ -8,6 +8,7 @@ from pathlib import Path
 
 from markermend.detectors import DETECTORS, Detector
 from markermend.repairs import REPAIRS, Method
+from markermend.smoothers import SMOOTHERS, Smoother
 
 PAGE = Path(__file__).with_name("methods.md")
 _HEAD = """\
@@ -25,11 +26,13 @@ _SOURCES = """\
   Using Neural Networks*, 2021
 - tits2018: M. Tits, J. Tilmanne, T. Dutoit, *Robust and automatic motion-capture data recovery
   using soft skeleton constraints and model averaging*, 2018
+- ardestani2022: M. Memar Ardestani, H. Yan, *Noise Reduction in Human Motion-Captured Signals for
+  Computer Animation based on B-Spline Filtering*, 2022
 """
 
 
 def page() -> str:
-    """Return the page of all detection and repair methods."""
+    """Return the page of all detection, repair and smoothing methods."""
     return "\n".join(
         [
             _HEAD,
@@ -42,12 +45,15 @@ def page() -> str:
             "everything else the local regression; where one cannot work, the next that can.",
             "",
             *_sections(REPAIRS.values()),
+            "## Smoothing",
+            "",
+            *_sections(SMOOTHERS.values()),
             _SOURCES,
         ]
     )
 
 
-def _sections(methods: Iterable[Method | Detector]) -> list[str]:
+def _sections(methods: Iterable[Method | Detector | Smoother]) -> list[str]:
     """One section a method: what it does, its source, its parameters."""
     lines: list[str] = []
     for method in methods:

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from markermend.repairs import fill, repair
     from markermend.session import Session
     from markermend.simulation import simulate
+    from markermend.smoothers import smooth
     from markermend.take import Origin, Take
 
 __version__ = "0.1.0"
@@ -54,6 +55,7 @@ _HOME = {
     "read": "files",
     "repair": "repairs",
     "simulate": "simulation",
+    "smooth": "smoothers",
     "write": "files",
 }
 
@@ -77,6 +79,7 @@ __all__ = [
     "read",
     "repair",
     "simulate",
+    "smooth",
     "write",
 ]
 

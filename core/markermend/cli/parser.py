@@ -8,6 +8,8 @@ import re
 
 import markermend
 from markermend.cli.bench_parser import add_experiments
+from markermend.cli.smooth_parser import SUMMARY as SMOOTH
+from markermend.cli.smooth_parser import add_smoothing
 
 ABOUT = """\
 Find, name and repair damaged intervals in optical motion capture takes.
@@ -31,6 +33,7 @@ COMMANDS = {
     "detect": "list the damaged intervals, each with class and confidence",
     "clean": "detect and repair, and write the repaired take",
     "fill": "fill the gaps and change nothing else",
+    "smooth": SMOOTH,
     "convert": "write a take in another format: c3d, trc or csv",
     "diff": "what differs between two files: samples, parameters, bytes",
     "simulate": "make a take of a synthetic performer, damaged, with the truth",
@@ -72,6 +75,7 @@ def make_parser() -> argparse.ArgumentParser:
         "detect": _add_detect,
         "clean": _add_clean,
         "fill": _add_fill,
+        "smooth": _add_smooth,
         "convert": _add_convert,
         "diff": _add_diff,
         "simulate": _add_simulate,
@@ -151,6 +155,14 @@ def _add_fill(p: argparse.ArgumentParser) -> None:
         help="leave longer gaps alone: frames (20), seconds (0.2s) or milliseconds (200ms)",
     )
     p.add_argument("--list", action="store_true", help="show every single gap")
+    _force(p)
+
+
+def _add_smooth(p: argparse.ArgumentParser) -> None:
+    _take(p)
+    _output(p)
+    _float(p)
+    add_smoothing(p)
     _force(p)
 
 

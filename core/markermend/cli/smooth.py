@@ -1,0 +1,116 @@
+"""``markermend smooth``: take noise out of trajectories and fill nothing."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from dataclasses import fields
+from typing import Any
+
+import numpy as np
+
+import markermend as mm
+from markermend.cli.console import (
+    Bar,
+    check_outputs,
+    check_take_output,
+    count,
+    say,
+    table,
+    warn,
+    written,
+)
+from markermend.errors import MethodError
+from markermend.smoothers import TOO_MUCH, Smoother, find_smoother, percent_less, sm1
+from markermend.smoothers.run import read_settings
+from markermend.take import AXES, Take
+
+
+def run(options: argparse.Namespace) -> int:
+    """Smooth one take."""
+    check_outputs([options.output], source=options.take, force=options.force)
+    check_take_output(options.output)
+    smoother = find_smoother(options.method)
+    params = read_settings(smoother, None, _settings(smoother, options.set))
+    take = mm.read(options.take)
+    start, stop = 0, None
+    if options.frames is not None:
+        first, last = options.frames
+        start, stop = first - take.first_frame, last - take.first_frame + 1
+    with Bar() as bar:
+        smoothed = mm.smooth(
+            take,
+            options.method,
+            markers=options.marker,
+            start=start,
+            stop=stop,
+            params=params,
+            progress=bar,
+        )
+    export = mm.write(smoothed, options.output, as_float=options.float)
+    names = take.labels if options.marker is None else options.marker
+    less = _less(take, smoothed, names)
+    for line in _listing(take, smoothed, names, less) if options.list else ():
+        say(line)
+    _judge(names, less)
+    for line in written(export):
+        say(line)
+    return 0
+
+
+def _settings(smoother: Smoother, given: Sequence[str]) -> dict[str, Any]:
+    """Read ``NAME=VALUE`` as the method's field has it."""
+    kinds: dict[str, Any] = {f.name: type(f.default) for f in fields(smoother.params)}
+    settings: dict[str, Any] = {}
+    for text in given:
+        name, sign, value = text.partition("=")
+        kind = kinds.get(name)
+        try:
+            if not sign:
+                raise ValueError
+            if kind is bool:
+                settings[name] = {"true": True, "false": False}[value.lower()]
+            else:
+                settings[name] = value if kind is None else kind(value)
+        except (ValueError, KeyError):
+            raise MethodError(f"“{text}” is no setting; write NAME=VALUE.") from None
+    return settings
+
+
+def _less(take: Take, smoothed: Take, names: Sequence[str]) -> dict[str, float]:
+    """%SM1 of each marker's coordinate that lost most."""
+    columns = [take.index(name) for name in names]
+    before = sm1(take.positions[:, columns])
+    after = sm1(smoothed.positions[:, columns])
+    return dict(zip(names, percent_less(before, after).max(axis=1).tolist(), strict=True))
+
+
+def _judge(names: Sequence[str], less: dict[str, float]) -> None:
+    """Say how much smoother it became, and warn of too much."""
+    if not names:
+        return
+    middle = float(np.median(list(less.values())))
+    say(f"Smoothed: {count(len(names), 'marker')}, SM1 less by {middle:.1f} % (median).")
+    much = [name for name in names if less[name] > TOO_MUCH]
+    if much:
+        shown = ", ".join(much[:5]) + ("…" if len(much) > 5 else "")
+        warn(
+            f"{count(len(much), 'marker')} lost more than {TOO_MUCH:g} % of SM1 in a coordinate "
+            f"({shown}); look whether they still follow the movement."
+        )
+
+
+def _listing(take: Take, smoothed: Take, names: Sequence[str], less: dict[str, float]) -> list[str]:
+    """What changed for every marker."""
+    rows = []
+    for name in names:
+        column = take.index(name)
+        change = smoothed.positions[:, column] - take.positions[:, column]
+        seen = take.present[:, column]
+        cells = ["–", "–"]
+        if seen.any():
+            far = np.sqrt(np.sum(change[seen] ** 2, axis=1))
+            cells = [f"{np.sqrt(np.mean(far**2)):.3f}", f"{far.max():.2f}"]
+        rows.append([name, *cells, f"{less[name]:.1f}"])
+    head = ["Marker", "Change, mm", "Largest", f"%SM1 of {'/'.join(AXES)}, most"]
+    return [*table(head, rows, "lrrr"), ""]
