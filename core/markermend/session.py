@@ -134,17 +134,22 @@ class Session:
     def add_detected(self, found: Iterable[Artifact], method: str) -> Change:
         """Take over what a detector found.
 
-        Flags that are still pending are replaced; what the operator decided stays, and a new
-        flag that a decided one of the same marker and kind already covers by half is left out.
+        Flags that are still pending are replaced; what the operator decided, marked or changed
+        stays, and a new flag that one of these of the same marker and kind already covers by
+        half is left out.
         """
-        decided = [a for a in self.artifacts if a.status is not Status.PENDING]
-        changes: dict[str, Artifact | None] = {
-            a.id: None for a in self.artifacts if a.status is Status.PENDING
-        }
+        touched = _touched_by_hand(self._done)
+        staying: dict[str, list[Artifact]] = {}
+        changes: dict[str, Artifact | None] = {}
+        for artifact in self.artifacts:
+            if artifact.status is Status.PENDING and artifact.id not in touched:
+                changes[artifact.id] = None
+            else:
+                staying.setdefault(artifact.marker, []).append(artifact)
         for artifact in found:
             if artifact.id in self._state.artifacts and artifact.id not in changes:
                 continue
-            if not any(_same_finding(artifact, d) for d in decided):
+            if not any(_same_finding(artifact, d) for d in staying.get(artifact.marker, ())):
                 changes[artifact.id] = artifact
         return self.perform(f"Detect ({method})", SetArtifacts(changes))
 
@@ -177,13 +182,14 @@ class Session:
         """
         edits: list[Edit] = []
         chosen = [self.artifact(i) for i, _ in repairs]
+        repaired = [a for a in chosen if a.status is Status.REPAIRED]
+        if repaired:
+            edits.append(self._restore(repaired))
         for artifact, (_, proposal) in zip(chosen, repairs, strict=True):
             if not proposal.patches:
                 why = proposal.reason or "the method has no answer here"
-                raise DataError(f"{_describe([artifact])} cannot be repaired: {why}")
+                raise DataError(f"The {_describe([artifact])} cannot be repaired: {why}")
             _check_within(artifact, proposal)
-            if artifact.status is Status.REPAIRED:
-                edits.append(self._restore([artifact]))
             edits.append(SetSamples(proposal.patches))
             note = RepairNote(proposal.method, proposal.error_mm)
             edits.append(SetNotes({artifact.id: note}))
@@ -314,13 +320,17 @@ class Session:
     def _restore(self, artifacts: Sequence[Artifact]) -> Edit:
         """Edit that puts the source's samples back, but for those another repair still covers."""
         leaving = {a.id for a in artifacts}
-        staying = [a for a in self.with_status(Status.REPAIRED) if a.id not in leaving]
+        staying: dict[str, list[Artifact]] = {}
+        for a in self.with_status(Status.REPAIRED):
+            if a.id not in leaving:
+                for name in self._repaired_markers(a):
+                    staying.setdefault(name, []).append(a)
         patches = []
         for a in artifacts:
             for name in self._repaired_markers(a):
                 free = np.ones(a.length, dtype=bool)
-                for other in staying:
-                    if name in self._repaired_markers(other) and set(other.axes) & set(a.axes):
+                for other in staying.get(name, ()):
+                    if set(other.axes) & set(a.axes):
                         free[max(0, other.start - a.start) : max(0, other.stop - a.start)] = False
                 for start, stop in runs(free).tolist():
                     patches.append(
@@ -339,6 +349,19 @@ class Session:
 def _decides(step: Step) -> bool:
     """Whether a step holds an operator's decision, not just a detection run."""
     return not step.label.startswith("Detect (")
+
+
+def _touched_by_hand(steps: Iterable[Step]) -> set[str]:
+    """Ids of artifacts that the operator marked, changed or decided about in these steps."""
+    queue: list[Edit] = [s.edit for s in steps if _decides(s)]
+    touched: set[str] = set()
+    while queue:
+        item = queue.pop()
+        if isinstance(item, Group):
+            queue.extend(item.edits)
+        elif isinstance(item, SetArtifacts):
+            touched |= set(item.changes)
+    return touched
 
 
 def _same_finding(new: Artifact, decided: Artifact) -> bool:

@@ -17,20 +17,19 @@ import json
 import os
 import sys
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO, Any
 
 from markermend.artifact_json import to_dict
 from markermend.edits import Edit, Group, SetArtifacts, SetNotes, SetSamples
-from markermend.errors import FileFormatError, MarkermendError
+from markermend.errors import DataError, FileFormatError, MarkermendError
 from markermend.session import Session, Step
 from markermend.session_json import step_from_dict, step_to_dict
+from markermend.session_place import index_entry, journal_path, own_path, session_path
 from markermend.take import Take
 
 VERSION = 1
-SUFFIX = ".markermend.json"
-JOURNAL_SUFFIX = ".markermend.journal"
 
 
 def source_hash(take: Take) -> str:
@@ -74,6 +73,8 @@ class SessionFile:
     warning: str = ""
     generation: int = 0
     _journal: IO[bytes] | None = None
+    _torn: bool = False
+    _markers: Mapping[str, str] = field(default_factory=dict)
 
     def save(self) -> None:
         """Write the whole review to the session file and start the journal afresh."""
@@ -87,7 +88,7 @@ class SessionFile:
             "source": {
                 "sha256": self.hash,
                 "path": _source_path(self.session.original),
-                "markers": marker_hashes(self.session.original),
+                "markers": dict(self._markers),
             },
             "artifacts": [to_dict(a) for a in self.session.artifacts],
             "done": [step_to_dict(s) for s in done],
@@ -96,12 +97,14 @@ class SessionFile:
         part = self.path.with_name(self.path.name + ".part")
         try:
             with part.open("w", encoding="utf-8") as file:
-                json.dump(document, file, allow_nan=False)
+                # Not json.dump, which writes piece by piece and takes several times as long.
+                file.write(json.dumps(document, allow_nan=False))
                 file.flush()
                 os.fsync(file.fileno())
             os.replace(part, self.path)
         except OSError as error:
-            part.unlink(missing_ok=True)
+            with contextlib.suppress(OSError):
+                part.unlink(missing_ok=True)
             raise MarkermendError(
                 f"The review could not be saved to “{self.path}” ({error.strerror})."
             ) from error
@@ -109,7 +112,7 @@ class SessionFile:
         self._start_journal()
         # Without it a moved take would only lose the way to its old review.
         with contextlib.suppress(OSError):
-            _index_entry(self.hash).write_text(str(self.path), encoding="utf-8")
+            index_entry(self.hash).write_text(str(self.path), encoding="utf-8")
 
     def close(self) -> None:
         """Let go of the lock; an empty journal is removed."""
@@ -136,22 +139,33 @@ class SessionFile:
         """Empty the journal and head it with the generation it continues."""
         if self._journal is None:
             return
-        self._journal.seek(0)
-        self._journal.truncate()
+        self._journal.truncate(0)
+        self._torn = False
         self._append({"generation": self.generation, "version": VERSION, "sha256": self.hash})
 
     def _append(self, entry: Mapping[str, Any]) -> None:
         """Add one line and do not return before it is on disk."""
         if self._journal is None:
             return
-        self._journal.seek(0, os.SEEK_END)
-        self._journal.write(json.dumps(entry, allow_nan=False).encode() + b"\n")
-        self._journal.flush()
-        os.fsync(self._journal.fileno())
+        try:
+            line = json.dumps(entry, allow_nan=False).encode() + b"\n"
+            while line:
+                line = line[self._journal.write(line) :]
+            os.fsync(self._journal.fileno())
+        except OSError as error:
+            self._torn = True
+            raise MarkermendError(
+                f"The step is made, but could not be kept in “{self._journal.name}” "
+                f"({error.strerror}); free some space, or export now."
+            ) from error
 
     def _on_step(self, what: str, step: Step) -> None:
         """Journal one step of the session."""
-        self._append({"do": step_to_dict(step)} if what == "do" else {what: True})
+        if self._torn:
+            # A step is missing there, so that only the whole review can make it good.
+            self.save()
+        else:
+            self._append({"do": step_to_dict(step)} if what == "do" else {what: True})
 
 
 def open_session(take: Take, *, folder: Path | None = None) -> SessionFile:
@@ -169,16 +183,22 @@ def open_session(take: Take, *, folder: Path | None = None) -> SessionFile:
         when the session file is not one, or of a newer version
     """
     digest = source_hash(take)
-    path = _session_path(take, digest, folder)
+    path = session_path(take, digest, folder)
+    try:
+        handle = _open_locked(journal_path(path))
+        beside = path
+    except OSError:
+        # The folder can be looked at only, whatever it said of itself.
+        beside, path = path, own_path(take, digest)
+        handle = _open_locked(journal_path(path))
     session = Session(take)
-    result = SessionFile(session, path, digest)
-    journal = path.with_name(path.name[: -len(SUFFIX)] + JOURNAL_SUFFIX)
-    handle = _open_locked(journal)
+    # Fingerprints are made here, since opening is done off the window's thread and saving is not.
+    result = SessionFile(session, path, digest, _markers=marker_hashes(take))
     result.read_only = handle is None
     try:
         stored = _load(path)
         if stored is None:
-            stored = _moved(digest, path)
+            stored = _moved(digest, path, beside)
             if stored is not None:
                 where = stored["source"]["path"]
                 result.warning = f"The review made of this take at “{where}” goes on here."
@@ -189,45 +209,31 @@ def open_session(take: Take, *, folder: Path | None = None) -> SessionFile:
                 handle.truncate(0)
         elif stored is not None:
             result.generation = int(stored["generation"])
-            _replay_document(session, stored)
+            try:
+                _replay_document(session, stored)
+            except (KeyError, TypeError, ValueError, AttributeError, DataError) as error:
+                raise _unreadable(path) from error
+        if handle is not None:
+            handle.seek(0)
+            result.recovered = _replay_journal(session, handle.read(), result.generation, digest)
+            result._journal = handle
+            if result.recovered or result.warning:
+                # What came from elsewhere is nowhere at this place yet.
+                result.save()
+            else:
+                result._start_journal()
+            session.on_step = result._on_step
     except BaseException:
         if handle is not None:
             handle.close()
         raise
-    if handle is not None:
-        handle.seek(0)
-        result.recovered = _replay_journal(session, handle.read(), result.generation, digest)
-        result._journal = handle
-        if result.recovered or result.warning:
-            # What came from elsewhere is nowhere at this place yet.
-            result.save()
-        else:
-            result._start_journal()
-        session.on_step = result._on_step
     return result
-
-
-def _session_path(take: Take, digest: str, folder: Path | None) -> Path:
-    """Beside the take when that folder can be written to, else in the user's data folder."""
-    if take.source is not None:
-        name = take.source.path.name + SUFFIX
-        home = folder or take.source.path.parent
-        if (home / name).exists() or os.access(home, os.W_OK):
-            return home / name
-    else:
-        name = "take" + SUFFIX
-        if folder is not None:
-            return folder / name
-    from platformdirs import user_data_path
-
-    home = user_data_path("markermend", appauthor=False, ensure_exists=True) / "sessions"
-    home.mkdir(exist_ok=True)
-    return home / f"{digest[:16]}-{name}"
 
 
 def _open_locked(path: Path) -> IO[bytes] | None:
     """Open the journal under the operating system's lock, or None when another holds it."""
-    handle = open(path, "a+b")  # noqa: SIM115 - held open for the life of the review
+    # Unbuffered, so that nothing a full disk refused is left to be written by a later step.
+    handle = open(path, "a+b", buffering=0)  # noqa: SIM115 - held open for the life of the review
     try:
         if sys.platform == "win32":
             import msvcrt
@@ -256,14 +262,19 @@ def _load(path: Path) -> dict[str, Any] | None:
     except FileNotFoundError:
         return None
     except (ValueError, KeyError, TypeError, OSError) as error:
-        raise FileFormatError(
-            f"“{path}” is not a readable Markermend review; move it away to start a new one."
-        ) from error
+        raise _unreadable(path) from error
     if version > VERSION:
         raise FileFormatError(
             f"“{path}” was written by a newer Markermend; update, or move it away to start anew."
         )
     return document  # type: ignore[no-any-return]
+
+
+def _unreadable(path: Path) -> FileFormatError:
+    """Say that a session file is not one."""
+    return FileFormatError(
+        f"“{path}” is not a readable Markermend review; move it away to start a new one."
+    )
 
 
 def _carry_over(session: Session, document: Mapping[str, Any], path: Path) -> str:
@@ -320,28 +331,18 @@ def _source_path(take: Take) -> str:
     return str(take.source.path) if take.source else ""
 
 
-def _index_entry(digest: str) -> Path:
-    """Small file in the user's data folder that says where the review of a take is."""
-    from platformdirs import user_data_path
-
-    folder = user_data_path("markermend", appauthor=False, ensure_exists=True) / "reviews"
-    folder.mkdir(exist_ok=True)
-    return folder / digest[:32]
-
-
-def _moved(digest: str, path: Path) -> dict[str, Any] | None:
-    """The review of the same take at another place, or None."""
-    try:
-        where = Path(_index_entry(digest).read_text(encoding="utf-8"))
-    except OSError:
-        return None
-    if where == path:
-        return None
-    try:
-        stored = _load(where)
-    except FileFormatError:
-        return None
-    return stored if stored is not None and stored["source"]["sha256"] == digest else None
+def _moved(digest: str, path: Path, beside: Path) -> dict[str, Any] | None:
+    """The review of the same take at another place, beside it before anywhere else, or None."""
+    places = [beside]
+    with contextlib.suppress(OSError):
+        places.append(Path(index_entry(digest).read_text(encoding="utf-8")))
+    for where in places:
+        if where != path:
+            with contextlib.suppress(FileFormatError):
+                stored = _load(where)
+                if stored is not None and stored["source"]["sha256"] == digest:
+                    return stored
+    return None
 
 
 def _replay_document(session: Session, document: Mapping[str, Any]) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from copy import copy
 from dataclasses import dataclass, field, fields, replace
 from enum import IntEnum
 from functools import cached_property
@@ -248,9 +247,10 @@ class Take:
         positions : (frames, markers, 3) float64, mm, read-only
         origin : (frames, markers) uint8, read-only
         """
-        view = copy(self)
+        # Not copy.copy, which would go through pickling and check every sample again.
+        view = object.__new__(type(self))
+        view.__dict__.update(self.__dict__, positions=positions, origin=origin)
         view.__dict__.pop("present", None)
-        view.__dict__.update(positions=positions, origin=origin)
         return view
 
 

@@ -16,8 +16,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from markermend import session_file
 from markermend.artifact import Artifact, Kind, Status
-from markermend.errors import DataError, FileFormatError
+from markermend.errors import DataError, FileFormatError, MarkermendError
 from markermend.patch import Patch
 from markermend.repairs.registry import Repair
 from markermend.session import Session
@@ -435,3 +436,108 @@ def test_reviews_of_every_version_keep_opening(tmp_path, version):
     assert (kept.session.positions[5:9, 1] == 2.5).all()
     assert kept.session.undone == ("Accept peak on RHEE",)
     kept.close()
+
+
+def full_disk(kept):
+    """Let the journal of an open review take half a line and then no more."""
+    real = kept._journal
+
+    class Full:
+        name, fileno, close = real.name, real.fileno, real.close
+        seek, read = real.seek, real.read
+        left = 40
+
+        def write(self, line):
+            if not self.left:
+                raise OSError(28, "No space left on device")
+            taken, self.left = real.write(line[: self.left]), 0
+            return taken
+
+        def truncate(self, size):
+            self.left = 1 << 20
+            return real.truncate(size)
+
+    kept._journal = Full()
+
+
+def test_a_full_disk_is_one_sentence_and_the_next_step_makes_it_good(tmp_path):
+    kept = open_session(make_take(), folder=tmp_path)
+    kept.session.mark(artifact())
+    full_disk(kept)
+    with pytest.raises(MarkermendError, match="free some space"):
+        kept.session.mark(artifact("C"))
+    kept.session.mark(artifact("C", start=5, stop=9))
+    expected = state_of(kept.session)
+    kept.close()
+    again = open_session(make_take(), folder=tmp_path)
+    assert state_of(again.session) == expected
+    again.close()
+
+
+def test_a_review_in_a_folder_that_became_read_only_goes_on_in_the_users_own(tmp_path, monkeypatch):
+    monkeypatch.setattr("platformdirs.user_data_path", lambda *_, **__: tmp_path / "own")
+    (tmp_path / "own").mkdir()
+    shared = tmp_path / "shared"
+    shared.mkdir()
+    first = open_session(make_take(), folder=shared)
+    first.session.mark(artifact())
+    first.save()
+    first.close()
+    really = session_file._open_locked
+
+    def locked(path):
+        if path.parent == shared:
+            raise PermissionError(13, "Permission denied")
+        return really(path)
+
+    monkeypatch.setattr(session_file, "_open_locked", locked)
+    again = open_session(make_take(), folder=shared)
+    assert not again.read_only
+    assert len(again.session.artifacts) == 1
+    assert again.path.parent == tmp_path / "own" / "sessions"
+    again.close()
+
+
+def test_a_review_with_a_broken_step_is_refused_in_one_sentence(tmp_path):
+    kept = open_session(make_take(), folder=tmp_path)
+    kept.session.mark(artifact())
+    kept.save()
+    kept.close()
+    document = json.loads(kept.path.read_text(encoding="utf-8"))
+    del document["done"][0]["edit"]
+    kept.path.write_text(json.dumps(document), encoding="utf-8")
+    with pytest.raises(FileFormatError, match="move it away"):
+        open_session(make_take(), folder=tmp_path)
+
+
+def test_detecting_again_keeps_what_was_marked_by_hand_or_given_other_edges():
+    session = Session(make_take())
+    found = [artifact("A"), artifact("C")]
+    session.add_detected(found, "paper")
+    session.mark(artifact("B", start=45, stop=50))
+    session.change(found[0].id, stop=44)
+    session.add_detected([artifact("C", start=2, stop=6)], "paper")
+    assert [(a.marker, a.start, a.stop) for a in session.artifacts] == [
+        ("C", 2, 6),
+        ("A", 30, 44),
+        ("B", 45, 50),
+    ]
+
+
+def test_repairing_repaired_ones_anew_starts_from_the_source():
+    session = Session(make_take())
+    a, b = artifact(start=30, stop=40), artifact(start=35, stop=45)
+    session.add_detected([a, b], "paper")
+    session.repair([(a.id, proposal(a)), (b.id, proposal(b))])
+    session.repair([(a.id, proposal(a, 2.0)), (b.id, proposal(b, 3.0))])
+    assert (session.positions[30:35, 0] == 2.0).all()
+    assert (session.positions[35:45, 0] == 3.0).all()
+    session.set_status([a.id, b.id], Status.PENDING)
+    assert session.positions.tobytes() == session.original.positions.tobytes()
+
+
+def test_looking_at_the_working_samples_checks_nothing_again(monkeypatch):
+    session = Session(make_take())
+    session.mark(artifact())
+    monkeypatch.setattr(Take, "__post_init__", lambda self: pytest.fail("checked again"))
+    assert session.take.positions.shape == (FRAMES, 3, 3)
