@@ -249,7 +249,6 @@ def build(owner: QWidget, document: Document, run: Callable[[str], None]) -> dic
         action.setCheckable(spec.checkable)
         tip = _translated(spec.tip or spec.text.rstrip("…"))
         action.setToolTip(f"{tip}  ({native(spec.keys[0])})" if spec.keys else tip)
-        action.setStatusTip(tip)
         action.triggered.connect(lambda _checked=False, name=spec.name: run(name))
         owner.addAction(action)
         made[spec.name] = action
@@ -283,7 +282,7 @@ def fill_menus(bar: QMenuBar, made: dict[str, QAction]) -> dict[str, QMenu]:
     for spec in ACTIONS:
         name = spec.menu.lstrip("|")
         if name not in menus:
-            menus[name] = bar.addMenu(_translated(name))
+            menus[name] = bar.addMenu("&" + _translated(name))
             menus[name].setToolTipsVisible(True)
         if spec.menu.startswith("|"):
             menus[name].addSeparator()

@@ -6,21 +6,21 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QEventLoop, QObject, Signal
-from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QFileDialog, QWidget
 
 from markermend.artifact import Artifact, Kind, Status
-from markermend.errors import RangeError
+from markermend.errors import DataError
 from markermend.mesh import Mesh
 from markermend.progress import Progress, part
 from markermend.session_file import SessionFile, open_session
 from markermend.take import Origin, Take
-from markermend_app import dialogs, export_dialog, settings
+from markermend_app import dialogs, settings
 from markermend_app.document import Document
+from markermend_app.exporting import Exporter
 from markermend_app.jobs import Lane
 
 OPEN_FILTER = "Takes (*.c3d *.C3D *.trc *.TRC *.csv *.CSV);;All files (*)"
-EXPORT_FILTER = "C3D (*.c3d);;TRC (*.trc);;CSV (*.csv)"
 
 
 class Commands(QObject):
@@ -38,7 +38,9 @@ class Commands(QObject):
         self._document = document
         self._lane = lane
         self._window = window
-        document.failed.connect(self.show_problem)
+        self._exporter = Exporter(document, lane, window)
+        self._exporter.said.connect(self.said)
+        document.failed.connect(self._tell_refused)
         document.proposals.failed.connect(self.show_problem)
 
     # Opening and closing
@@ -256,126 +258,38 @@ class Commands(QObject):
         self._document.step(-1)
 
     def undo(self) -> None:
-        """Undo."""
-        self._document.undo()
+        """Take the last step back, and say which; it may lie out of view."""
+        session = self._document.session
+        if session is not None and session.history:
+            what = session.history[-1]
+            self._document.undo()
+            self.said.emit(self.tr("Undone: {0}").format(what))
 
     def redo(self) -> None:
-        """Redo."""
-        self._document.redo()
+        """Bring the last undone step back, and say which."""
+        session = self._document.session
+        if session is not None and session.undone:
+            self._document.redo()
+            self.said.emit(self.tr("Done again: {0}").format(session.history[-1]))
 
     # Exporting
 
     def export(self, *, wait: bool = False) -> bool:
-        """Ask what to write and where to, and write it.
-
-        With ``wait`` the answer is whether the file was written; else whether writing began.
-        """
-        from markermend.files import stale_outputs
-
-        document = self._document
-        session = document.session
-        if session is None:
-            return False
-        choice = export_dialog.ask_export(
-            self._window,
-            session.with_status(Status.PENDING),
-            session.with_status(Status.ACCEPTED),
-            stale_outputs(session.take),
-            session.original.first_frame,
-            settings.flag("record_repairs", False),
-        )
-        if choice is None:
-            return False
-        settings.remember("record_repairs", choice.record)
-        target = self._ask_target()
-        if target is None:
-            return False
-        overwrite = False
-        if document.path is not None and target.exists() and target.samefile(document.path):
-            if not dialogs.ask_replace_source(self._window, target):
-                return False
-            overwrite = True
-        return self.export_to(target, choice, overwrite=overwrite, wait=wait)
-
-    def export_to(
-        self,
-        target: Path,
-        choice: export_dialog.ExportChoice,
-        *,
-        overwrite: bool = False,
-        as_float: bool = False,
-        wait: bool = False,
-    ) -> bool:
-        """Write the take as it stands; says so when done."""
-        session = self._document.session
-        if session is None:
-            return False
-        # A copy, so that decisions made while the file is written do not get into it.
-        take = session.take.with_positions(session.positions.copy(), session.origin.copy())
-        record = session.repairs_in_words() if choice.record else ()
-        revision = session.revision
-        written: list[bool] = []
-
-        def work(progress: Progress) -> Any:
-            from markermend.files import write
-
-            return write(
-                take,
-                target,
-                overwrite=overwrite,
-                as_float=as_float,
-                record=record,
-                mark_outputs=choice.mark_outputs,
-                progress=progress,
-            )
-
-        def done(export: Any) -> None:
-            if session.revision == revision:
-                session.mark_exported()
-            if self._document.file is not None and self._document.session is session:
-                self._document.file.save()
-            self._document.history_changed.emit()
-            written.append(True)
-            text = self.tr("Exported to {0}; {1} samples differ.").format(target, export.samples)
-            if export.backup is not None:
-                text += " " + self.tr("The original is kept as {0}.").format(export.backup.name)
-            self.said.emit(text)
-
-        def failed(error: Exception) -> None:
-            if isinstance(error, RangeError) and dialogs.ask_float(self._window, str(error)):
-                again = self.export_to(
-                    target, choice, overwrite=overwrite, as_float=True, wait=wait
-                )
-                written.append(again)
-                return
-            written.append(False)
-            if not isinstance(error, RangeError):
-                self.show_problem(error)
-
-        self._lane.submit(self.tr("Exporting {0}").format(target.name), work, done, failed)
-        while wait and not written:
-            QApplication.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents)
-        return written[0] if wait else True
-
-    def _ask_target(self) -> Path | None:
-        """Ask where to write; never proposes the source."""
-        path = self._document.path
-        proposal = str(path.with_name(path.stem + "_clean.c3d")) if path else "take_clean.c3d"
-        name, chosen = QFileDialog.getSaveFileName(
-            self._window, self.tr("Export repaired take"), proposal, EXPORT_FILTER
-        )
-        if not name:
-            return None
-        target = Path(name)
-        if not target.suffix:
-            target = target.with_suffix(chosen[chosen.find("*") + 1 : chosen.find(")")])
-        return target
+        """Ask what to write and where to, and write it; see :meth:`Exporter.export`."""
+        return self._exporter.export(wait=wait)
 
     # Telling
 
     def show_problem(self, error: Exception) -> None:
         """Show an error as one sentence, with details folded away."""
         dialogs.show_problem(self._window, error)
+
+    def _tell_refused(self, error: Exception) -> None:
+        """Say aside what the take does not allow, so that the review goes on; else ask to look."""
+        if isinstance(error, DataError):
+            self.said.emit(str(error))
+        else:
+            self.show_problem(error)
 
     def _tell_opened(self) -> None:
         """Say what was opened and anything odd about it."""

@@ -56,7 +56,7 @@ def ask_unexported(parent: QWidget, path: Path | None) -> str:
     )
     export = box.addButton(_tr("Export…"), Role.AcceptRole)
     keep = box.addButton(_tr("Keep review"), Role.AcceptRole)
-    discard = box.addButton(_tr("Discard"), Role.DestructiveRole)
+    discard = box.addButton(_tr("Discard review"), Role.DestructiveRole)
     cancel = box.addButton(Buttons.Cancel)
     box.setDefaultButton(keep)
     box.setEscapeButton(cancel)
@@ -79,6 +79,12 @@ def ask_float(parent: QWidget, problem: str) -> bool:
     box.setDefaultButton(go)
     box.exec()
     return box.clickedButton() is go
+
+
+def ask_replace(parent: QWidget, target: Path) -> bool:
+    """Ask before another file is replaced."""
+    text = _tr("{0} is there already. Replace it?").format(target.name)
+    return QMessageBox.question(parent, _tr("Export"), text) == Buttons.Yes
 
 
 def ask_replace_source(parent: QWidget, target: Path) -> bool:

@@ -257,7 +257,10 @@ class Document(QObject):
 
     def repair_many(self, repairs: Sequence[tuple[str, Any]], label: str) -> None:
         """Apply many proposals as one step."""
-        self._do(lambda s: s.repair(repairs, label))
+        ids = [i for i, _ in repairs]
+        following = self._following(self._current, besides=ids)
+        if self._do(lambda s: s.repair(repairs, label)) and self._current in ids:
+            self._move_on(following)
 
     def add_detected(self, found: Iterable[Artifact], method: str) -> None:
         """Take over what a detector found."""
@@ -305,17 +308,17 @@ class Document(QObject):
 
     def _decide(self, ids: Sequence[str], status: Status) -> None:
         """Set a status; when the current artifact is among them, move on."""
-        following = self._following(self._current) if self._current in ids else None
+        following = self._following(self._current, besides=ids)
         moving = self._current in ids
         if self._do(lambda s: s.set_status(ids, status)) and moving:
             self._move_on(following)
 
-    def _following(self, artifact_id: str | None) -> str | None:
+    def _following(self, artifact_id: str | None, besides: Sequence[str] = ()) -> str | None:
         """The next undecided artifact in the queue after this one, else the first one left."""
         session = self.session
         if session is None or artifact_id is None:
             return None
-        pending = {a.id for a in session.with_status(Status.PENDING)} - {artifact_id}
+        pending = {a.id for a in session.with_status(Status.PENDING)} - {artifact_id, *besides}
         if artifact_id in self.queue:
             i = self.queue.index(artifact_id)
             order = self.queue[i + 1 :] + self.queue[:i]

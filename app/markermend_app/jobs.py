@@ -18,6 +18,7 @@ from markermend.errors import Cancelled
 from markermend.progress import Progress
 
 Work = Callable[[Progress], Any]
+Callbacks = tuple[Callable[[Any], None], Callable[[Exception], None], Callable[[Any], None]]
 
 
 class Lane(QObject):
@@ -39,7 +40,7 @@ class Lane(QObject):
         super().__init__(parent)
         self._pool = ThreadPoolExecutor(max_workers=1, thread_name_prefix=name)
         self._numbers = itertools.count()
-        self._waiting: dict[int, tuple[Callable[[Any], None], Callable[[Exception], None]]] = {}
+        self._waiting: dict[int, Callbacks] = {}
         self._stop: dict[int, threading.Event] = {}
         self._ended.connect(self._deliver, Qt.ConnectionType.QueuedConnection)
 
@@ -54,14 +55,16 @@ class Lane(QObject):
         work: Work,
         done: Callable[[Any], None],
         failed: Callable[[Exception], None],
+        dropped: Callable[[Any], None] | None = None,
     ) -> None:
         """Run ``work(progress)`` on the worker; ``done`` or ``failed`` is called in this thread.
 
-        A cancelled job calls neither.
+        A cancelled job calls neither; what it had come to all the same is given to ``dropped``,
+        so that files and locks it holds can be let go.
         """
         number = next(self._numbers)
         stop = threading.Event()
-        self._waiting[number] = (done, failed)
+        self._waiting[number] = (done, failed, dropped or _let_be)
         self._stop[number] = stop
 
         def report(share: float, doing: str) -> None:
@@ -99,10 +102,17 @@ class Lane(QObject):
         stopped = self._stop.pop(number, None)
         callbacks = self._waiting.pop(number, None)
         self.finished.emit()
-        if callbacks is None or (stopped is not None and stopped.is_set()):
+        if callbacks is None:
             return
-        done, failed = callbacks
-        if error is None:
+        done, failed, dropped = callbacks
+        if stopped is not None and stopped.is_set():
+            if error is None:
+                dropped(result)
+        elif error is None:
             done(result)
         elif not isinstance(error, Cancelled):
             failed(error)
+
+
+def _let_be(result: Any) -> None:
+    """Do nothing about a result nobody wants."""

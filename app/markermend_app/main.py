@@ -73,7 +73,10 @@ def no_display() -> str:
 
 
 def take_screenshot(window: MainWindow, take: Path | None, target: Path) -> int:
-    """Open a take, detect, wait for the first repair to be proposed; save a picture and leave."""
+    """Open a take, detect unless it is under review already, save a picture and leave.
+
+    Waits for the first repair to be proposed.
+    """
     from PySide6.QtWidgets import QApplication
 
     from markermend.errors import MarkermendError
@@ -81,10 +84,15 @@ def take_screenshot(window: MainWindow, take: Path | None, target: Path) -> int:
     from markermend_app.commands import load
 
     document = window.document
+    fresh = False
     try:
         if take is not None:
             document.open(*load(take.absolute(), quiet))
+            fresh = document.session is not None and not document.session.history
+        if fresh:
             window.commands.detect()
+        else:
+            document.step(1)
     except MarkermendError as error:
         print(f"markermend: {error}", file=sys.stderr)  # noqa: T201
         window.close()
@@ -98,8 +106,10 @@ def take_screenshot(window: MainWindow, take: Path | None, target: Path) -> int:
         waiting = document.current is not None and document.proposal is None
         settled = 0 if window.lane.busy or waiting else settled + 1
     saved = window.grab().save(str(target))
-    if document.file is not None:
+    # A review that was there before stays as it was.
+    if document.file is not None and fresh:
         document.file.discard()
+    document.open(None, None)
     window.close()
     if not saved:
         print(f"markermend: the picture could not be saved to {target}", file=sys.stderr)  # noqa: T201

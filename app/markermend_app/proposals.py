@@ -1,7 +1,8 @@
 """Repairs proposed ahead of the operator, made on a worker thread of their own.
 
-A proposal holds while its artifact and the samples of its marker are what they were when it was
-asked for; changes of other markers do not spoil it.
+A proposal that is there holds while its artifact and the samples of its marker are what they
+were; changes of other markers do not spoil it. One under way reads the working samples, so that
+any change of them spoils it.
 """
 
 from __future__ import annotations
@@ -13,9 +14,11 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 from markermend.artifact import Artifact
+from markermend.errors import Cancelled
 from markermend.mesh import Mesh
 from markermend.progress import Progress
 from markermend.session import Session
+from markermend.take import Take
 from markermend_app.jobs import Lane
 
 Key = tuple[Artifact, str]
@@ -46,8 +49,14 @@ class Proposals(QObject):
         return self._known.get((artifact, method))
 
     def want(self, session: Session, mesh: Mesh, wanted: Sequence[Key]) -> None:
-        """Make these proposals, in this order, unless they are there or under way."""
+        """Make these proposals, in this order, unless they are there or under way.
+
+        Those asked for earlier that have not begun are let go, so that who walks fast through
+        the artifacts does not wait for all that were passed by.
+        """
         take, artifacts = session.take, session.artifacts
+        for key in self._asked.keys() - set(wanted):
+            del self._asked[key]
         for key in wanted:
             if key in self._known or key in self._asked:
                 continue
@@ -55,17 +64,18 @@ class Proposals(QObject):
             self._asked[key] = token
             self._lane.submit(
                 "Propose",
-                _work(take, key, artifacts, mesh),
+                partial(self._work, take, key, token, artifacts, mesh),
                 partial(self._came, key, token),
                 partial(self._broke, key, token),
             )
 
     def invalidate(self, markers: Iterable[str]) -> None:
-        """Forget proposals that rest on changed samples of these markers."""
+        """Forget proposals that rest on changed samples of these markers, and all under way."""
         touched = set(markers)
-        for book in (self._known, self._asked):
-            for key in [k for k in book if touched & {k[0].marker, k[0].counterpart}]:
-                del book[key]
+        if touched:
+            self._asked.clear()
+        for key in [k for k in self._known if touched & {k[0].marker, k[0].counterpart}]:
+            del self._known[key]
 
     def forget(self) -> None:
         """Forget everything and stop what is under way."""
@@ -90,14 +100,19 @@ class Proposals(QObject):
             del self._asked[key]
             self.failed.emit(error)
 
-
-def _work(take: Any, key: Key, artifacts: tuple[Artifact, ...], mesh: Mesh) -> Any:
-    """The engine's part, as a job."""
-    artifact, method = key
-
-    def run(progress: Progress) -> Any:
+    def _work(
+        self,
+        take: Take,
+        key: Key,
+        token: object,
+        artifacts: tuple[Artifact, ...],
+        mesh: Mesh,
+        progress: Progress,
+    ) -> Any:
+        """The engine's part, on the worker; nothing when the request was let go meanwhile."""
+        if self._asked.get(key) is not token:
+            raise Cancelled
         from markermend.repairs import propose
 
+        artifact, method = key
         return propose(take, artifact, artifacts, method=method, mesh=mesh)
-
-    return run

@@ -74,6 +74,7 @@ def _file(name: str, color: str, tight: bool = False) -> str:
 
 
 _SHEET = Template("""
+* { dialogbuttonbox-buttons-have-icons: 0; }
 QMainWindow, QDialog { background: $window; }
 QMainWindow::separator { background: $window; width: 4px; height: 4px; }
 QMainWindow::separator:hover { background: $accent; }

@@ -105,7 +105,7 @@ class MainWindow(QMainWindow):
             "markers": self._dock("markers", self.tr("Markers"), self.tree, left),
             "history": self._dock("history", self.tr("History"), self.history, left),
             "scene": self._dock("scene", self.tr("3D view"), view, right),
-            "inspector": self._dock("inspector", self.tr("Artifact"), self.inspector, right),
+            "inspector": self._dock("inspector", self.tr("Details"), self.inspector, right),
             "queue": self._dock("queue", self.tr("Review queue"), self.queue, bottom),
         }
         self.setCorner(Qt.Corner.BottomLeftCorner, left)

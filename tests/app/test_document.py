@@ -96,6 +96,24 @@ def test_a_method_without_an_answer_is_said_and_changes_nothing(document, qtbot)
     assert document.session.artifact(peak.id).status is Status.PENDING
 
 
+def test_deciding_several_moves_past_all_of_them(document):
+    first, second, third, _ = document.queue
+    document.select(first)
+    document.accept([first, second])
+    assert document.current.id == third
+
+
+def test_repairing_several_moves_past_all_of_them(document, qtbot):
+    gap, noise = of(document, Kind.GAP), of(document, Kind.NOISE)
+    repairs = []
+    for artifact in (noise, gap):
+        document.select(artifact.id)
+        qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+        repairs.append((artifact.id, document.proposal))
+    document.repair_many(repairs, "Repair 2 artifacts")
+    assert document.current.status is Status.PENDING
+
+
 def test_travelling_through_history(document):
     first, second, *_ = document.queue
     document.accept([first])

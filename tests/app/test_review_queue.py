@@ -146,6 +146,21 @@ def test_filters_by_class_and_marker(qtbot, queue, document):
     assert queue._hint.isVisible()
 
 
+def test_keyboard_leaves_the_filter_line(qtbot, queue, document):
+    queue.activateWindow()
+    queue.filter.setFocus()
+    qtbot.keyClicks(queue.filter, "LW")
+    qtbot.keyClick(queue.filter, Qt.Key.Key_Return)
+    assert markers(queue) == ["LWRA"]
+    qtbot.waitUntil(queue.view.hasFocus)
+    queue.filter.setFocus()
+    qtbot.keyClick(queue.filter, Qt.Key.Key_Escape)
+    assert len(markers(queue)) == 4
+    assert queue.filter.hasFocus()
+    qtbot.keyClick(queue.filter, Qt.Key.Key_Escape)
+    qtbot.waitUntil(queue.view.hasFocus)
+
+
 def test_says_why_nothing_is_listed(queue, document):
     document.reject([a.id for a in document.session.artifacts])
     assert queue._hint.isVisible()

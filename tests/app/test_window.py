@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
@@ -9,12 +11,14 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QPlainTextEdit
 
 import markermend as mm
+from markermend import files
 from markermend.artifact import Artifact, Kind, Status
 from markermend.edits import SetSamples
 from markermend.patch import Patch
 from markermend_app import dialogs, export_dialog, settings
 from markermend_app.actions import ACTIONS
 from markermend_app.document import Selection
+from markermend_app.main import take_screenshot
 from markermend_app.window import MainWindow
 
 WAIT = 20_000
@@ -212,6 +216,68 @@ def test_export_asks_when_artifacts_are_left_and_no_means_no(
     key(qtbot, reviewed, Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
     assert len(asked) == 1
     assert list(tmp_path.glob("*_clean*")) == []
+
+
+def test_cancelling_the_export_before_closing_stays(reviewed, qtbot, monkeypatch, tmp_path):
+    def cancelled(*_, progress, **__):
+        reviewed.lane.cancel()
+        progress(0.5, "Writing")
+
+    reviewed.document.accept([reviewed.document.queue[0]])
+    monkeypatch.setattr(dialogs, "ask_unexported", lambda *_: "export")
+    monkeypatch.setattr(files, "write", cancelled)
+    choice = export_dialog.ExportChoice(record=False, mark_outputs=False)
+    monkeypatch.setattr(export_dialog, "ask_export", lambda *_: choice)
+    name = (str(tmp_path / "out.c3d"), "C3D (*.c3d)")
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: name)
+    assert not reviewed.close()
+    assert reviewed.document.session is not None
+
+
+def test_an_ending_added_to_the_name_does_not_replace_a_file_unasked(
+    reviewed, qtbot, monkeypatch, tmp_path
+):
+    taken = tmp_path / "taken.c3d"
+    taken.write_bytes(b"dear")
+    asked = []
+    monkeypatch.setattr(dialogs, "ask_replace", lambda _, target: asked.append(target))
+    export(reviewed, qtbot, monkeypatch, taken.with_suffix(""))
+    assert asked == [taken]
+    assert taken.read_bytes() == b"dear"
+
+
+def test_f_without_a_repair_says_so_aside(reviewed, qtbot, monkeypatch):
+    document = reviewed.document
+    document.select(next(a.id for a in document.session.artifacts if a.kind is not Kind.STEP))
+    document.choose_method("swap")
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    assert not reviewed.trajectories.buttons.repair.isEnabled()
+    monkeypatch.setattr(dialogs, "show_problem", lambda *_: pytest.fail("a dialog"))
+    with qtbot.waitSignal(reviewed.commands.said) as said:
+        key(qtbot, reviewed, Qt.Key.Key_F)
+    assert "cannot be repaired" in said.args[0]
+
+
+def test_undo_and_redo_say_what_they_did(reviewed, qtbot):
+    key(qtbot, reviewed, Qt.Key.Key_A)
+    step = reviewed.document.session.history[-1]
+    for verb in (reviewed.commands.undo, reviewed.commands.redo):
+        with qtbot.waitSignal(reviewed.commands.said) as said:
+            verb()
+        assert step in said.args[0]
+
+
+def test_a_picture_leaves_a_review_as_it_was(reviewed, qtbot, take_path, tmp_path):
+    reviewed.document.accept([reviewed.document.queue[0]])
+    reviewed.document.file.save()
+    reviewed.document.open(None, None)
+    (review,) = tmp_path.glob("*.markermend.json")
+    stored = json.loads(review.read_text())["done"]
+    other = MainWindow()
+    qtbot.addWidget(other)
+    other.show()
+    assert take_screenshot(other, take_path, tmp_path / "picture.png") == 0
+    assert json.loads(review.read_text())["done"] == stored
 
 
 def test_closing_with_unexported_work_asks(reviewed, monkeypatch):

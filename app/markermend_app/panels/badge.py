@@ -51,7 +51,7 @@ def badge_font(font: QFont) -> QFont:
 def paint_counts(
     painter: QPainter, rect: QRect, counts: Mapping[Kind, int], font: QFont, faint: bool = False
 ) -> None:
-    """Paint one badge a class, letter and number, from left to right."""
+    """Paint one badge a class, letter and number; dots stand for those there is no room for."""
     font = badge_font(font)
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -60,8 +60,17 @@ def paint_counts(
     painter.setOpacity(0.55 if faint else 1.0)
     height = QFontMetrics(font).height() + 2
     x = rect.left() + PAD
-    for text, kind in count_texts(counts):
+    texts = count_texts(counts)
+    dots = QFontMetrics(font).horizontalAdvance("…")
+    for i, (text, kind) in enumerate(texts):
         width = badge_width(text, font)
+        needed = width if i == len(texts) - 1 else width + 3 + dots
+        if x + needed > rect.right():
+            painter.setPen(theme.current().muted)
+            painter.drawText(
+                QRectF(x, rect.top(), dots + 1, rect.height()), Qt.AlignmentFlag.AlignVCenter, "…"
+            )
+            break
         box = QRectF(x, rect.center().y() + 1 - height / 2, width, height)
         paint_badge(painter, box, text, theme.current().kinds[kind])
         x += width + 3

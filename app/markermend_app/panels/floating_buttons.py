@@ -41,7 +41,9 @@ class FloatingButtons(QFrame):
         status = None if current is None else current.status
         self.accept.setEnabled(editable and status is not Status.ACCEPTED)
         self.reject.setEnabled(editable and status is not Status.REJECTED)
-        self.repair.setEnabled(editable and status is not Status.REPAIRED)
+        proposal = self._document.proposal
+        answered = proposal is None or bool(proposal.patches)
+        self.repair.setEnabled(editable and status is not Status.REPAIRED and answered)
 
     def place(self, interval: QRectF | None, plot: QRectF) -> None:
         """Stand to the right of an interval, else to its left, else inside; hide without one."""

@@ -10,6 +10,8 @@ from markermend_app.document import Document
 from markermend_app.panels.inspector_take import heading, plain
 
 KEYS = 9
+# A repair expected to be off by more than a marker is wide is worth a second look.
+DOUBTFUL_MM = 20.0
 
 
 class MethodList(QWidget):
@@ -70,6 +72,12 @@ class MethodList(QWidget):
             with QSignalBlocker(button):
                 button.setChecked(name == self._document.method)
         self.outcome.setText(self._promise())
+        proposal = self._document.proposal
+        doubtful = offered and proposal is not None and (proposal.error_mm or 0.0) > DOUBTFUL_MM
+        role = "warning" if doubtful else "muted"
+        if self.outcome.property("role") != role:
+            self.outcome.setProperty("role", role)
+            self.outcome.style().polish(self.outcome)
 
     def _promise(self) -> str:
         """What the preview is expected to achieve, or why there is none."""

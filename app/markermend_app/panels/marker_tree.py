@@ -13,13 +13,12 @@ from PySide6.QtCore import (
     QSortFilterProxyModel,
     Qt,
 )
-from PySide6.QtGui import QAction, QPainter
+from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QApplication,
     QHBoxLayout,
     QHeaderView,
-    QLineEdit,
     QStackedWidget,
     QStyle,
     QStyledItemDelegate,
@@ -34,6 +33,7 @@ from markermend.edits import Change
 from markermend_app import theme
 from markermend_app.document import Document
 from markermend_app.panels.badge import counts_width, hint, paint_counts
+from markermend_app.panels.filter_line import FilterLine
 from markermend_app.panels.marker_model import (
     COUNTS,
     LABEL,
@@ -47,6 +47,7 @@ from markermend_app.panels.marker_model import (
 )
 
 Index = QModelIndex | QPersistentModelIndex
+_COUNTS_WIDEST = 92
 
 
 class MarkerTree(QWidget):
@@ -63,13 +64,9 @@ class MarkerTree(QWidget):
         self._proxy = _Filter(self)
         self._proxy.setSourceModel(self._model)
 
-        self.filter = QLineEdit()
-        self.filter.setPlaceholderText(self.tr("Filter markers"))
-        self.filter.setAccessibleName(self.tr("Filter markers"))
-        self.filter.setClearButtonEnabled(True)
+        self.view = QTreeView()
+        self.filter = FilterLine(self.tr("Filter markers"), self.view)
         self.filter.textChanged.connect(self._filter)
-        self._search = QAction(self)
-        self.filter.addAction(self._search, QLineEdit.ActionPosition.LeadingPosition)
         self.worst_first = QToolButton()
         self.worst_first.setCheckable(True)
         self.worst_first.setToolTip(
@@ -78,7 +75,6 @@ class MarkerTree(QWidget):
         self.worst_first.setAccessibleName(self.tr("Worst first"))
         self.worst_first.toggled.connect(self._rebuild)
 
-        self.view = QTreeView()
         self.view.setModel(self._proxy)
         self.view.setAccessibleName(self.tr("Markers"))
         self.view.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
@@ -95,6 +91,8 @@ class MarkerTree(QWidget):
         header.setSectionResizeMode(MISSING, QHeaderView.ResizeMode.Fixed)
         header.resizeSection(MISSING, 46)
         self.view.selectionModel().selectionChanged.connect(self._selected)
+        self.view.expanded.connect(self._span)
+        self.view.collapsed.connect(self._span)
 
         top = QHBoxLayout()
         top.setContentsMargins(4, 4, 4, 0)
@@ -144,6 +142,7 @@ class MarkerTree(QWidget):
     def _expand(self) -> None:
         """Open the body, but not what merely stands beside it."""
         self.view.expandAll()
+        self._span_all(QModelIndex())
         if self.filter.text():
             return
         for row in range(self._proxy.rowCount()):
@@ -151,6 +150,18 @@ class MarkerTree(QWidget):
             node = self._model.node(self._proxy.mapToSource(index))
             if node.icon in ("unlabelled", "point", "curves"):
                 self.view.collapse(index)
+
+    def _span(self, index: QModelIndex) -> None:
+        """Give an open group's name the whole row: its counts stand in the rows beneath."""
+        node = self._model.node(self._proxy.mapToSource(index))
+        spanned = self.view.isExpanded(index) and not node.label
+        self.view.setFirstColumnSpanned(index.row(), index.parent(), spanned)
+
+    def _span_all(self, parent: QModelIndex) -> None:
+        for row in range(self._proxy.rowCount(parent)):
+            index = self._proxy.index(row, NAME, parent)
+            self._span(index)
+            self._span_all(index)
 
     def _count(self) -> None:
         """Bring counts of open artifacts up to date."""
@@ -163,8 +174,8 @@ class MarkerTree(QWidget):
             counts = self._model.data(self._model.index_of(row).siblingAtColumn(OPEN), COUNTS)
             widest = max(widest, counts_width(counts or {}, self.view.font()))
         header = self.view.header()
-        if header.sectionSize(OPEN) != min(widest, 66):
-            header.resizeSection(OPEN, min(widest, 66))
+        if header.sectionSize(OPEN) != min(widest, _COUNTS_WIDEST):
+            header.resizeSection(OPEN, min(widest, _COUNTS_WIDEST))
 
     def _samples_changed(self, change: Change) -> None:
         """Bring the missing share of changed markers up to date."""
@@ -220,7 +231,6 @@ class MarkerTree(QWidget):
         self._syncing = False
 
     def _recolour(self) -> None:
-        self._search.setIcon(theme.icon("search"))
         self.worst_first.setIcon(theme.icon("sort"))
         self._model.recolour()
 
@@ -261,5 +271,5 @@ class _CountsDelegate(QStyledItemDelegate):
         paint_counts(painter, option.rect, index.data(COUNTS) or {}, option.font, faint=holds)
 
     def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
-        """Wide enough for every badge."""
-        return QSize(counts_width(index.data(COUNTS) or {}, option.font), 24)
+        """As high as every row; the column's width is set apart, and this is asked often."""
+        return QSize(0, 24)

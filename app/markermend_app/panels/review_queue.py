@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections import Counter
 
 from PySide6.QtCore import QItemSelection, QItemSelectionModel, QModelIndex, QPoint, Qt, Signal
-from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
     QLabel,
-    QLineEdit,
     QMenu,
     QStackedWidget,
     QToolButton,
@@ -22,6 +20,7 @@ from markermend.artifact import Kind, Status
 from markermend_app import theme
 from markermend_app.document import Document
 from markermend_app.panels.badge import hint, kind_icon
+from markermend_app.panels.filter_line import FilterLine
 from markermend_app.panels.queue_model import (
     COLUMNS,
     REPAIR,
@@ -113,14 +112,9 @@ class ReviewQueue(QWidget):
             button.toggled.connect(self._filter)
             self.kinds[kind] = button
             row.addWidget(button)
-        self.filter = QLineEdit()
-        self.filter.setPlaceholderText(self.tr("Filter by marker"))
-        self.filter.setAccessibleName(self.tr("Filter by marker"))
-        self.filter.setClearButtonEnabled(True)
+        self.filter = FilterLine(self.tr("Filter by marker"), self.view)
         self.filter.setMaximumWidth(220)
         self.filter.textChanged.connect(self._filter)
-        self._search = QAction(self)
-        self.filter.addAction(self._search, QLineEdit.ActionPosition.LeadingPosition)
         row.addWidget(self.filter)
         row.addStretch(1)
         self.progress = QLabel()
@@ -311,7 +305,6 @@ class ReviewQueue(QWidget):
         self._hint.setText(text)
 
     def _recolour(self) -> None:
-        self._search.setIcon(theme.icon("search"))
         for kind, button in self.kinds.items():
             button.setIcon(kind_icon(kind))
         self.view.viewport().update()

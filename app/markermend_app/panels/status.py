@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar, QToolButton, QWidget
+from PySide6.QtWidgets import QLabel, QProgressBar, QSizePolicy, QStatusBar, QToolButton, QWidget
 
 from markermend.artifact import Status
 from markermend_app import theme
@@ -24,6 +24,9 @@ class StatusLine(QStatusBar):
         self._document = document
         self._lane = lane
         self._said = QLabel()
+        self._said.setContentsMargins(8, 0, 0, 0)
+        # A long sentence is cut off, and told whole in its tooltip, rather than widen the window.
+        self._said.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._doing = QLabel()
         self._bar = QProgressBar()
         self._bar.setRange(0, 1000)
@@ -33,7 +36,7 @@ class StatusLine(QStatusBar):
         self._cancel = QToolButton()
         self._cancel.setToolTip(self.tr("Cancel"))
         self._cancel.setAccessibleName(self.tr("Cancel"))
-        self._cancel.clicked.connect(lane.cancel)
+        self._cancel.clicked.connect(self._stop)
         self._counts = QLabel()
         self.addWidget(self._said, 1)
         for widget in (self._doing, self._bar, self._cancel, self._counts):
@@ -42,6 +45,7 @@ class StatusLine(QStatusBar):
         lane.started.connect(self._started)
         lane.progressed.connect(self._progressed)
         lane.finished.connect(self._finished)
+        document.history_changed.connect(lambda: self.say(""))
         document.artifacts_changed.connect(self._count)
         document.opened.connect(self._count)
         theme.watcher.changed.connect(self._recolour)
@@ -50,9 +54,13 @@ class StatusLine(QStatusBar):
         self._count()
 
     def say(self, text: str) -> None:
-        """Show a sentence until the next one."""
+        """Show a sentence until the next one, or the next step of the review."""
         self._said.setText(text)
         self._said.setToolTip(text)
+
+    def _stop(self) -> None:
+        self._lane.cancel()
+        self.say(self.tr("Cancelled."))
 
     def _started(self, label: str) -> None:
         self._label = label

@@ -217,6 +217,7 @@ class TrajectoryPanel(QWidget):
         patches = () if proposal is None else proposal.patches
         for row in self.rows:
             row.show_proposal(patches, None if proposal is None else proposal.band_mm)
+        self.buttons.refresh()
         if patches and self._fit_when_proposed:
             self._fit_when_proposed = False
             self._show_afresh(*self._view)

@@ -1,0 +1,145 @@
+"""Exporting from the window: ask what to write and where to, and write it on the worker."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QEventLoop, QObject, Signal
+from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
+
+from markermend.artifact import Status
+from markermend.errors import RangeError
+from markermend.progress import Progress
+from markermend_app import dialogs, export_dialog, settings
+from markermend_app.document import Document
+from markermend_app.jobs import Lane
+
+EXPORT_FILTER = "C3D (*.c3d);;TRC (*.trc);;CSV (*.csv)"
+
+
+class Exporter(QObject):
+    """Writes the open take.
+
+    Signals
+    -------
+    said(str) : a sentence for the status bar
+    """
+
+    said = Signal(str)
+
+    def __init__(self, document: Document, lane: Lane, window: QWidget) -> None:
+        super().__init__(window)
+        self._document = document
+        self._lane = lane
+        self._window = window
+
+    def export(self, *, wait: bool = False) -> bool:
+        """Ask what to write and where to, and write it.
+
+        With ``wait`` the answer is whether the file was written; else whether writing began.
+        """
+        from markermend.files import stale_outputs
+
+        document = self._document
+        session = document.session
+        if session is None:
+            return False
+        choice = export_dialog.ask_export(
+            self._window,
+            session.with_status(Status.PENDING),
+            session.with_status(Status.ACCEPTED),
+            stale_outputs(session.take),
+            session.original.first_frame,
+            settings.flag("record_repairs", False),
+        )
+        if choice is None:
+            return False
+        settings.remember("record_repairs", choice.record)
+        target = self._ask_target()
+        if target is None:
+            return False
+        overwrite = False
+        if document.path is not None and target.exists() and target.samefile(document.path):
+            if not dialogs.ask_replace_source(self._window, target):
+                return False
+            overwrite = True
+        return self.export_to(target, choice, overwrite=overwrite, wait=wait)
+
+    def export_to(
+        self,
+        target: Path,
+        choice: export_dialog.ExportChoice,
+        *,
+        overwrite: bool = False,
+        as_float: bool = False,
+        wait: bool = False,
+    ) -> bool:
+        """Write the take as it stands; says so when done."""
+        session = self._document.session
+        if session is None:
+            return False
+        # A copy, so that decisions made while the file is written do not get into it.
+        take = session.take.with_positions(session.positions.copy(), session.origin.copy())
+        record = session.repairs_in_words() if choice.record else ()
+        revision = session.revision
+        written: list[bool] = []
+
+        def work(progress: Progress) -> Any:
+            from markermend.files import write
+
+            return write(
+                take,
+                target,
+                overwrite=overwrite,
+                as_float=as_float,
+                record=record,
+                mark_outputs=choice.mark_outputs,
+                progress=progress,
+            )
+
+        def done(export: Any) -> None:
+            if session.revision == revision:
+                session.mark_exported()
+            if self._document.file is not None and self._document.session is session:
+                self._document.file.save()
+            self._document.history_changed.emit()
+            written.append(True)
+            text = self.tr("Exported to {0}; {1} samples differ.").format(target, export.samples)
+            if export.backup is not None:
+                text += " " + self.tr("The original is kept as {0}.").format(export.backup.name)
+            self.said.emit(text)
+
+        def failed(error: Exception) -> None:
+            if isinstance(error, RangeError) and dialogs.ask_float(self._window, str(error)):
+                again = self.export_to(
+                    target, choice, overwrite=overwrite, as_float=True, wait=wait
+                )
+                written.append(again)
+                return
+            written.append(False)
+            if not isinstance(error, RangeError):
+                dialogs.show_problem(self._window, error)
+
+        self._lane.submit(self.tr("Exporting {0}").format(target.name), work, done, failed)
+        # A cancelled job answers nothing.
+        while wait and not written and self._lane.busy:
+            QApplication.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents)
+        return any(written) if wait else True
+
+    def _ask_target(self) -> Path | None:
+        """Ask where to write; never proposes the source."""
+        path = self._document.path
+        proposal = str(path.with_name(path.stem + "_clean.c3d")) if path else "take_clean.c3d"
+        name, chosen = QFileDialog.getSaveFileName(
+            self._window, self.tr("Export repaired take"), proposal, EXPORT_FILTER
+        )
+        if not name:
+            return None
+        target = Path(name)
+        if not target.suffix:
+            target = target.with_suffix(chosen[chosen.find("*") + 1 : chosen.find(")")])
+            # The file dialog has asked about the name without the ending only.
+            if target.exists() and not dialogs.ask_replace(self._window, target):
+                return None
+        return target
