@@ -87,3 +87,20 @@ def test_jobs_run_in_order(lane, qtbot):
         lane.submit("work", lambda progress, i=i: i, order.append, never)
     qtbot.waitUntil(lambda: len(order) == 5)
     assert order == [0, 1, 2, 3, 4]
+
+
+def test_what_a_cancelled_job_came_to_is_handed_back(lane, qtbot):
+    finishing, go_on = threading.Event(), threading.Event()
+
+    def deaf(progress):
+        finishing.set()
+        assert go_on.wait(5)
+        return "a lock"
+
+    let_go = []
+    lane.submit("deaf", deaf, lambda _: pytest.fail("not done"), never, let_go.append)
+    assert finishing.wait(5)
+    lane.cancel()
+    go_on.set()
+    qtbot.waitUntil(lambda: not lane.busy)
+    assert let_go == ["a lock"]
