@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from markermend.artifact import Artifact, Kind, Status
-from markermend.errors import DataError
+from markermend.errors import DataError, MarkermendError
 from markermend.mesh import Mesh
 from markermend.progress import Progress, part
 from markermend.session_file import SessionFile, open_session
@@ -64,7 +64,7 @@ class Commands(QObject):
         """Open a take, after asking what becomes of the one that is open."""
         if not self.let_go():
             return
-        if self._document.path is not None and path == self._document.path:
+        if self._document.path is not None and _same_file(path, self._document.path):
             # The review is locked while it is open, for this window too.
             self._document.open(None, None)
 
@@ -82,7 +82,12 @@ class Commands(QObject):
             elif not file.read_only and settings.flag("detect_on_open", True):
                 self.detect()
 
-        self._lane.submit(self.tr("Opening {0}").format(path.name), work, done, self.show_problem)
+        def dropped(result: Any) -> None:
+            # Its lock would keep the take read-only for the next who opens it.
+            result[0].close()
+
+        label = self.tr("Opening {0}").format(path.name)
+        self._lane.submit(label, work, done, self.show_problem, dropped)
 
     def close_take(self) -> None:
         """Close the take, after asking what becomes of unexported work."""
@@ -96,25 +101,35 @@ class Commands(QObject):
     def let_go(self) -> bool:
         """Ask what becomes of unexported work; False to stay with it."""
         document = self._document
-        if document.file is None or document.session is None:
-            return True
-        self._lane.cancel()
-        if not document.editable:
+        self._exporter.finish()
+        if document.file is None or document.session is None or not document.editable:
+            self._lane.cancel()
             return True
         if document.session.exported:
+            self._lane.cancel()
             if document.session.history:
-                document.file.save()
+                # Where it cannot be saved the journal still has it, and an export has the samples.
+                self._save(document.file)
             return True
         answer = dialogs.ask_unexported(self._window, document.path)
         if answer == "cancel":
             return False
+        self._lane.cancel()
+        if answer == "export":
+            return self.export(wait=True)
         if answer == "discard":
             document.file.discard()
             document.open(None, None)
-        elif answer == "export":
-            return self.export(wait=True)
-        else:
-            document.file.save()
+            return True
+        return self._save(document.file)
+
+    def _save(self, file: SessionFile) -> bool:
+        """Save the review; when that is not possible say why."""
+        try:
+            file.save()
+        except MarkermendError as error:
+            self.show_problem(error)
+            return False
         return True
 
     # Detecting and repairing
@@ -143,7 +158,8 @@ class Commands(QObject):
             if self._document.session is not session:
                 return
             self._document.add_detected(found, "paper")
-            self.said.emit(self.tr("{0} artifacts found.").format(len(found)))
+            one, many = self.tr("1 artifact found."), self.tr("{0} artifacts found.")
+            self.said.emit(one if len(found) == 1 else many.format(len(found)))
             if self._document.current is None:
                 self._document.step(1)
 
@@ -197,9 +213,20 @@ class Commands(QObject):
                 take, chosen, others=everything, min_confidence=0.0, mesh=mesh, progress=progress
             )
 
-        def done(repairs: Any) -> None:
-            if self._document.session is not session or session.revision != revision:
+        def moved_on() -> bool:
+            """Whether the samples that the work read are not those of now; says so."""
+            changed = self._document.session is not session or session.revision != revision
+            if changed:
                 self.said.emit(self.tr("The review changed meanwhile; repair again."))
+            return changed
+
+        def failed(error: Exception) -> None:
+            # Samples that changed under the work may be all that was wrong.
+            if not moved_on():
+                self.show_problem(error)
+
+        def done(repairs: Any) -> None:
+            if moved_on():
                 return
             good = [(a.id, r) for a, r in repairs if r.patches]
             if good:
@@ -212,7 +239,7 @@ class Commands(QObject):
                 text += " " + self.tr("{0} left as they are: {1}").format(left, why)
             self.said.emit(text)
 
-        self._lane.submit(self.tr("Repairing"), work, done, self.show_problem)
+        self._lane.submit(self.tr("Repairing"), work, done, failed)
 
     # Hand work
 
@@ -319,9 +346,19 @@ def load(path: Path, progress: Progress) -> tuple[SessionFile, Mesh]:
     from markermend.mesh import infer_mesh
 
     take: Take = read(path, progress=part(progress, 0.0, 0.5))
+    if take.frames == 0:
+        raise DataError(f"“{path.name}” has no frames, so that there is nothing to review in it.")
     mesh = infer_mesh(take, progress=part(progress, 0.5, 0.95))
     progress(0.95, "Opening the review")
     return open_session(take, folder=_review_folder(path)), mesh
+
+
+def _same_file(path: Path, other: Path) -> bool:
+    """Whether two paths lead to the same file, by links too."""
+    try:
+        return path.samefile(other)
+    except OSError:
+        return path == other
 
 
 def _review_folder(path: Path) -> Path | None:

@@ -107,6 +107,8 @@ class Document(QObject):
         self.artifacts_changed.emit()
         self.history_changed.emit()
         self.current_changed.emit()
+        self.selection_changed.emit()
+        self.proposal_changed.emit()
         self.shown_changed.emit()
 
     # What is looked at
@@ -116,7 +118,7 @@ class Document(QObject):
         """The artifact under review."""
         if self.session is None or self._current is None:
             return None
-        return next((a for a in self.session.artifacts if a.id == self._current), None)
+        return self.session.find(self._current)
 
     def set_queue(self, ids: Sequence[str]) -> None:
         """Take over the order in which artifacts are walked; the review queue calls this."""

@@ -9,7 +9,7 @@ from PySide6.QtCore import QEventLoop, QObject, Signal
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from markermend.artifact import Status
-from markermend.errors import RangeError
+from markermend.errors import MarkermendError, RangeError
 from markermend.progress import Progress
 from markermend_app import dialogs, export_dialog, settings
 from markermend_app.document import Document
@@ -33,6 +33,18 @@ class Exporter(QObject):
         self._document = document
         self._lane = lane
         self._window = window
+        self._writing = False
+        lane.finished.connect(self._rest)
+
+    def finish(self) -> None:
+        """Wait for an export under way; the window stays alive and it can be cancelled."""
+        while self._writing and self._lane.busy:
+            QApplication.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents)
+
+    def _rest(self) -> None:
+        """Note that nothing is written any longer, be it done or cancelled."""
+        if not self._lane.busy:
+            self._writing = False
 
     def export(self, *, wait: bool = False) -> bool:
         """Ask what to write and where to, and write it.
@@ -80,7 +92,7 @@ class Exporter(QObject):
         if session is None:
             return False
         # A copy, so that decisions made while the file is written do not get into it.
-        take = session.take.with_positions(session.positions.copy(), session.origin.copy())
+        take = session.take.viewing(session.positions.copy(), session.origin.copy())
         record = session.repairs_in_words() if choice.record else ()
         revision = session.revision
         written: list[bool] = []
@@ -99,18 +111,25 @@ class Exporter(QObject):
             )
 
         def done(export: Any) -> None:
+            written.append(True)
+            self._writing = False
             if session.revision == revision:
                 session.mark_exported()
-            if self._document.file is not None and self._document.session is session:
-                self._document.file.save()
             self._document.history_changed.emit()
-            written.append(True)
-            text = self.tr("Exported to {0}; {1} samples differ.").format(target, export.samples)
+            one = self.tr("Exported to {0}; 1 sample differs.")
+            many = self.tr("Exported to {0}; {1} samples differ.")
+            text = (one if export.samples == 1 else many).format(target, export.samples)
             if export.backup is not None:
                 text += " " + self.tr("The original is kept as {0}.").format(export.backup.name)
             self.said.emit(text)
+            if self._document.file is not None and self._document.session is session:
+                try:
+                    self._document.file.save()
+                except MarkermendError as error:
+                    dialogs.show_problem(self._window, error)
 
         def failed(error: Exception) -> None:
+            self._writing = False
             if isinstance(error, RangeError) and dialogs.ask_float(self._window, str(error)):
                 again = self.export_to(
                     target, choice, overwrite=overwrite, as_float=True, wait=wait
@@ -121,6 +140,7 @@ class Exporter(QObject):
             if not isinstance(error, RangeError):
                 dialogs.show_problem(self._window, error)
 
+        self._writing = True
         self._lane.submit(self.tr("Exporting {0}").format(target.name), work, done, failed)
         # A cancelled job answers nothing.
         while wait and not written and self._lane.busy:

@@ -112,10 +112,14 @@ class Session:
         DataError
             when there is none of that id
         """
-        try:
-            return self._state.artifacts[artifact_id]
-        except KeyError:
-            raise DataError("That artifact is no longer in the list.") from None
+        found = self.find(artifact_id)
+        if found is None:
+            raise DataError("That artifact is no longer in the list.")
+        return found
+
+    def find(self, artifact_id: str) -> Artifact | None:
+        """Look an artifact up; None when there is none of that id."""
+        return self._state.artifacts.get(artifact_id)
 
     def with_status(self, *statuses: Status) -> tuple[Artifact, ...]:
         """Artifacts whose status is one of these."""

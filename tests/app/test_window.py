@@ -14,6 +14,7 @@ import markermend as mm
 from markermend import files
 from markermend.artifact import Artifact, Kind, Status
 from markermend.edits import SetSamples
+from markermend.errors import MarkermendError
 from markermend.patch import Patch
 from markermend_app import dialogs, export_dialog, settings
 from markermend_app.actions import ACTIONS
@@ -367,3 +368,61 @@ def test_export_dialog_says_what_is_left_and_what_no_longer_matches(qtbot, windo
     shown = dialog.findChild(QPlainTextEdit).toPlainText()
     assert "104–108" in shown
     assert "LKneeAngles" in shown
+
+
+def test_an_export_whose_review_cannot_be_saved_still_ends(reviewed, monkeypatch, tmp_path):
+    shown = []
+    monkeypatch.setattr(QMessageBox, "exec", lambda self: shown.append(self.text()))
+
+    def full(self):
+        raise MarkermendError("The disk is full.")
+
+    monkeypatch.setattr("markermend.session_file.SessionFile.save", full)
+    target = tmp_path / "out.c3d"
+    choice = export_dialog.ExportChoice(False, False)
+    assert reviewed.commands._exporter.export_to(target, choice, wait=True)
+    assert target.exists()
+    assert shown == ["The disk is full."]
+
+
+def test_closing_waits_for_an_export_under_way(reviewed, monkeypatch, tmp_path):
+    reviewed.document.accept([reviewed.document.queue[0]])
+    monkeypatch.setattr(dialogs, "ask_unexported", lambda *_: pytest.fail("it is exported"))
+    target = tmp_path / "out.c3d"
+    reviewed.commands._exporter.export_to(target, export_dialog.ExportChoice(False, False))
+    assert reviewed.close()
+    assert target.exists()
+
+
+def test_a_review_that_cannot_be_saved_keeps_the_window_open(reviewed, monkeypatch):
+    monkeypatch.setattr(QMessageBox, "exec", lambda self: None)
+    monkeypatch.setattr(dialogs, "ask_unexported", lambda *_: "keep")
+    reviewed.document.accept([reviewed.document.queue[0]])
+
+    def full(self):
+        raise MarkermendError("The disk is full.")
+
+    with monkeypatch.context() as patched:
+        patched.setattr("markermend.session_file.SessionFile.save", full)
+        assert not reviewed.close()
+    assert reviewed.document.session is not None
+
+
+def test_staying_leaves_work_under_way_alone(reviewed, monkeypatch, qtbot):
+    reviewed.document.accept([reviewed.document.queue[0]])
+    monkeypatch.setattr(dialogs, "ask_unexported", lambda *_: "cancel")
+    done = []
+    reviewed.lane.submit("work", lambda progress: 1, done.append, done.append)
+    assert not reviewed.close()
+    qtbot.waitUntil(lambda: not reviewed.lane.busy, timeout=WAIT)
+    assert done == [1]
+
+
+def test_a_take_whose_opening_was_cancelled_is_not_left_locked(window, qtbot, take_path):
+    window.commands.open_path(take_path)
+    window.lane.cancel()
+    qtbot.waitUntil(lambda: not window.lane.busy, timeout=WAIT)
+    window.commands.open_path(take_path)
+    qtbot.waitUntil(lambda: window.document.session is not None, timeout=WAIT)
+    assert window.document.editable
+    qtbot.waitUntil(lambda: not window.lane.busy, timeout=WAIT)
