@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 
 import markermend as mm
+from markermend.cli.bench_smooth import run_smooth
 from markermend.cli.console import STDOUT, Bar, check_outputs, read_json, say, write_text
 
 
@@ -81,4 +82,4 @@ def _run_gaps(options: argparse.Namespace) -> int:
     return 0
 
 
-RUN = {"e1": _run_e1, "gaps": _run_gaps}
+RUN = {"e1": _run_e1, "gaps": _run_gaps, "smooth": run_smooth}

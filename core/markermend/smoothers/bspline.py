@@ -59,7 +59,10 @@ def fit_bspline(values: FloatArray, control_points: int, degree: int = 3) -> Flo
 
     Notes
     -----
-    ardestani2022, eq. 1 to 5. As many control points as samples interpolate.
+    ardestani2022, eq. 1 to 5. With more than one control point for two samples, uniform knots make
+    the equations so ill-conditioned that the curve is lost; they are then averages of `degree` of m
+    evenly spaced places (Piegl and Tiller 1997, eq. 9.8). As many control points as samples
+    interpolate.
     """
     from scipy.interpolate import make_lsq_spline
 
@@ -67,5 +70,7 @@ def fit_bspline(values: FloatArray, control_points: int, degree: int = 3) -> Flo
     m = min(max(control_points, degree + 1), n)
     places = np.linspace(0.0, 1.0, n)
     inner = np.linspace(0.0, 1.0, m - degree + 1)[1:-1]
+    if 2 * (m - degree) > n:
+        inner = (np.arange(m - degree - 1) + (degree + 1) / 2) / (m - 1)
     knots = np.concatenate([np.zeros(degree + 1), inner, np.ones(degree + 1)])
     return np.asarray(make_lsq_spline(places, values, knots, k=degree)(places))

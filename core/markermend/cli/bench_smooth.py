@@ -1,0 +1,61 @@
+"""``markermend bench smooth``: the published tables again, and smoothing against a known truth."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+import markermend as mm
+from markermend.cli.console import STDOUT, Bar, check_outputs, say, write_text
+
+SUMMARY = "rerun the published tables, and smooth noisy takes whose truth is known"
+
+
+def add_smooth(p: argparse.ArgumentParser) -> None:
+    """Give the experiment its options."""
+    p.add_argument(
+        "takes",
+        metavar="TAKE",
+        nargs="*",
+        help="recordings to smooth hard and make noisy again, beside two simulated ones",
+    )
+    p.add_argument("--amc", metavar="FILE", nargs="+", help="motions whose hips to smooth as well")
+    p.add_argument("--published", action="store_true", help="the published tables only")
+    p.add_argument(
+        "--noise",
+        metavar="MM",
+        nargs="+",
+        type=float,
+        default=[0.3, 1.0, 3.0],
+        help="root mean square of the noise (default: 0.3 1 3)",
+    )
+    p.add_argument("--markers", metavar="N", type=int, default=12, help="per take (default: 12)")
+    p.add_argument("--seed", metavar="N", type=int, default=0, help="same seed, same result")
+    p.add_argument("--csv", metavar="FILE", help="write errors as CSV; “-” for standard output")
+    p.add_argument("--force", action="store_true", help="overwrite what is there already")
+
+
+def run_smooth(options: argparse.Namespace) -> int:
+    """Smooth, and show how smooth or how far off the results are."""
+    from markermend.bench.smooth import compare, hard_smoothed, kick, performer
+    from markermend.bench.smooth_paper import kick_rows, read_root, sine_rows
+    from markermend.bench.smooth_text import paper_table, smooth_csv, truth_table
+
+    check_outputs([options.csv], source=None, force=options.force)
+    published = list(sine_rows(seed=options.seed))
+    if options.amc:
+        published += kick_rows([read_root(path) for path in options.amc])
+    lines = paper_table(published)
+    if not options.published:
+        n = max(1, options.markers)
+        truths = [kick(markers=n), performer(markers=n)]
+        truths += [hard_smoothed(mm.read(path), Path(path).stem, n) for path in options.takes]
+        with Bar() as bar:
+            rows = compare(truths, noises_mm=options.noise, seed=options.seed, progress=bar)
+        lines += truth_table(rows)
+        if options.csv is not None:
+            write_text(options.csv, smooth_csv(rows))
+    if options.csv != STDOUT:
+        for line in lines:
+            say(line)
+    return 0
