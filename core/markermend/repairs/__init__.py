@@ -4,11 +4,16 @@ Importing this package registers every method in :data:`REPAIRS`.
 """
 
 from markermend.repairs import (  # noqa: F401, importing a module registers its methods
+    cyclic,
     empty,
     ffnn_loose,
     interpolation,
+    kalman,
     local_regression,
+    pattern,
+    rigid,
     savgol,
+    skurowski2021,
     swap,
     tits2018,
 )

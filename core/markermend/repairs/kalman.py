@@ -1,0 +1,153 @@
+"""Kalman smoothing of the marker's own trajectory under constant acceleration.
+
+State: position, velocity and acceleration, which changes by white jerk. Forward filter and
+backward pass of Rauch, Tung and Striebel (1965); the ratio of jerk to measurement noise is the
+likeliest of a grid, their common scale follows in closed form, one for each axis.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from markermend.arrays import BoolArray, FloatArray
+from markermend.artifact import Artifact
+from markermend.repairs.registry import Evidence, Repair, register
+from markermend.repairs.result import make_repair, refuse
+
+METHOD = "kalman"
+LEAST_SIDE = 4
+# One step of a frame, and the covariance that white jerk of density 1 adds in it.
+STEP = np.array([[1.0, 1.0, 0.5], [0.0, 1.0, 1.0], [0.0, 0.0, 1.0]])
+JERK = np.array([[1 / 20, 1 / 8, 1 / 6], [1 / 8, 1 / 3, 1 / 2], [1 / 6, 1 / 2, 1.0]])
+# Densities of jerk tried, for a measurement noise of variance 1.
+RATIOS = np.geomspace(1e-8, 1e4, 37)
+# The first state is as good as unknown; the observations that settle it say nothing of the noise.
+UNKNOWN, SETTLING = 1e9, 3
+LEAST_VARIANCE_MM2 = 1e-8
+
+
+@dataclass(frozen=True)
+class KalmanParams:
+    """How far the smoother looks at its own trajectory."""
+
+    context_s: float = field(
+        default=1.0,
+        metadata={
+            "unit": "s",
+            "min": 0.1,
+            "max": 60.0,
+            "help": "Time on either side that is smoothed along",
+        },
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Pass:
+    """Forward estimates for every ratio: before and after seeing each frame, and their fit."""
+
+    predicted: FloatArray
+    predicted_cov: FloatArray
+    filtered: FloatArray
+    filtered_cov: FloatArray
+    best: int
+    scale: FloatArray
+
+
+@register(
+    METHOD,
+    label="Kalman smoother",
+    summary="Moves on under constant acceleration from both sides; for short intervals, with band.",
+    params=KalmanParams,
+    source="Rauch, Tung and Striebel 1965",
+)
+def repair_kalman(evidence: Evidence, artifact: Artifact, params: Any) -> Repair:
+    """Smooth the trusted samples around the interval and read the interval off.
+
+    Refuses where either side has fewer than four trusted samples, so also at the take's ends.
+    """
+    take, marker = evidence.take, evidence.take.index(artifact.marker)
+    reach = max(LEAST_SIDE, round(params.context_s * take.rate))
+    first = max(0, artifact.start - reach)
+    last = min(take.frames, artifact.stop + reach)
+    known: BoolArray = np.all(evidence.trusted[first:last, marker], axis=1)
+    known[artifact.start - first : artifact.stop - first] = False
+    sides = int(known[: artifact.start - first].sum()), int(known[artifact.stop - first :].sum())
+    if min(sides) < LEAST_SIDE:
+        where = "before" if sides[0] < LEAST_SIDE else "after"
+        reason = (
+            f"{artifact.marker} has only {min(sides)} trusted samples near {where} the interval; "
+            f"{LEAST_SIDE} are needed."
+        )
+        return refuse(METHOD, reason, params)
+    track = take.positions[first:last, marker]
+    mean, variance = smooth(track, known, artifact.start - first, artifact.stop - first)
+    return make_repair(METHOD, evidence, artifact, mean, params, np.sqrt(variance))
+
+
+def smooth(
+    track: FloatArray, known: BoolArray, start: int, stop: int
+) -> tuple[FloatArray, FloatArray]:
+    """Smoothed positions in an interval.
+
+    Parameters
+    ----------
+    track : (frames, 3) mm; anything, NaN too, where not known
+    known : (frames,) bool, with four true at least
+    start, stop : the interval that is wanted
+
+    Returns
+    -------
+    mean, variance : (stop - start, 3) in mm and mm²
+    """
+    origin = track[known].mean(axis=0)
+    forward = _filter(track - origin, known)
+    best = forward.best
+    mean = forward.filtered[-1, best]
+    cov = forward.filtered_cov[-1, best]
+    means = np.empty((stop - start, 3))
+    variances = np.empty(stop - start)
+    for t in range(len(track) - 2, start - 1, -1):
+        ahead, ahead_cov = forward.predicted[t + 1, best], forward.predicted_cov[t + 1, best]
+        here = forward.filtered_cov[t, best]
+        gain = np.linalg.solve(ahead_cov, STEP @ here).T
+        mean = forward.filtered[t, best] + gain @ (mean - ahead)
+        cov = here + gain @ (cov - ahead_cov) @ gain.T
+        if t < stop:
+            means[t - start], variances[t - start] = mean[0], cov[0, 0]
+    return means + origin, np.maximum(variances, 0.0)[:, None] * forward.scale
+
+
+def _filter(track: FloatArray, known: BoolArray) -> _Pass:
+    """Run all ratios forward at once; states are (ratios, 3 orders, 3 axes)."""
+    frames, ratios = len(track), len(RATIOS)
+    noise = RATIOS[:, None, None] * JERK
+    predicted = np.zeros((frames, ratios, 3, 3))
+    predicted_cov = np.zeros((frames, ratios, 3, 3))
+    filtered, filtered_cov = np.zeros_like(predicted), np.zeros_like(predicted)
+    mean = np.zeros((ratios, 3, 3))
+    cov = np.tile(UNKNOWN * np.eye(3), (ratios, 1, 1))
+    logs, squares = np.zeros(ratios), np.zeros((ratios, 3))
+    count = 0
+    for t in range(frames):
+        if t > 0:
+            mean, cov = STEP @ mean, STEP @ cov @ STEP.T + noise
+        predicted[t], predicted_cov[t] = mean, cov
+        if known[t]:
+            total = cov[:, 0, 0] + 1.0
+            miss = track[t] - mean[:, 0]
+            gain = cov[:, :, 0] / total[:, None]
+            mean = mean + gain[:, :, None] * miss[:, None, :]
+            cov = cov - gain[:, :, None] * cov[:, 0, None, :]
+            count += 1
+            if count > SETTLING:
+                logs += np.log(total)
+                squares += miss**2 / total[:, None]
+        filtered[t], filtered_cov[t] = mean, cov
+    counted = count - SETTLING
+    scales = np.maximum(squares / counted, LEAST_VARIANCE_MM2)
+    cost = counted * np.log(scales).sum(axis=1) + 3 * logs
+    best = int(np.argmin(cost))
+    return _Pass(predicted, predicted_cov, filtered, filtered_cov, best, scales[best])
