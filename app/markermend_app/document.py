@@ -15,7 +15,7 @@ from PySide6.QtCore import QObject, Signal
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend.edits import Change
-from markermend.errors import MarkermendError
+from markermend.errors import DataError, MarkermendError
 from markermend.mesh import Mesh
 from markermend.session import Session
 from markermend.session_file import SessionFile
@@ -219,8 +219,16 @@ class Document(QObject):
     # Decisions
 
     def accept(self, ids: Sequence[str]) -> None:
-        """Say that flags are right; the samples stay."""
-        self._decide(ids, Status.ACCEPTED)
+        """Say that flags are right; the samples stay, so that what is repaired stays repaired."""
+        session = self.session
+        if session is None:
+            return
+        repaired = {a.id for a in session.with_status(Status.REPAIRED)}
+        chosen = [i for i in ids if i not in repaired]
+        if chosen:
+            self._decide(chosen, Status.ACCEPTED)
+        elif ids:
+            self.failed.emit(DataError("That is repaired already; reopen it to undo the repair."))
 
     def reject(self, ids: Sequence[str]) -> None:
         """Say that flags are false alarms."""

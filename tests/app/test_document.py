@@ -130,3 +130,18 @@ def test_reading_only_refuses_every_decision(document, qtbot):
         document.accept([document.queue[0]])
     assert len(document.session.with_status(Status.PENDING)) == 4
     document.file.read_only = False
+
+
+def test_accepting_leaves_repaired_samples_repaired(document, qtbot):
+    step, peak = of(document, Kind.STEP), of(document, Kind.PEAK)
+    document.select(peak.id)
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    document.repair_current()
+    mended = document.session.positions.copy()
+    document.accept([step.id, peak.id])
+    assert document.session.artifact(peak.id).status is Status.REPAIRED
+    assert document.session.artifact(step.id).status is Status.ACCEPTED
+    with qtbot.waitSignal(document.failed) as told:
+        document.accept([peak.id])
+    assert "repaired already" in str(told.args[0])
+    assert document.session.positions.tobytes() == mended.tobytes()

@@ -121,7 +121,7 @@ def draw(
 
 def _ink(artifact: Artifact, look: theme.Theme) -> QColor:
     """Strong when open and sure, faint when settled."""
-    strength = 0.4 + 0.6 * float(np.clip(artifact.confidence, 0.0, 1.0))
+    strength = 0.4 + 0.6 * min(max(artifact.confidence, 0.0), 1.0)
     if artifact.status is Status.REPAIRED:
         strength = 0.35
     elif artifact.status is Status.REJECTED:
