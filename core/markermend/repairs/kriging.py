@@ -2,14 +2,15 @@
 
 The covariance of a marker's place in two frames is a sum of terms: a linear function of the pose
 (ridge regression), a smooth non-linear one (rational quadratic), and three that only know the
-time between the frames (Matérn, rasmussen2006, 4.2). One factorisation gives the mean, its
-deviation, and what would have been predicted for any known stretch had it been hidden.
+time between the frames (Matérn, rasmussen2006, 4.2). How large the latter and the noise are
+beside the pose is chosen by likelihood. One factorisation gives the mean, its deviation, and what
+would have been predicted for any known stretch had it been hidden.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import pairwise, product
 
 import numpy as np
 
@@ -22,6 +23,12 @@ TIME_MM = (2.0, 1.0, 1.0)
 # Poses so far apart, in standard deviations of a coordinate, have little to say to each other.
 CURVED_SCALE = 0.7
 TIME_S = (0.067, 0.5, 8.0)
+# Sizes of what changes in time and of the noise among which the likelihood chooses.
+TIME_SIZES, NOISE_SIZES = (0.3, 1.0), (1.0, 3.0, 10.0)
+# Of the frames that are not near, the likelihood looks at every so many.
+LIKELIHOOD_STRIDE = 4
+# Intervals shorter than this are judged by the frames near them, where every frame is used.
+SHORT_S = 0.25
 # Length of a 90 % ball in standard deviations of one coordinate, in three dimensions.
 BALL_90 = 2.5003
 
@@ -48,7 +55,7 @@ def condition(
     target: FloatArray,
     noise_mm: float,
     block: int,
-    judged: BoolArray,
+    near: BoolArray,
 ) -> Conditioned:
     """Predict the place of a marker in some frames from its place in others.
 
@@ -58,9 +65,9 @@ def condition(
     rate : frames per second
     pose : (known + wanted, features) pose of the body in these frames, mean square 1
     target : (known, 3) place of the marker in the known ones, mm
-    noise_mm : standard deviation of the measurement
+    noise_mm : least standard deviation of the measurement
     block : length of the stretches that are hidden to see how far off the process is, in frames
-    judged : (known,) frames by which that is judged
+    near : (known,) frames near the interval, of which none is left out
 
     Returns
     -------
@@ -70,38 +77,67 @@ def condition(
     from scipy.linalg.lapack import dpotri
 
     known = len(target)
-    middle = np.median(target, axis=0)
-    prior = _covariance(frames / rate, pose, known)
+    offset = target - np.median(target, axis=0)
+    body, time = _from_pose(pose, known), _from_time(frames / rate, known)
+    few = np.flatnonzero(near | (np.arange(known) % LIKELIHOOD_STRIDE == 0))
+    corner = np.ix_(few, few)
+    time_size, noise_size = _likeliest(body[corner], time[corner], offset[few], noise_mm)
+    noise = (noise_size * noise_mm) ** 2
+    prior = body + time_size**2 * time
     covariance = prior[:known].copy()
-    covariance[np.diag_indices(known)] += noise_mm**2
+    covariance[np.diag_indices(known)] += noise
     factor, _ = cho_factor(covariance, lower=True, overwrite_a=True)
-    weights = cho_solve((factor, True), target - middle)
+    weights = cho_solve((factor, True), offset)
     across = prior[known:]
     explained = solve_triangular(factor, across.T, lower=True)
-    variance = np.maximum(_variance(pose[known:]) - np.sum(explained**2, axis=0), noise_mm**2)
+    alone = _variance(pose[known:]) + time_size**2 * sum(size**2 for size in TIME_MM)
+    variance = np.maximum(alone - np.sum(explained**2, axis=0), noise)
     inverse, _ = dpotri(factor, lower=1)
+    judged = near if block < SHORT_S * rate and near.any() else np.ones(known, dtype=bool)
     scale = _scale(frames[:known] // block, np.tril(inverse), weights, judged)
-    return Conditioned(middle + across @ weights, scale * np.sqrt(variance))
+    return Conditioned(target[0] - offset[0] + across @ weights, scale * np.sqrt(variance))
 
 
-def _covariance(times: FloatArray, pose: FloatArray, known: int) -> FloatArray:
-    """(frames, known) prior covariance in mm² between all frames and the known ones."""
+def _likeliest(
+    body: FloatArray, time: FloatArray, offset: FloatArray, noise_mm: float
+) -> tuple[float, float]:
+    """Sizes of the parts in time and of the noise, by likelihood with the common scale free."""
+    from scipy.linalg import cho_factor, cho_solve
+
+    best, chosen = -np.inf, (1.0, 1.0)
+    for time_size, noise_size in product(TIME_SIZES, NOISE_SIZES):
+        covariance = body + time_size**2 * time
+        covariance[np.diag_indices_from(covariance)] += (noise_size * noise_mm) ** 2
+        factor, _ = cho_factor(covariance, lower=True, overwrite_a=True)
+        fit = np.sum(offset * cho_solve((factor, True), offset))
+        spread = np.log(np.diag(factor)).sum() / len(offset)
+        likelihood = -0.5 * np.log(max(fit, 1e-300)) - spread
+        if likelihood > best:
+            best, chosen = likelihood, (time_size, noise_size)
+    return chosen
+
+
+def _from_pose(pose: FloatArray, known: int) -> FloatArray:
+    """(frames, known) covariance in mm² that comes from the likeness of poses."""
     features = pose.shape[1]
     alike = pose @ pose[:known].T
     square = np.sum(pose**2, axis=1)
     apart = (square[:, None] + square[None, :known] - 2.0 * alike) / features
     total = PLACE_MM**2 + (LINEAR_MM**2 / features) * alike
     total += CURVED_MM**2 / (1.0 + np.maximum(apart, 0.0) / (2.0 * CURVED_SCALE**2))
-    passed = np.abs(times[:, None] - times[None, :known])
-    for size, scale, matern in zip(TIME_MM, TIME_S, (_matern52, _matern32, _matern32), strict=True):
-        total += size**2 * matern(passed / scale)
     return np.asarray(total)
 
 
+def _from_time(times: FloatArray, known: int) -> FloatArray:
+    """(frames, known) covariance in mm² that comes from nearness in time."""
+    passed = np.abs(times[:, None] - times[None, :known])
+    kernels = zip(TIME_MM, TIME_S, (_matern52, _matern32, _matern32), strict=True)
+    return np.asarray(sum(size**2 * matern(passed / scale) for size, scale, matern in kernels))
+
+
 def _variance(pose: FloatArray) -> FloatArray:
-    """Prior variance of single frames: the diagonal of the covariance."""
-    fixed = PLACE_MM**2 + CURVED_MM**2 + sum(size**2 for size in TIME_MM)
-    return np.asarray(fixed + LINEAR_MM**2 * np.mean(pose**2, axis=1))
+    """Prior variance of single frames that comes from the pose."""
+    return np.asarray(PLACE_MM**2 + CURVED_MM**2 + LINEAR_MM**2 * np.mean(pose**2, axis=1))
 
 
 def _matern32(distance: FloatArray) -> FloatArray:

@@ -29,8 +29,6 @@ from markermend.repairs.result import make_repair, refuse
 METHOD = "local_regression"
 # Fewer frames than this cannot tell how the marker follows its body.
 LEAST_FRAMES = 20
-# Intervals shorter than this are judged by the frames near them, where every frame is used.
-SHORT_S = 0.25
 # How far around the interval the noise is estimated, and its limits.
 NOISE_S = 2.0
 LEAST_NOISE_MM, MOST_NOISE_MM = 0.03, 1.0
@@ -99,9 +97,7 @@ def repair_local_regression(evidence: Evidence, artifact: Artifact, params: Any)
     target = to_frame(own, rotation[learnt], centre[learnt])[:, 0]
     noise = _noise(take.positions[:, marker], seen[:, marker], artifact, take.rate)
     near = _near(known, artifact, take.rate, params)
-    short = artifact.length < SHORT_S * take.rate
-    judged = near if short and near.any() else np.ones(len(known), dtype=bool)
-    result = condition(frames, take.rate, pose, target, noise, artifact.length, judged)
+    result = condition(frames, take.rate, pose, target, noise, artifact.length, near)
     values = to_lab(result.mean, rotation[inside], centre[inside])
     deviation = np.repeat(result.deviation[:, None], 3, axis=1)
     return make_repair(METHOD, evidence, artifact, values, params, deviation)
