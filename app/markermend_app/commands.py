@@ -159,7 +159,9 @@ class Commands(QObject):
                 return
             self._document.add_detected(found, "paper")
             one, many = self.tr("1 artifact found."), self.tr("{0} artifacts found.")
-            self.said.emit(one if len(found) == 1 else many.format(len(found)))
+            text = one if len(found) == 1 else many.format(len(found))
+            # What is odd about the file was said before, and must not be lost.
+            self.said.emit(" ".join((text, *take.warnings[:1])))
             if self._document.current is None:
                 self._document.step(1)
 
@@ -338,6 +340,8 @@ class Commands(QObject):
         elif take.warnings:
             text = take.warnings[0]
         self.said.emit(text)
+        if take.read_only:
+            dialogs.tell_damaged(self._window, take)
 
 
 def load(path: Path, progress: Progress) -> tuple[SessionFile, Mesh]:

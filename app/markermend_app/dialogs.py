@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 
 import markermend
 from markermend.errors import MarkermendError
+from markermend.take import Take
 from markermend_app.actions import ACTIONS, native
 
 Buttons = QMessageBox.StandardButton
@@ -42,6 +43,20 @@ def show_problem(parent: QWidget, error: Exception) -> None:
         box.setText(_tr("That did not work; nothing was changed. The details tell what happened."))
         box.setDetailedText("".join(traceback.format_exception(error)))
     box.exec()
+
+
+def tell_damaged(parent: QWidget, take: Take) -> None:
+    """Say that what was opened is not the whole recording; the work under way goes on."""
+    name = take.source.path.name if take.source is not None else _tr("This take")
+    box = QMessageBox(parent)
+    box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    box.setIcon(QMessageBox.Icon.Warning)
+    box.setWindowTitle(_tr("Damaged file"))
+    box.setText(_tr("{0} is damaged. What can be read of it is shown.").format(name))
+    told = " ".join(take.warnings)
+    kept = _tr("The original is never replaced; repairs can be exported to another file.")
+    box.setInformativeText(f"{told} {kept}".strip())
+    box.open()
 
 
 def ask_unexported(parent: QWidget, path: Path | None) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QByteArray, Qt
+from PySide6.QtCore import QByteArray, QSize, Qt
 from PySide6.QtGui import (
     QAction,
     QActionGroup,
@@ -60,7 +60,7 @@ class MainWindow(QMainWindow):
         self._make_panels()
         self._make_actions()
         self._connect()
-        self.resize(1500, 940)
+        self.resize(QSize(1500, 940).boundedTo(self.screen().availableSize() * 0.94))
         self._default_state = self.saveState(LAYOUT_VERSION)
         self._restore_layout()
         self._retitle()

@@ -138,6 +138,7 @@ def test_vertical_axis_of_a_walking_body(up):
 
 
 def test_stage_of_an_empty_take_stands():
+    set_stage(Take(np.zeros((5, 0, 3)), (), 100.0))
     stage = set_stage(Take(np.full((5, 2, 3), np.nan), ("A", "B"), 100.0))
     assert np.isfinite(stage.middle).all()
     assert stage.radius > 0

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
-from PySide6.QtWidgets import QFileDialog, QMessageBox, QPlainTextEdit
+from PySide6.QtWidgets import QFileDialog, QLabel, QMessageBox, QPlainTextEdit
 
 import markermend as mm
 from markermend import files
@@ -326,6 +326,24 @@ def test_a_bad_file_is_one_sentence_and_leaves_the_open_take(
     assert "bad.c3d" in shown[0]
     assert "Traceback" not in shown[0]
     assert reviewed.document.path.name == "box.c3d"
+
+
+def test_a_cut_off_file_is_told_of_and_shown(window, qtbot, take_path, tmp_path):
+    short = tmp_path / "short.c3d"
+    short.write_bytes(take_path.read_bytes()[:-5000])
+    window.commands.open_path(short)
+    qtbot.waitUntil(lambda: window.document.session is not None, timeout=WAIT)
+    (told,) = window.findChildren(QMessageBox)
+    assert "short.c3d is damaged" in told.text()
+    assert "cut short" in told.informativeText()
+    told.close()
+    qtbot.waitUntil(lambda: not window.lane.busy, timeout=WAIT)
+    assert "cut short" in window.status.findChild(QLabel).text()
+
+
+def test_the_window_fits_small_screens(window):
+    assert window.minimumSizeHint().width() <= 1280
+    assert window.minimumSizeHint().height() <= 760
 
 
 def test_cancelling_detection_leaves_the_list_as_it_was(reviewed, qtbot):

@@ -167,7 +167,8 @@ class TakePage(QWidget):
         ):
             if value not in ("", "0"):
                 self._add(text, value)
-        self.facts.addRow(_name(self.tr("Missing")), self._gaps)
+        if take.markers:
+            self.facts.addRow(_name(self.tr("Missing")), self._gaps)
         self._refresh_gaps()
         for sentence in take.warnings:
             self.warnings.addWidget(_warning(sentence))

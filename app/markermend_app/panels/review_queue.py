@@ -292,6 +292,8 @@ class ReviewQueue(QWidget):
         self._pages.setCurrentIndex(1 if self.model.rows else 0)
         if session is None:
             text = self.tr("Open a take to review its artifacts here.")
+        elif not session.original.markers:
+            text = self.tr("This file has no markers, so there is nothing to review.")
         elif not session.artifacts:
             if any(step.startswith("Detect") for step in session.history):
                 text = self.tr("Nothing was found. Sweep over a curve with Shift to mark by hand.")

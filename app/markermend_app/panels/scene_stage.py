@@ -85,6 +85,8 @@ def set_stage(take: Take, up: int | None = None) -> Stage:
     named = [i for i, label in enumerate(take.labels) if not is_unlabelled(label)]
     points = _sample(take.positions)
     points = points[:, named] if named else points
+    if not points.size:
+        points = np.full((1, 1, 3), np.nan)
     if up is None:
         told = vertical_of(take)
         up = AXES.index(told) if told else vertical_axis(points)
