@@ -62,18 +62,20 @@ def filter_butterworth(
 
     Notes
     -----
-    The single pass is designed for a cut-off raised by (√2 − 1)^(−1/(2·order)), 1/0.802 for the
-    second order (Winter 2009, section 3.4.4.2). Before filtering, each end is continued by its
-    point reflection over one second, or as far as the stretch reaches.
+    Two passes halve the power where one leaves 1/√2 of it: the single pass is designed for a
+    tangent tan(π·f/rate) raised by (√2 − 1)^(−1/(2·order)), 1/0.802 for the second order (Winter
+    2009, section 3.4.4.2). Before filtering, each end is continued by its point reflection over one
+    second, or as far as the stretch reaches.
     """
     from scipy.signal import butter, sosfiltfilt
 
-    raised = cutoff_hz / (np.sqrt(2.0) - 1.0) ** (1.0 / (2 * order))
-    if raised >= rate / 2:
+    if cutoff_hz >= rate / 2:
         raise MethodError(
             f"A cut-off of {cutoff_hz:g} Hz is too high for {rate:g} frames per second; "
-            f"it must stay below {rate / 2 * cutoff_hz / raised:.4g} Hz."
+            f"it must stay below {rate / 2:g} Hz."
         )
+    correction = (np.sqrt(2.0) - 1.0) ** (1.0 / (2 * order))
+    raised = rate / np.pi * np.arctan(np.tan(np.pi * cutoff_hz / rate) / correction)
     sections = butter(order, raised, fs=rate, output="sos")
     padding = min(len(values) - 1, round(rate))
     filtered = sosfiltfilt(sections, values, axis=0, padtype="odd", padlen=padding)

@@ -28,6 +28,8 @@ _NOISE = np.array([0.7, 1.0, 1.4, 2.0, 2.8])
 # Chance of another state in the next block, and of one anywhere on the grid at an event.
 _MOTION_CHANGES, _NOISE_CHANGES, _EVENT = 0.28, 0.08, 0.5
 _ROUNDS = 2
+# Blocks count for the usual noise up to this many times its power.
+_OUTLYING = 3.0
 # Least frames from which a stretch says anything.
 _LEAST = 2 * ORDER + 2
 _FLOOR_MM = 1e-4
@@ -134,7 +136,8 @@ def _both_ways(ahead: FloatArray, behind: FloatArray, n: int, memory: float) -> 
 
 def _usual_noise(signals: Signals) -> FloatArray:
     """(channels,) noise in mm as sixth differences show it."""
-    sixth = np.diff(signals.values, 6, axis=0)
+    measured = np.where(signals.measured[:, :, None], signals.values, np.nan)
+    sixth = np.diff(measured, 6, axis=0)
     # Of a chi-square of one degree the median is 0.455; the squared weights of Δ⁶ sum to 924.
     squared = (sixth * sixth).reshape(len(sixth), sixth.shape[1] * 3)
     usual = np.zeros(squared.shape[1])
@@ -157,7 +160,9 @@ def _smooth_states(
         by_noise = chance.sum(axis=1)
         by_cutoff = chance.sum(axis=2)
         shrunk = np.einsum("bkjc,j->bkc", chance, (1.0 / _NOISE**2).astype(np.float32))
-        power = np.einsum("bkc,bkc->c", shrunk, evidence.power, dtype=np.float64)
+        power = np.einsum("bkc,bkc->bc", shrunk, evidence.power)
+        # A spike or a swap that nobody repaired must not pass for noise.
+        power = np.minimum(power, _OUTLYING * evidence.count * noise**2).sum(axis=0)
         usual, noise = noise, np.maximum(np.sqrt(power / total), _FLOOR_MM)
     log_cutoff = np.einsum("bkc,k->bc", by_cutoff, log_grid)
     log_noise = np.einsum("bjc,j->bc", by_noise, np.log(_NOISE)) + np.log(usual)
