@@ -28,7 +28,8 @@ from markermend.errors import MethodError
 from markermend.predictors.bridging import bridge
 
 RATE = 100.0
-DEFAULT = PaperParams()
+DEFAULT = PaperParams(confirm=True)
+PUBLISHED = PaperParams()
 FRAMES = 1000
 
 signals = arrays(
@@ -186,13 +187,10 @@ def test_what_is_found_does_not_depend_on_where_the_origin_is(shift: float, seed
     assert [(f.start, f.stop) for f in here] == [(f.start, f.stop) for f in there]
 
 
-def test_without_floor_thresholds_scale_with_the_signal(
-    clean: np.ndarray, seen: np.ndarray
-) -> None:
+def test_as_published_thresholds_scale_with_the_signal(clean: np.ndarray, seen: np.ndarray) -> None:
     clean[500, 3] += 15
-    params = PaperParams(least_mm=0)
-    small = find_peaks(clean, seen, RATE, params)
-    large = find_peaks(4 * clean, seen, RATE, params)
+    small = find_peaks(clean, seen, RATE, PUBLISHED)
+    large = find_peaks(4 * clean, seen, RATE, PUBLISHED)
     assert [(f.channel, f.start, f.stop) for f in small] == [
         (f.channel, f.start, f.stop) for f in large
     ]
@@ -221,10 +219,11 @@ def test_noise_absorbs_the_peaks_beside_it() -> None:
 
 
 def test_confidence_is_one_half_at_the_threshold_and_grows() -> None:
-    assert confidence(1.0) == 0.5
-    values = [confidence(r) for r in np.linspace(1, 50, 30)]
+    assert confidence(1.0, Kind.PEAK) == 0.5
+    values = [confidence(r, Kind.PEAK) for r in np.linspace(1, 50, 30)]
     assert values == sorted(values)
     assert values[-1] < 1
+    assert confidence(1e9, Kind.SLOW) < 0.5
 
 
 @pytest.mark.parametrize("bad", [{"peak_k": -1.0}, {"savgol_order": 0}, {"noise_length": 1}])

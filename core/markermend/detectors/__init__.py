@@ -17,11 +17,13 @@ from markermend.take import Take
 
 __all__ = ["DETECTORS", "Detector", "PaperParams", "detect", "detect_gaps", "find_detector"]
 
+DEFAULT = "joint"
+
 
 def detect(
     take: Take,
     *,
-    method: str = "paper",
+    method: str | None = None,
     params: Any = None,
     mesh: Mesh | None = None,
     progress: Progress | None = None,
@@ -31,7 +33,7 @@ def detect(
     Parameters
     ----------
     take : the recording; points that are not markers are never looked at
-    method : name in :data:`DETECTORS`
+    method : name in :data:`DETECTORS`; when None the one ``params`` belong to, or ``"joint"``
     params : the method's own parameter dataclass, its defaults when None
     mesh : the body's structure; inferred from the take when None and needed
     progress : told the share done; may raise :class:`markermend.errors.Cancelled`
@@ -45,11 +47,11 @@ def detect(
     MethodError
         when the method is unknown or ``params`` are another method's
     """
-    detector = find_detector(method)
+    detector = find_detector(method or _method_of(params))
     chosen = detector.params() if params is None else params
     if not isinstance(chosen, detector.params):
         raise MethodError(
-            f"Detection method “{method}” takes {detector.params.__name__}, "
+            f"Detection method “{detector.name}” takes {detector.params.__name__}, "
             f"not {type(chosen).__name__}."
         )
     report = progress or quiet
@@ -58,3 +60,8 @@ def detect(
         found = in_order([*detect_gaps(take), *detector.run(take, chosen, mesh, report)])
     report(1.0, "done")
     return found
+
+
+def _method_of(params: Any) -> str:
+    """Name of the method that parameters belong to; of the default one where they tell nothing."""
+    return next((d.name for d in DETECTORS.values() if d.params is type(params)), DEFAULT)

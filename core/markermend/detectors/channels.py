@@ -14,6 +14,9 @@ from markermend.take import Take
 EDGE_FRAMES = 2
 # Statistics of a channel with fewer judged samples than this say nothing.
 LEAST_SAMPLES = 30
+# Smallest threshold for sudden changes when findings are confirmed: on a marker that rests, three
+# times its own spread is a fraction of a millimetre.
+LEAST_MM = 1.5
 
 
 def channels(take: Take, markers: slice | list[int]) -> tuple[FloatArray, BoolArray]:
@@ -62,3 +65,24 @@ def spread(signal: FloatArray, valid: BoolArray) -> FloatArray:
     mean = np.where(valid, signal, 0.0).sum(axis=0) / count
     square = np.where(valid, (signal - mean) ** 2, 0.0).sum(axis=0) / count
     return np.asarray(np.sqrt(square))
+
+
+def thresholds(k: float, signal: FloatArray, valid: BoolArray, *, confirm: bool) -> FloatArray:
+    """``k`` times the standard deviation, for each channel.
+
+    Parameters
+    ----------
+    k : multiple
+    signal, valid : (frames, channels)
+    confirm : each channel by itself and at least 1.5 mm, instead of the spread of all channels
+        together
+
+    Returns
+    -------
+    (channels,) in the signal's unit
+    """
+    own = spread(signal, valid)
+    if confirm:
+        return np.maximum(k * own, LEAST_MM)
+    together = spread(signal.reshape(-1, 1), valid.reshape(-1, 1))
+    return np.full(len(own), k * together[0])

@@ -2,7 +2,9 @@
 
 Confidence here grows with the ratio r of a stage's statistic to its threshold as r² / (1 + r²):
 one half at the threshold, 0.8 at twice, 0.9 at three times. It orders findings of one kind
-truly, but it is not calibrated: how many of those at 0.8 are real depends on the take.
+truly, but it is not calibrated: how many of those at 0.8 are real depends on the take. Slow
+changes are believed three tenths of that, never up to one half, because one or two in ten of
+those published were real: repairs that ask for a confidence of one half leave them alone.
 """
 
 from __future__ import annotations
@@ -19,6 +21,7 @@ from markermend.take import AXES, Take
 
 # Findings on two axes are one artifact when they share this much of their union.
 SAME_OVERLAP = 0.3
+SLOW_BELIEF = 0.3
 
 
 @dataclass(frozen=True)
@@ -50,9 +53,13 @@ def mask_of(findings: Iterable[Finding], shape: tuple[int, int]) -> BoolArray:
     return mask
 
 
-def confidence(ratio: float) -> float:
-    """Share of belief for a statistic ``ratio`` times its threshold; one half at 1."""
-    return ratio**2 / (1 + ratio**2)
+def confidence(ratio: float, kind: Kind) -> float:
+    """Share of belief for a statistic ``ratio`` times its threshold.
+
+    One half at the threshold; less for slow changes, 0.15 there and never above 0.3.
+    """
+    belief = ratio**2 / (1 + ratio**2)
+    return SLOW_BELIEF * belief if kind is Kind.SLOW else belief
 
 
 def overlap(a: tuple[int, int], b: tuple[int, int]) -> float:
@@ -117,7 +124,7 @@ def _artifact(take: Take, marker: int, group: list[Finding]) -> Artifact:
         start=start,
         stop=stop,
         kind=kind,
-        confidence=confidence(max(f.ratio for f in group)),
+        confidence=confidence(max(f.ratio for f in group), kind),
         amplitude_mm=amplitude,
         why=_explain(kind, amplitude, stop - start, take.rate),
     )

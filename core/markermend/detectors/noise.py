@@ -1,10 +1,16 @@
 """Heavy noise: many peaks next to each other.
 
-Section 3.4.3 of skurowski2022, equations 26 to 30. Beyond the paper: closing over 39 frames also
-joins the two jumps of a step shorter than about half a second, and lone outliers of fast motion,
-into a segment; a segment is kept only if a third of its differentials, before closing, are above
-the threshold and above what the largest of them leaves by ringing. Peaks right beside heavy noise
-are part of it.
+Section 3.4.3 of skurowski2022, equations 26 to 30. The structuring element is printed as
+2·minLen - 1, 39 frames. A jump rings for 6 frames to either side, so a closing over 39 frames
+makes heavy noise of the two jumps of a step shorter than about 51, where the paper reports hardly
+any step as noise. It is read as minLen - 1, 19 frames (``noise_element``): on a calm take steps
+found rise from 66 to 90 %, the precision of heavy noise from 60 to 75 %. Closing twice is then as
+good as once, since it commutes with a threshold.
+
+Beyond the paper, only with ``confirm``: closing also joins lone outliers of fast motion into a
+segment; a segment is kept only if a third of its differentials, before closing, are above the
+threshold and above what the largest of them leaves by ringing. Peaks right beside heavy noise are
+part of it.
 """
 
 from __future__ import annotations
@@ -15,7 +21,7 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, runs
 from markermend.artifact import Kind
-from markermend.detectors.channels import judged, spread
+from markermend.detectors.channels import judged, thresholds
 from markermend.detectors.finding import Finding
 from markermend.detectors.highpass import differential, savgol_high_pass, scaled, scaled_odd
 from markermend.detectors.morphology import closing
@@ -58,7 +64,7 @@ def find_noise(
     signal : (frames, channels) mm, without NaN, clear of single peaks
     seen : (frames, channels) bool; heavy noise never reaches into a gap
     rate : frames per second
-    params : ``noise_*``, ``savgol_*`` and ``least_mm``
+    params : ``noise_*``, ``savgol_*`` and ``confirm``
 
     Returns
     -------
@@ -66,10 +72,10 @@ def find_noise(
     amplitude is the largest distance from the smoothed course.
     """
     shortest = scaled(params.noise_length, rate)
-    element = 2 * shortest - 1
+    element = scaled_odd(params.noise_element, rate, least=1)
     valid = judged(seen)
     change = high_passed_differential(signal, valid, rate, params)
-    threshold = np.maximum(params.noise_k * spread(change, valid), params.least_mm)
+    threshold = thresholds(params.noise_k, change, valid, confirm=params.confirm)
     magnitude = closing(np.abs(change), element)
     noisy = closing(magnitude > threshold, element) & seen
     window = scaled_odd(params.savgol_window, rate, least=params.savgol_order + 2)
@@ -78,9 +84,10 @@ def find_noise(
     for channel in np.flatnonzero(noisy.any(axis=0)):
         deviation = np.abs(savgol_high_pass(signal[:, [channel]], params.savgol_order, window))
         for start, stop in runs(noisy[:, channel]):
-            if stop - start < shortest or not _dense(
-                np.abs(change[start:stop, channel]), float(threshold[channel])
-            ):
+            if stop - start < shortest:
+                continue
+            inside = np.abs(change[start:stop, channel])
+            if params.confirm and not _dense(inside, float(threshold[channel])):
                 continue
             ratio = float(np.median(magnitude[start:stop, channel]) / threshold[channel])
             found.append(

@@ -26,7 +26,11 @@ class PaperParams:
     """
 
     slow: bool = _tunable(True, "Look for slow changes, which trains a small network a marker")
-    least_mm: float = _tunable(1.5, "Smallest threshold for sudden changes; 0 as published", "mm")
+    confirm: bool = _tunable(
+        False,
+        "Beyond the paper: keep only what a second look confirms, with thresholds of each "
+        "coordinate by itself, 1.5 mm at least, 3 mm for slow changes",
+    )
 
     peak_window: int = _tunable(19, "Window of the moving median (eq. 18)", "frames", 3)
     peak_k: float = _tunable(3.0, "threshold₁ in σ of the high-passed differential (eq. 20)")
@@ -38,6 +42,9 @@ class PaperParams:
 
     noise_k: float = _tunable(2.0, "Threshold for heavy noise in σ (eq. 29)")
     noise_length: int = _tunable(20, "minLen, shortest heavy noise (eq. 28, 30)", "frames", 2)
+    noise_element: int = _tunable(
+        19, "S of the closings (eq. 28, 30); 39 as printed, 2·minLen - 1", "frames", 1
+    )
 
     step_k: float = _tunable(3.0, "Threshold for step changes in σ (section 3.4.4)")
     step_length: int = _tunable(20, "minLen, shortest step change (section 3.4.4)", "frames", 1)
@@ -45,9 +52,6 @@ class PaperParams:
         200, "maxDist, how far to look for the step back (section 3.4.4)", "frames", 1
     )
 
-    slow_least_mm: float = _tunable(
-        3.0, "Smallest upper threshold for slow changes; 0 as published", "mm"
-    )
     slow_order: int = _tunable(7, "L of the residual's smoothing (section 3.4.5)", "", 1, 9)
     slow_window: int = _tunable(11, "M of the residual's smoothing (section 3.4.5)", "frames", 3)
     slow_half_window: bool = _tunable(
@@ -56,7 +60,9 @@ class PaperParams:
     slow_k_top: float = _tunable(3.0, "k_U, upper threshold in σ of the residual (section 3.4.5)")
     slow_top_length: int = _tunable(20, "τ_U, shortest top (section 3.4.5)", "frames", 1)
     slow_k_base: float = _tunable(0.5, "k_hv, lower threshold in σ (section 3.4.5)")
-    slow_length: int = _tunable(50, "τ_hv, shortest slow change (section 3.4.5)", "frames", 1)
+    slow_length: int = _tunable(
+        30, "τ_hv, shortest slow change (section 3.4.5); 50 as printed", "frames", 1
+    )
 
     seed: int = _tunable(0, "Seed of the networks")
     jobs: int = _tunable(

@@ -11,10 +11,10 @@ last differential above the threshold.
 A peak smaller than about twice what the marker moves in a frame stays hidden: among samples that
 far apart it hardly changes its rank, and the median follows it.
 
-Beyond the paper: a moving median cuts the corners of fast motion, and what it cuts looks like
-small peaks; so does the edge of a step in motion. A peak is kept only if interpolation across it
-moves it by more than threshold₁, and its first and last sample to the same side, each by half of
-that at least.
+Beyond the paper, only with ``confirm``: a moving median cuts the corners of fast motion, and what
+it cuts looks like small peaks; so does the edge of a step in motion. A peak is kept only if
+interpolation across it moves it by more than threshold₁, and its first and last sample to the
+same side, each by half of that at least.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from scipy.ndimage import uniform_filter1d
 
 from markermend.arrays import BoolArray, FloatArray, runs
 from markermend.artifact import Kind
-from markermend.detectors.channels import judged, spread
+from markermend.detectors.channels import judged, thresholds
 from markermend.detectors.finding import Finding, mask_of
 from markermend.detectors.highpass import differential, median_high_pass, scaled, scaled_odd
 from markermend.detectors.morphology import top_hat
@@ -46,7 +46,7 @@ def find_peaks(
     signal : (frames, channels) mm, without NaN
     seen : (frames, channels) bool; unseen samples and gap edges are never part of a peak
     rate : frames per second
-    params : ``peak_*`` and ``least_mm``
+    params : ``peak_*`` and ``confirm``
 
     Returns
     -------
@@ -58,7 +58,7 @@ def find_peaks(
     valid = judged(seen)
     change = differential(median_high_pass(signal, scaled_odd(params.peak_window, rate)))
     change[~valid] = 0.0
-    threshold = np.maximum(params.peak_k * spread(change, valid), params.least_mm)
+    threshold = thresholds(params.peak_k, change, valid, confirm=params.confirm)
     change[np.abs(change) <= threshold] = 0.0
     candidates = _balance(change, window) > params.peak_ratio
     isolated = top_hat(candidates, window)
@@ -78,7 +78,7 @@ def find_peaks(
     for f in found:
         out = deviation[f.start : f.stop, f.channel]
         size = float(np.abs(out).max())
-        if size > threshold[f.channel] and _one_sided(out, size):
+        if not params.confirm or (size > threshold[f.channel] and _one_sided(out, size)):
             kept.append(replace(f, amplitude_mm=size))
     return kept
 

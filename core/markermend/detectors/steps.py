@@ -5,8 +5,10 @@ our reading of it. A jump rings in the high pass for half a filter window to eit
 the differentials above the threshold only those count that are the largest within that reach.
 A pair are two of them with opposite signs, no nearer than the shortest and no farther than the
 longest step, and the smaller at least two thirds of the larger, since a step comes back as far as
-it went. The largest jump chooses its opponent first. A jump taken back within a few frames is the
-flank of a peak that an earlier stage left, and does not count.
+it went. The largest jump chooses its opponent first. A jump taken back within a few frames has its
+opponent there, nearer than the shortest step: it is the flank of a peak that an earlier stage
+left, and does not count. Without this precision falls from 100 to 68 % on a calm take, and to a
+tenth on lively ones; the paper's was 73 to 88 %.
 """
 
 from __future__ import annotations
@@ -15,7 +17,7 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.artifact import Kind
-from markermend.detectors.channels import judged, spread
+from markermend.detectors.channels import judged, thresholds
 from markermend.detectors.finding import Finding
 from markermend.detectors.highpass import scaled, scaled_odd
 from markermend.detectors.morphology import dilate
@@ -38,7 +40,7 @@ def find_steps(
     signal : (frames, channels) mm, without NaN, clear of peaks and heavy noise
     seen : (frames, channels) bool; both jumps are seen, and most of what lies between
     rate : frames per second
-    params : ``step_*``, ``savgol_*`` and ``least_mm``
+    params : ``step_*``, ``savgol_*`` and ``confirm``
 
     Returns
     -------
@@ -47,7 +49,7 @@ def find_steps(
     """
     valid = judged(seen)
     change = high_passed_differential(signal, valid, rate, params)
-    threshold = np.maximum(params.step_k * spread(change, valid), params.least_mm)
+    threshold = thresholds(params.step_k, change, valid, confirm=params.confirm)
     window = scaled_odd(params.savgol_window, rate, least=params.savgol_order + 2)
     magnitude = np.abs(change)
     jumps = (magnitude > threshold) & (magnitude >= dilate(magnitude, window))
