@@ -64,14 +64,11 @@ class ExportDialog(QDialog):
             self._text(self.tr("Export repairs nothing by itself: only what you repaired differs."))
         )
         if outputs:
-            box.addWidget(
-                self._text(
-                    self.tr(
-                        "{0} model outputs in this file (angles, forces, moments…) were computed "
-                        "from the markers before their repair and no longer match."
-                    ).format(len(outputs))
-                )
+            text = self.tr(
+                "Model outputs in this file (angles, forces, moments…) were computed from the "
+                "markers before their repair and no longer match: {0}."
             )
+            box.addWidget(self._text(text.format(len(outputs))))
         self._record = QCheckBox(self.tr("Write into the file what was repaired, and how"))
         self._record.setChecked(record)
         self._mark = QCheckBox(self.tr("Name in the file the model outputs that no longer match"))
