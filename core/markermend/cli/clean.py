@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 import markermend as mm
 from markermend.artifact import Artifact, repair_in_words
-from markermend.artifact_json import artifacts_of, document
+from markermend.artifact_json import artifacts_of
 from markermend.cli.console import (
     STDOUT,
     Bar,
@@ -18,12 +16,14 @@ from markermend.cli.console import (
     read_json,
     say,
     write_json,
+    write_text,
     written,
 )
 from markermend.cli.detect import find, summary
-from markermend.cli.repairing import Outcome, left_over, listing, outcomes, summary_table
+from markermend.cli.repairing import left_over, listing, summary_table
 from markermend.detectors import find_detector
 from markermend.mesh import Mesh
+from markermend.outcome import cleaned_document, outcomes
 from markermend.patch import patched
 from markermend.progress import Progress, part
 from markermend.repairs import find_method, repair_all
@@ -32,7 +32,8 @@ from markermend.take import Take
 
 def run(options: argparse.Namespace) -> int:
     """Clean one take."""
-    check_outputs([options.output, options.json], source=options.take, force=options.force)
+    outputs = [options.output, options.json, options.report]
+    check_outputs(outputs, source=options.take, force=options.force)
     check_take_output(options.output)
     if options.method != "auto":
         find_method(options.method)
@@ -60,10 +61,14 @@ def run(options: argparse.Namespace) -> int:
         else (),
         mark_outputs=options.mark_outputs,
     )
-    done = outcomes(found, pairs, options.min_confidence)
+    done, name = outcomes(found, pairs, options.min_confidence), Path(options.take).name
     if options.json is not None:
-        write_json(options.json, _report(take, done, method, options.take))
-    if options.json != STDOUT:
+        write_json(options.json, cleaned_document(take, done, method, mm.__version__, name=name))
+    if options.report is not None:
+        from markermend.report import take_report
+
+        write_text(options.report, take_report(take, clean, done, method=method, name=name))
+    if STDOUT not in (options.json, options.report):
         for line in listing(take, done) if options.list else ():
             say(line)
         say(summary([o.artifact for o in done]))
@@ -80,13 +85,3 @@ def _artifacts(
         return find(take, mesh, options, progress), options.detector
     listed = read_json(options.artifacts)
     return artifacts_of(listed), str(listed.get("method", ""))
-
-
-def _report(take: Take, done: Sequence[Outcome], method: str, path: str) -> dict[str, Any]:
-    """JSON of ``detect`` with what was done about each artifact."""
-    artifacts = [o.artifact for o in done]
-    report = document(take, artifacts, method, mm.__version__, name=Path(path).name)
-    for item, o in zip(report["artifacts"], done, strict=True):
-        error = None if o.error_mm is None else float(o.error_mm)
-        item["repair"] = {"method": o.method, "error_mm": error, "reason": o.reason}
-    return report

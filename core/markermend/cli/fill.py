@@ -6,7 +6,8 @@ import argparse
 
 import markermend as mm
 from markermend.cli.console import Bar, check_outputs, check_take_output, count, say, written
-from markermend.cli.repairing import left_over, listing, outcomes, summary_table
+from markermend.cli.repairing import left_over, listing, summary_table
+from markermend.outcome import outcomes
 from markermend.patch import patched
 from markermend.repairs import find_gaps, find_method, repair_all
 

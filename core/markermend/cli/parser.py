@@ -140,6 +140,9 @@ def _add_clean(p: argparse.ArgumentParser) -> None:
     )
     p.add_argument("--list", action="store_true", help="show every single repair")
     _json(p)
+    p.add_argument(
+        "--report", metavar="FILE", help="write a report to read, print and mail: one HTML file"
+    )
     _force(p)
 
 

@@ -3,70 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from statistics import median
 
-from markermend.artifact import Artifact, Kind, Status
+from markermend.artifact import Kind
 from markermend.cli.console import count, table
 from markermend.cli.detect import when
-from markermend.repairs import Repair
+from markermend.outcome import Outcome
 from markermend.take import Take
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """What became of one artifact.
-
-    Attributes
-    ----------
-    artifact : with status repaired where it was
-    method : that repaired it, or None
-    error_mm : expected error, or None when unknown
-    reason : why it was left, or why another method than usual was taken; may be empty
-    """
-
-    artifact: Artifact
-    method: str | None
-    error_mm: float | None
-    reason: str
-
-
-def outcomes(
-    artifacts: Iterable[Artifact],
-    pairs: Sequence[tuple[Artifact, Repair]],
-    min_confidence: float = 0.0,
-) -> tuple[Outcome, ...]:
-    """Say for every artifact what was done, in the order given.
-
-    Parameters
-    ----------
-    artifacts : all that were known
-    pairs : those that were tried, with their repairs
-    min_confidence : below it they were not tried
-    """
-    tried = {artifact.id: repair for artifact, repair in pairs}
-    swapped = [patch for _, repair in pairs if repair.method == "swap" for patch in repair.patches]
-    result = []
-    for a in artifacts:
-        repair = tried.get(a.id)
-        if repair is None:
-            result.append(Outcome(a, None, None, _untried(a, min_confidence)))
-            continue
-        # The second half of a swap has no patches of its own: the first half wrote them.
-        twin = repair.method == "swap" and any(
-            p.marker == a.marker and a.overlaps(p.start, p.stop) for p in swapped
-        )
-        done = bool(repair.patches) or twin
-        result.append(
-            Outcome(
-                a.with_status(Status.REPAIRED) if done else a,
-                repair.method if done else None,
-                repair.error_mm if done else None,
-                repair.reason,
-            )
-        )
-    return tuple(result)
 
 
 def summary_table(done: Sequence[Outcome]) -> list[str]:
@@ -117,12 +61,3 @@ def left_over(done: Sequence[Outcome]) -> list[str]:
         return []
     lines = [f"  {n:>4} × {reason}" for reason, n in reasons.most_common()]
     return ["", f"Left as they were, {count(reasons.total(), 'artifact')}:", *lines]
-
-
-def _untried(artifact: Artifact, min_confidence: float) -> str:
-    """Why an artifact was not even tried."""
-    if artifact.status is Status.REJECTED:
-        return "Rejected as a false alarm."
-    if artifact.status is Status.REPAIRED:
-        return "Repaired before."
-    return f"Less sure than {min_confidence:g}."

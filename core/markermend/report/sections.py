@@ -1,0 +1,193 @@
+"""One take's section of a report, and whole reports."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from html import escape
+from statistics import median
+
+import markermend as mm
+from markermend.artifact import Kind
+from markermend.outcome import Outcome, cleaned_document
+from markermend.report import page
+from markermend.report.index import error, index_section, percent, tiles
+from markermend.report.quality import Quality, quality
+from markermend.report.svg import curves, damage_map, worst
+from markermend.take import Take
+
+# Longer lists are cut on the page, worst first; the JSON has them whole.
+_MOST_ROWS = 200
+_KEY = (
+    '<p class="key">'
+    + "".join(f'<span><i class="{kind.value}"></i>{kind.value}</span>' for kind in Kind)
+    + '<span><i class="mended"></i>repaired</span><span><i class="left"></i>left</span></p>'
+)
+_CURVES_KEY = (
+    '<p class="key"><span><i class="was"></i>before</span><span><i class="now"></i>after, '
+    "with the expected deviation where it is known</span></p>"
+)
+
+
+def take_report(
+    before: Take, after: Take, done: Sequence[Outcome], *, method: str, name: str
+) -> str:
+    """Report on one cleaned take.
+
+    Parameters
+    ----------
+    before, after : the same recording as read and as repaired
+    done : what became of every artifact
+    method : what found the artifacts
+    name : the take's file name
+
+    Returns
+    -------
+    An HTML page that needs no other file and no network; the same input gives the same text
+    """
+    return page.head(name) + _section(before, after, done, method, name) + page.tail()
+
+
+def batch_parts(
+    takes: Sequence[Quality], failures: Mapping[str, str], pages: Iterable[str]
+) -> Iterator[str]:
+    """Report on many takes: an index, then each take's section, in parts to be written in turn.
+
+    Parameters
+    ----------
+    takes : one each
+    failures : what could not be cleaned, name to reason
+    pages : the :func:`take_report` of each take, in the same order; read one by one
+
+    Yields
+    ------
+    Text
+    """
+    links = {q.name: f"#take-{number}" for number, q in enumerate(takes)}
+    yield page.head("Cleaned takes") + index_section(takes, failures, links)
+    for number, text in enumerate(pages):
+        yield f'\n<div id="take-{number}">{page.inner(text)}</div>'
+    yield page.tail()
+
+
+def _section(before: Take, after: Take, done: Sequence[Outcome], method: str, name: str) -> str:
+    """Everything about one take."""
+    q = quality(name, before, after, done)
+    found, mended = len(done), sum(o.method is not None for o in done)
+    facts = (
+        f"{before.frames:,} frames at {before.rate:g} Hz ({before.duration_s:.1f} s), "
+        f"{q.markers} markers. Detected by “{method}”, Markermend {mm.__version__}."
+    )
+    shapes = [curves(before, after, o) for o in worst(done)]
+    values = cleaned_document(before, done, method, mm.__version__, name=name)
+    parts = [
+        f'<section class="take"><h2>{escape(name)}</h2><p class="dim">{escape(facts)}</p>',
+        tiles(
+            [
+                ("Missing before", percent(q.gap_before)),
+                ("Missing after", percent(q.gap_after)),
+                ("Artifacts found", f"{found:,}"),
+                ("Repaired", f"{mended:,}"),
+                ("For review", f"{q.review:,}"),
+                ("Worst expected error", error(q.worst_mm)),
+            ]
+        ),
+        *(f'<p class="dim">{escape(warning)}</p>' for warning in before.warnings),
+    ]
+    if done:
+        parts += [_classes(done), "<h3>Damage over time</h3>", _KEY, damage_map(before, done)]
+    else:
+        parts.append("<p>Nothing is damaged as far as can be seen.</p>")
+    if any(shapes):
+        parts += ["<h3>Worst repairs, before and after</h3>", _CURVES_KEY]
+        parts.append(f'<div class="figures">{"".join(shapes)}</div>')
+    parts += [*_repaired(before, done), *_left(before, done)]
+    parts += [page.data("take", values | {"quality": q.to_dict()}), "</section>"]
+    return "\n".join(parts)
+
+
+def _classes(done: Sequence[Outcome]) -> str:
+    """Per class: found, repaired, how, and the expected error."""
+    rows = []
+    for kind in Kind:
+        of_kind = [o for o in done if o.artifact.kind is kind]
+        if not of_kind:
+            continue
+        methods = Counter(o.method for o in of_kind if o.method)
+        errors = [o.error_mm for o in of_kind if o.error_mm is not None]
+        how = ", ".join(f"{method} {n}" for method, n in methods.most_common()) or "–"
+        rows.append(
+            [
+                kind.value,
+                str(len(of_kind)),
+                str(methods.total()),
+                escape(how),
+                error(median(errors) if errors else None),
+                error(max(errors) if errors else None),
+            ]
+        )
+    columns = [("Class", ""), ("Found", "n"), ("Repaired", "n"), ("With", "")]
+    return page.table([*columns, ("Median expected error", "n"), ("Worst", "n")], rows)
+
+
+def _repaired(take: Take, done: Sequence[Outcome]) -> list[str]:
+    """What was repaired, how, and with what expected error."""
+    mended = worst(done, len(done))
+    if not mended:
+        return []
+    columns = [*_WHERE, ("Method", ""), ("Expected error", "n"), ("Note", "")]
+    rows = [
+        [*_where(take, o), escape(o.method or ""), *_error_and_note(o)] for o in mended[:_MOST_ROWS]
+    ]
+    return [
+        "<h3>What was repaired</h3>",
+        page.table(columns, rows, "sortable"),
+        *_cut(len(mended)),
+    ]
+
+
+def _left(take: Take, done: Sequence[Outcome]) -> list[str]:
+    """What was left, and why."""
+    left = [o for o in done if o.method is None]
+    if not left:
+        return []
+    columns = [*_WHERE, ("Sure", "n"), ("Evidence", ""), ("Left because", "")]
+    rows = [
+        [
+            *_where(take, o),
+            page.number(o.artifact.confidence, f"{o.artifact.confidence:.0%}"),
+            escape(o.artifact.why),
+            escape(o.reason),
+        ]
+        for o in sorted(left, key=lambda o: -o.artifact.confidence)[:_MOST_ROWS]
+    ]
+    return ["<h3>What was left</h3>", page.table(columns, rows, "sortable"), *_cut(len(left))]
+
+
+_WHERE = (("Frames", "n"), ("Seconds", "n"), ("Marker", ""), ("Axes", ""), ("Class", ""))
+
+
+def _where(take: Take, o: Outcome) -> list[str]:
+    """Cells that say where an artifact is and what it is."""
+    a = o.artifact
+    first, last = take.frame_number(a.start), take.frame_number(a.stop - 1)
+    frames = f"{first}" if first == last else f"{first}–{last}"
+    return [
+        page.number(first, frames),
+        page.number(a.start / take.rate, f"{a.start / take.rate:.2f}–{a.stop / take.rate:.2f}"),
+        escape(a.marker),
+        a.axes,
+        a.kind.value,
+    ]
+
+
+def _error_and_note(o: Outcome) -> list[str]:
+    """Cells for a repair's expected error and what else is to be known about it."""
+    return [page.number(o.error_mm, error(o.error_mm)), escape(o.reason)]
+
+
+def _cut(number: int) -> list[str]:
+    """Say that a list goes on, where it does."""
+    if number <= _MOST_ROWS:
+        return []
+    return [f'<p class="dim">…and {number - _MOST_ROWS:,} more; the JSON names them all.</p>']
