@@ -41,7 +41,7 @@ class CyclicParams:
         default=12, metadata={"min": 3, "max": 60, "help": "Markers whose pose is compared"}
     )
     unlikeness: float = field(
-        default=0.5,
+        default=0.7,
         metadata={
             "min": 0.01,
             "max": 1.0,

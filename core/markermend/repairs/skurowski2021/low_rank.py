@@ -31,8 +31,8 @@ LEAST_OTHERS, LEAST_ROWS = 3, 50
 # Long takes are learnt from evenly spaced frames.
 MOST_ROWS = 2000
 RANKS = (1, 2, 3, 4, 6, 8, 11, 15, 20, 27, 36, 48)
-# Stretches of the take that are hidden in turn to choose the rank.
-BLOCKS = 10
+# Into so many stretches the take is cut to choose the rank; every fifth is hidden at once.
+BLOCKS, FOLDS = 40, 5
 # Keeps the solution finite where what is seen cannot tell all components apart.
 RIDGE = 1e-4
 SETTLED_MM, MOST_ROUNDS = 0.01, 30
@@ -167,15 +167,15 @@ def choose_rank(matrix: FloatArray, hidden: BoolArray, judged: BoolArray) -> int
     hidden = hidden | judged
     most = int((~hidden).sum()) // 2
     ranks = [r for r in RANKS if r <= most] or [1]
-    block = np.arange(len(matrix)) * BLOCKS // len(matrix) % 2 == 0
+    fold = np.arange(len(matrix)) * BLOCKS // len(matrix) % FOLDS
     errors = np.zeros(len(ranks))
-    for learnt in (block, ~block):
-        middle, basis = main_components(matrix[learnt], max(ranks))
-        test = matrix[~learnt]
+    for i in range(0, FOLDS, 2):
+        middle, basis = main_components(matrix[fold != i], max(ranks))
+        test = matrix[fold == i]
         known = np.broadcast_to(~hidden, test.shape)
-        for i, rank in enumerate(ranks):
+        for j, rank in enumerate(ranks):
             miss = (_solve(test, known, middle, basis[:, :rank]) - test)[:, judged]
-            errors[i] += np.sum(np.linalg.norm(miss, axis=1))
+            errors[j] += np.sum(np.linalg.norm(miss, axis=1))
     return ranks[int(np.argmin(errors))]
 
 
@@ -191,7 +191,7 @@ def _solve(
         normal = fit.T @ fit + RIDGE * np.eye(basis.shape[1])
         weights = np.linalg.solve(normal, fit.T @ solved[np.ix_(rows, pattern)].T)
         solved[np.ix_(rows, ~pattern)] = (basis[~pattern] @ weights).T
-    return np.asarray(solved + middle)
+    return np.where(known, matrix, solved + middle)
 
 
 def _columns(take: Take, trusted: BoolArray, marker: int) -> IntArray:
