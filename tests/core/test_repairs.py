@@ -365,3 +365,23 @@ def test_a_missing_limb_is_worked_out_from_repairs_and_says_so(rigid: Take) -> N
     late = {m for m, r in pairs.items() if r.patches and "other repairs" in r.reason}
     assert late == {"M2", "M4"}
     assert np.abs(fill(take).positions - rigid.positions[:, :6]).max() < 0.01
+
+
+def test_what_would_be_far_off_is_left_with_its_expected_error() -> None:
+    rng = np.random.default_rng(0)
+    steps = rng.normal(size=(400, 5, 3)).cumsum(axis=0) * 40
+    take = with_missing(Take(steps, tuple("ABCDE"), RATE), "A", 100, 190)
+    done = propose(take, gap("A", 100, 190))
+    assert not done.patches
+    assert "mm off" in done.reason
+    assert propose(take, gap("A", 100, 190), method="linear").patches
+
+
+@pytest.mark.parametrize("noise_mm", [0.1, 1.0])
+def test_local_regression_does_not_follow_noise(rigid: Take, noise_mm: float) -> None:
+    rng = np.random.default_rng(4)
+    noisy = rigid.positions + rng.normal(0, noise_mm, rigid.positions.shape)
+    take = with_missing(Take(noisy, rigid.labels, RATE), "M4", 250, 350)
+    done = propose(take, gap("M4", 250, 350))
+    error = np.linalg.norm(done.patches[0].values - rigid.positions[250:350, 4], axis=1).mean()
+    assert error < 1.5 * noise_mm

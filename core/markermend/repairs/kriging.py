@@ -78,7 +78,7 @@ def condition(
 
     known = len(target)
     offset = target - np.median(target, axis=0)
-    body, time = _from_pose(pose, known), _from_time(frames / rate, known)
+    body, time = _from_pose(pose, known), _from_time(frames, rate, known)
     few = np.flatnonzero(near | (np.arange(known) % LIKELIHOOD_STRIDE == 0))
     corner = np.ix_(few, few)
     time_size, noise_size = _likeliest(body[corner], time[corner], offset[few], noise_mm)
@@ -128,11 +128,14 @@ def _from_pose(pose: FloatArray, known: int) -> FloatArray:
     return np.asarray(total)
 
 
-def _from_time(times: FloatArray, known: int) -> FloatArray:
+def _from_time(frames: IntArray, rate: float, known: int) -> FloatArray:
     """(frames, known) covariance in mm² that comes from nearness in time."""
-    passed = np.abs(times[:, None] - times[None, :known])
+    apart = np.abs(frames[:, None] - frames[None, :known])
+    # There are far fewer different distances than pairs of frames.
+    passed = np.arange(apart.max() + 1) / rate
     kernels = zip(TIME_MM, TIME_S, (_matern52, _matern32, _matern32), strict=True)
-    return np.asarray(sum(size**2 * matern(passed / scale) for size, scale, matern in kernels))
+    by_distance = sum(size**2 * matern(passed / scale) for size, scale, matern in kernels)
+    return np.asarray(np.asarray(by_distance)[apart])
 
 
 def _variance(pose: FloatArray) -> FloatArray:

@@ -23,6 +23,8 @@ from markermend.take import AXES, Take, is_unlabelled
 AUTO = "auto"
 # A repair this short is as good as measured, and may serve as evidence for the next.
 TRUSTED_REPAIR_S = 0.1
+# What is expected to be further off than this is left, unless a method is named.
+MOST_ERROR_MM = 50.0
 
 
 def evidence_for(
@@ -125,11 +127,11 @@ def propose_from(
             found = find_method(method)
             done = found.run(evidence, artifact, read_params(found, params))
             return with_expected_error(evidence, artifact, done)
-        first = _by_defaults(evidence, artifact, choose(artifact))
+        first = _if_good(_by_defaults(evidence, artifact, choose(artifact)))
         if first.patches:
             return first
         for name in alternatives(evidence.take, artifact):
-            other = _by_defaults(evidence, artifact, name)
+            other = _if_good(_by_defaults(evidence, artifact, name))
             if other.patches:
                 return replace(other, reason=first.reason)
     return first
@@ -324,6 +326,14 @@ def _by_defaults(evidence: Evidence, artifact: Artifact, name: str) -> Repair:
     method = find_method(name)
     done = method.run(evidence, artifact, method.params())
     return with_expected_error(evidence, artifact, done)
+
+
+def _if_good(proposed: Repair) -> Repair:
+    """The proposal, or none with the reason where it is expected to be too far off."""
+    if proposed.error_mm is None or proposed.error_mm <= MOST_ERROR_MM:
+        return proposed
+    reason = f"The result would be about {proposed.error_mm:.0f} mm off; too far to be used."
+    return replace(proposed, patches=(), reason=reason)
 
 
 def _mirror(artifact: Artifact, done: Iterable[Artifact]) -> Artifact | None:
