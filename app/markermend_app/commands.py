@@ -40,6 +40,7 @@ class Commands(QObject):
         self._window = window
         self._exporter = Exporter(document, lane, window)
         self._exporter.said.connect(self.said)
+        self._exporter.replaced.connect(self.open_path)
         document.failed.connect(self._tell_refused)
         document.proposals.failed.connect(self.show_problem)
 

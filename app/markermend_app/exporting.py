@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from markermend.artifact import Status
 from markermend.errors import MarkermendError, RangeError
+from markermend.files import Export
 from markermend.progress import Progress
 from markermend_app import dialogs, export_dialog, settings
 from markermend_app.document import Document
@@ -24,9 +25,11 @@ class Exporter(QObject):
     Signals
     -------
     said(str) : a sentence for the status bar
+    replaced(Path) : the source itself was replaced; what is open is no longer what is on disk
     """
 
     said = Signal(str)
+    replaced = Signal(object)
 
     def __init__(self, document: Document, lane: Lane, window: QWidget) -> None:
         super().__init__(window)
@@ -116,17 +119,14 @@ class Exporter(QObject):
             if session.revision == revision:
                 session.mark_exported()
             self._document.history_changed.emit()
-            one = self.tr("Exported to {0}; 1 sample differs.")
-            many = self.tr("Exported to {0}; {1} samples differ.")
-            text = (one if export.samples == 1 else many).format(target, export.samples)
-            if export.backup is not None:
-                text += " " + self.tr("The original is kept as {0}.").format(export.backup.name)
-            self.said.emit(text)
+            self.said.emit(self._summary(export))
             if self._document.file is not None and self._document.session is session:
                 try:
                     self._document.file.save()
                 except MarkermendError as error:
                     dialogs.show_problem(self._window, error)
+                if overwrite and not wait:
+                    self.replaced.emit(target)
 
         def failed(error: Exception) -> None:
             self._writing = False
@@ -146,6 +146,15 @@ class Exporter(QObject):
         while wait and not written and self._lane.busy:
             QApplication.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents)
         return any(written) if wait else True
+
+    def _summary(self, export: Export) -> str:
+        """Say what was written."""
+        one = self.tr("Exported to {0}; 1 sample differs.")
+        many = self.tr("Exported to {0}; {1} samples differ.")
+        text = (one if export.samples == 1 else many).format(export.path, export.samples)
+        if export.backup is not None:
+            text += " " + self.tr("The original is kept as {0}.").format(export.backup.name)
+        return text
 
     def _ask_target(self) -> Path | None:
         """Ask where to write; never proposes the source."""

@@ -444,3 +444,24 @@ def test_a_take_whose_opening_was_cancelled_is_not_left_locked(window, qtbot, ta
     qtbot.waitUntil(lambda: window.document.session is not None, timeout=WAIT)
     assert window.document.editable
     qtbot.waitUntil(lambda: not window.lane.busy, timeout=WAIT)
+
+
+def test_a_replaced_source_is_opened_anew_and_its_original_kept(
+    reviewed, qtbot, monkeypatch, take_path
+):
+    document = reviewed.document
+    original = take_path.read_bytes()
+    proposed(qtbot, reviewed)
+    key(qtbot, reviewed, Qt.Key.Key_F)
+    repaired = document.session
+    monkeypatch.setattr(dialogs, "ask_replace_source", lambda *_: True)
+    export(reviewed, qtbot, monkeypatch, take_path)
+    qtbot.waitUntil(lambda: document.session not in (None, repaired), timeout=WAIT)
+    qtbot.waitUntil(lambda: not reviewed.lane.busy, timeout=WAIT)
+    assert take_path.read_bytes() != original
+    assert take_path.with_name("box.c3d.bak").read_bytes() == original
+    # What was opened anew can be exported again.
+    assert reviewed.document.session.original.source.size == len(original)
+    document.accept([document.queue[0]])
+    export(reviewed, qtbot, monkeypatch, take_path)
+    qtbot.waitUntil(lambda: document.session is not None, timeout=WAIT)
