@@ -61,6 +61,9 @@ class MainWindow(QMainWindow):
         self._make_actions()
         self._connect()
         self.resize(QSize(1500, 940).boundedTo(self.screen().availableSize() * 0.94))
+        share = min(self.width() / 1500, 1.0)
+        sides = [self.docks["markers"], self.docks["scene"]]
+        self.resizeDocks(sides, [round(310 * share), round(400 * share)], _H)
         self._default_state = self.saveState(LAYOUT_VERSION)
         self._restore_layout()
         self._retitle()
@@ -110,7 +113,6 @@ class MainWindow(QMainWindow):
         }
         self.setCorner(Qt.Corner.BottomLeftCorner, left)
         self.setCorner(Qt.Corner.BottomRightCorner, right)
-        self.resizeDocks([self.docks["markers"], self.docks["scene"]], [300, 400], _H)
         self.resizeDocks([self.docks["markers"], self.docks["history"]], [640, 200], _V)
         self.resizeDocks([self.docks["scene"], self.docks["inspector"]], [430, 430], _V)
         self.resizeDocks([self.docks["queue"]], [230], _V)

@@ -68,6 +68,7 @@ class ArtifactPage(QWidget):
             field.setToolTip(self.tr("{0}, as numbered in the file").format(name))
             field.setKeyboardTracking(False)
             field.setAlignment(Qt.AlignmentFlag.AlignCenter)
+            field.setMinimumWidth(72)
             field.valueChanged.connect(self._edges_chosen)
             edges.addWidget(field, 1)
         edges.insertWidget(1, QLabel("–"))

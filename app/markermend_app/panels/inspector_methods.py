@@ -53,7 +53,9 @@ class MethodList(QWidget):
     def _made(self, name: str, label: str, tip: str) -> QRadioButton:
         """Make the button of a method."""
         button = QRadioButton(label)
-        button.setToolTip(tip)
+        button.setToolTip(f"{label}\n{tip}")
+        # A long name is cut off in a narrow dock, rather than push what stands beside it out.
+        button.setMinimumWidth(60)
         button.clicked.connect(lambda _=False: self._document.choose_method(name))
         self._group.addButton(button)
         self.buttons[name] = button

@@ -13,7 +13,7 @@ from PySide6.QtCore import (
     QSortFilterProxyModel,
     Qt,
 )
-from PySide6.QtGui import QPainter
+from PySide6.QtGui import QPainter, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QApplication,
@@ -59,6 +59,7 @@ class MarkerTree(QWidget):
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._document = document
+        self.setMinimumWidth(250)
         self._syncing = False
         self._model = MarkerModel(document.show, self)
         self._proxy = _Filter(self)
@@ -79,7 +80,7 @@ class MarkerTree(QWidget):
         self.view.setAccessibleName(self.tr("Markers"))
         self.view.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.view.setUniformRowHeights(True)
-        self.view.setIndentation(10)
+        self.view.setIndentation(8)
         self.view.setIconSize(QSize(12, 12))
         self.view.setTextElideMode(Qt.TextElideMode.ElideRight)
         self.view.setItemDelegateForColumn(OPEN, _CountsDelegate(self.view))
@@ -89,7 +90,7 @@ class MarkerTree(QWidget):
         header.setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
         header.setSectionResizeMode(OPEN, QHeaderView.ResizeMode.Interactive)
         header.setSectionResizeMode(MISSING, QHeaderView.ResizeMode.Fixed)
-        header.resizeSection(MISSING, 46)
+        header.resizeSection(MISSING, 42)
         self.view.selectionModel().selectionChanged.connect(self._selected)
         self.view.expanded.connect(self._span)
         self.view.collapsed.connect(self._span)
@@ -169,13 +170,26 @@ class MarkerTree(QWidget):
         if session is None:
             return
         self._model.set_counts(session.artifacts)
+        self._fit_counts()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Share the width between names and counts."""
+        super().resizeEvent(event)
+        self._fit_counts()
+
+    def _fit_counts(self) -> None:
+        """Give the counts what they need, up to a quarter of the width."""
+        session = self._document.session
+        if session is None:
+            return
         widest = 54
         for row in session.original.labels:
             counts = self._model.data(self._model.index_of(row).siblingAtColumn(OPEN), COUNTS)
             widest = max(widest, counts_width(counts or {}, self.view.font()))
         header = self.view.header()
-        if header.sectionSize(OPEN) != min(widest, _COUNTS_WIDEST):
-            header.resizeSection(OPEN, min(widest, _COUNTS_WIDEST))
+        width = min(widest, _COUNTS_WIDEST, max(54, self.width() // 4))
+        if header.sectionSize(OPEN) != width:
+            header.resizeSection(OPEN, width)
 
     def _samples_changed(self, change: Change) -> None:
         """Bring the missing share of changed markers up to date."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 
 from PySide6.QtCore import QItemSelection, QItemSelectionModel, QModelIndex, QPoint, Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
@@ -32,6 +33,7 @@ from markermend_app.panels.queue_model import (
 from markermend_app.panels.queue_view import QueueView
 
 _WIDTHS = (76, 92, 112, 54, 92, 68, 68, 84, 100, 180, 60)
+_ROOMY = 680
 _OPEN = frozenset({Status.PENDING})
 _DECIDED = frozenset({Status.ACCEPTED, Status.REJECTED, Status.REPAIRED})
 _ACCEPTED = frozenset({Status.ACCEPTED})
@@ -100,6 +102,11 @@ class ReviewQueue(QWidget):
             (self.tr("All"), frozenset()),
         ):
             self.status.addItem(text, statuses)
+        # The words for what is rarely listed must not keep the window wide.
+        self.status.setSizeAdjustPolicy(
+            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
+        self.status.setMinimumContentsLength(8)
         self.status.currentIndexChanged.connect(self._filter)
         row.addWidget(self.status)
         self.kinds: dict[Kind, QToolButton] = {}
@@ -121,6 +128,11 @@ class ReviewQueue(QWidget):
         self.progress.setProperty("role", "muted")
         row.addWidget(self.progress)
         return row
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Leave the progress to the status line, which says it too, where room is scarce."""
+        super().resizeEvent(event)
+        self.progress.setVisible(self.width() >= _ROOMY)
 
     # Verbs on the selected rows
 
