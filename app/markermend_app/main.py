@@ -82,7 +82,9 @@ def take_screenshot(window: MainWindow, take: Path | None, target: Path) -> int:
     from markermend.errors import MarkermendError
     from markermend.progress import quiet
     from markermend_app.commands import load
+    from markermend_app.window import ROOMY
 
+    window.lay_out(ROOMY)
     document = window.document
     fresh = False
     try:

@@ -43,6 +43,7 @@ from markermend_app.panels.transport import Transport
 from markermend_app.panels.welcome import Welcome
 
 LAYOUT_VERSION = 1
+ROOMY = QSize(1500, 940)
 
 
 class MainWindow(QMainWindow):
@@ -60,15 +61,19 @@ class MainWindow(QMainWindow):
         self._make_panels()
         self._make_actions()
         self._connect()
-        self.resize(QSize(1500, 940).boundedTo(self.screen().availableSize() * 0.94))
-        share = min(self.width() / 1500, 1.0)
-        sides = [self.docks["markers"], self.docks["scene"]]
-        self.resizeDocks(sides, [round(310 * share), round(400 * share)], _H)
+        self.lay_out(ROOMY.boundedTo(self.screen().availableSize() * 0.94))
         self._default_state = self.saveState(LAYOUT_VERSION)
         self._restore_layout()
         self._retitle()
 
     # Construction
+
+    def lay_out(self, size: QSize) -> None:
+        """Take a size, with the panels beside the plots in proportion."""
+        self.resize(size)
+        share = min(self.width() / ROOMY.width(), 1.0)
+        sides = [self.docks["markers"], self.docks["scene"]]
+        self.resizeDocks(sides, [round(310 * share), round(400 * share)], _H)
 
     def _make_panels(self) -> None:
         document = self.document
@@ -253,6 +258,8 @@ class MainWindow(QMainWindow):
 
     def _take_opened(self) -> None:
         self.centre.setCurrentIndex(0 if self.document.session is None else 1)
+        # The review keys work at once, rather than land in a filter.
+        self.setFocus()
         self._retitle()
 
     def _retitle(self) -> None:

@@ -118,6 +118,10 @@ def test_f_before_the_proposal_is_there_is_not_lost(reviewed, qtbot):
     )
 
 
+def test_review_keys_do_not_land_in_a_filter_after_opening(reviewed):
+    assert reviewed.focusWidget() not in (reviewed.tree.filter, reviewed.queue.filter)
+
+
 def test_n_and_p_walk_the_queue(reviewed, qtbot):
     document = reviewed.document
     assert document.current.id == document.queue[0]
