@@ -150,15 +150,15 @@ class Commands(QObject):
         take = session.original
 
         def work(progress: Progress) -> Any:
-            from markermend.detectors import detect
-            from markermend.detectors.params import PaperParams
+            from markermend.detectors import DEFAULT, detect, find_detector
 
-            return detect(take, params=PaperParams(slow=slow), mesh=mesh, progress=progress)
+            params = find_detector(DEFAULT).params(slow=slow)
+            return detect(take, params=params, mesh=mesh, progress=progress)
 
         def done(found: Sequence[Artifact]) -> None:
             if self._document.session is not session:
                 return
-            self._document.add_detected(found, "paper")
+            self._document.add_detected(found, self.tr("all kinds") if slow else self.tr("sudden"))
             one, many = self.tr("1 artifact found."), self.tr("{0} artifacts found.")
             text = one if len(found) == 1 else many.format(len(found))
             # What is odd about the file was said before, and must not be lost.

@@ -182,7 +182,9 @@ def test_bench_e1_from_the_command_line(tmp_path, capsys, performer):
     words = ["bench", "e1", str(path), "--flaws", str(tmp_path), "--no-slow", "--share", "0.05"]
     words += ["--amplitude", "10", "--simulations", "1", "--jobs", "1", "--csv", str(table)]
     assert main(words) == 0
-    assert "take, paper, 5%, 10 mm" in capsys.readouterr().out
+    shown = capsys.readouterr().out
+    assert "take, paper, 5%, 10 mm" in shown
+    assert "take, joint, 5%, 10 mm" in shown
     rows = list(csv.DictReader(table.open()))
     untouched = sum(float(r["samples"]) for r in rows if float(r["share"]) == 0)
-    assert untouched == performer.frames * 15 - 10
+    assert untouched == 2 * (performer.frames * 15 - 10)

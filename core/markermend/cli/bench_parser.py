@@ -32,7 +32,11 @@ def _add_e1(p: argparse.ArgumentParser) -> None:
         help="what is damaged in TAKE already, as JSON of “detect” named after it; left out",
     )
     p.add_argument(
-        "--method", metavar="NAME", nargs="+", default=["paper"], help="detectors (default: paper)"
+        "--method",
+        metavar="NAME",
+        nargs="+",
+        default=["joint", "paper"],
+        help="detectors (default: joint and paper)",
     )
     p.add_argument(
         "--companions", action="store_true", help="generic outlier detectors beside them"

@@ -36,6 +36,7 @@ COMMANDS = {
     "smooth": SMOOTH,
     "convert": "write a take in another format: c3d, trc or csv",
     "diff": "what differs between two files: samples, parameters, bytes",
+    "batch": "clean many takes alike, in several processes",
     "simulate": "make a take of a synthetic performer, damaged, with the truth",
     "bench": "rerun an experiment and print its table",
 }
@@ -78,6 +79,7 @@ def make_parser() -> argparse.ArgumentParser:
         "smooth": _add_smooth,
         "convert": _add_convert,
         "diff": _add_diff,
+        "batch": _add_batch,
         "simulate": _add_simulate,
         "bench": add_experiments,
     }
@@ -183,6 +185,41 @@ def _add_diff(p: argparse.ArgumentParser) -> None:
     _force(p)
 
 
+def _add_batch(p: argparse.ArgumentParser) -> None:
+    p.add_argument(
+        "takes",
+        metavar="TAKE",
+        nargs="+",
+        help="recordings, folders of them, or patterns such as “day1/**/walk*.c3d”",
+    )
+    p.add_argument(
+        "-o", "--output", metavar="DIR", required=True, help="folder for everything that is written"
+    )
+    p.add_argument("--jobs", metavar="N", type=int, default=-1, help="processes (-1: all cores)")
+    p.add_argument(
+        "--recipe",
+        metavar="FILE",
+        help="TOML with every choice, such as the recipe.toml that a batch leaves in DIR",
+    )
+    p.add_argument(
+        "--min-confidence",
+        metavar="P",
+        type=_share,
+        help="repair what is at least this sure and list the rest for review, instead of what "
+        "the recipe says (0.5 without one)",
+    )
+    p.add_argument(
+        "--resume", action="store_true", help="do what is left of a run that was stopped or killed"
+    )
+    p.add_argument(
+        "--progress",
+        choices=["bar", "json"],
+        default="bar",
+        help="how to show progress: bars on a terminal, or lines of JSON on standard output",
+    )
+    _force(p)
+
+
 def _add_simulate(p: argparse.ArgumentParser) -> None:
     _output(p)
     p.add_argument("--duration", metavar="S", type=_positive, default=40.0, help="seconds")
@@ -246,13 +283,13 @@ def _detection(p: argparse.ArgumentParser, option: str) -> None:
         option,
         dest="detector",
         metavar="NAME",
-        default="paper",
-        help="how to detect (default: paper, the four stages as published)",
+        default="joint",
+        help="how to detect (default: joint, our own; paper: the four stages as published)",
     )
     p.add_argument(
         "--no-slow",
         action="store_true",
-        help="skip slow changes, which need a trained predictor: seconds instead of minutes",
+        help="skip slow changes, which take longer to look for than all the others",
     )
 
 
