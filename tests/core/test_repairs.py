@@ -385,3 +385,12 @@ def test_local_regression_does_not_follow_noise(rigid: Take, noise_mm: float) ->
     done = propose(take, gap("M4", 250, 350))
     error = np.linalg.norm(done.patches[0].values - rigid.positions[250:350, 4], axis=1).mean()
     assert error < 1.5 * noise_mm
+
+
+def test_edges_flagged_a_frame_too_narrow_do_not_drag_the_repair(rigid: Take) -> None:
+    damaged = rigid.positions.copy()
+    damaged[300:340, 4] += [12.0, 9.0, 0.0]
+    take = Take(damaged, rigid.labels, RATE)
+    done = propose(take, Artifact("M4", "xyz", 302, 338, Kind.STEP))
+    assert done.patches[0].start == 302
+    assert np.abs(done.patches[0].values - rigid.positions[302:338, 4]).max() < 1e-3

@@ -12,7 +12,7 @@ from markermend.arrays import BoolArray
 from markermend.artifact import Artifact, Kind, axis_columns
 from markermend.repairs.choice import choose
 from markermend.repairs.registry import Evidence, Repair, find_method
-from markermend.repairs.result import axes_of
+from markermend.repairs.result import axes_of, without_own
 
 CANDIDATES = ("local_regression", "spline", "pchip", "makima", "linear")
 """Methods that invent what was not seen; they can be measured by hiding what was."""
@@ -73,7 +73,7 @@ def advise(
     before others that are not better by a fifth. A swap whose counterpart is known is first: it
     invents nothing.
     """
-    own = _hidden(evidence, artifact, artifact.start)
+    own = without_own(evidence, artifact)
     places = _places(own, artifact, trials)
     advice = []
     with threadpool_limits(1):
@@ -101,7 +101,7 @@ def with_expected_error(
     """
     if repair.error_mm is not None or not repair.patches or repair.method not in CANDIDATES:
         return repair
-    own = _hidden(evidence, artifact, artifact.start)
+    own = without_own(evidence, artifact)
     errors = _trials(own, artifact, repair.method, _places(own, artifact, trials))
     return replace(repair, error_mm=float(np.mean(errors))) if errors else repair
 
@@ -150,7 +150,6 @@ def _hidden(evidence: Evidence, artifact: Artifact, start: int) -> Evidence:
     there = slice(start, start + artifact.length)
     trusted[there] &= evidence.trusted[artifact.start : artifact.stop]
     trusted[there, marker] = False
-    trusted[artifact.start : artifact.stop, marker, axis_columns(axes_of(artifact))] = False
     return replace(evidence, trusted=trusted)
 
 

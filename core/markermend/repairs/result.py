@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, fields
+from dataclasses import asdict, fields, replace
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
 from markermend.arrays import FloatArray
-from markermend.artifact import Artifact, Kind, axis_columns
+from markermend.artifact import Artifact, Kind, Status, axis_columns, damage_mask
 from markermend.errors import MethodError
 from markermend.patch import Patch
 from markermend.repairs.registry import Evidence, Method, Repair
@@ -18,6 +18,9 @@ from markermend.take import AXES
 
 # Mean length of a three-dimensional Gaussian vector over its root mean square.
 MEAN_OVER_RMS = 0.921
+# Where these end is known to a frame or two only: a damaged sample just outside the interval would
+# drag the repair with it, so that the edges are not believed either. They are not replaced.
+WIDE, EDGE_S = (Kind.NOISE, Kind.STEP, Kind.SLOW), 0.025
 
 
 def read_params(method: Method, params: Mapping[str, Any] | object | None) -> Any:
@@ -68,6 +71,18 @@ def as_mapping(params: Any) -> Mapping[str, Any]:
 def axes_of(artifact: Artifact) -> str:
     """Axes a repair may replace: all three in a gap, else those the artifact names."""
     return AXES if artifact.kind is Kind.GAP else artifact.axes
+
+
+def without_own(evidence: Evidence, artifact: Artifact) -> Evidence:
+    """Evidence that does not believe the artifact's own samples and, by kind, those beside it."""
+    edge = round(EDGE_S * evidence.take.rate) if artifact.kind in WIDE else 0
+    start = max(0, artifact.start - edge)
+    stop = min(evidence.take.frames, artifact.stop + edge)
+    wide = replace(artifact, start=start, stop=stop, status=Status.PENDING)
+    own = damage_mask(evidence.take, [wide])
+    if not (evidence.trusted & own).any():
+        return evidence
+    return replace(evidence, trusted=evidence.trusted & ~own)
 
 
 def make_repair(

@@ -17,7 +17,7 @@ from markermend.progress import Progress, quiet
 from markermend.repairs.advice import with_expected_error
 from markermend.repairs.choice import alternatives, choose
 from markermend.repairs.registry import Evidence, Repair, find_method
-from markermend.repairs.result import read_params, refuse
+from markermend.repairs.result import read_params, refuse, without_own
 from markermend.take import AXES, Take, is_unlabelled
 
 AUTO = "auto"
@@ -114,14 +114,15 @@ def propose_from(
     """Propose a repair for one artifact from evidence made by :func:`evidence_for`.
 
     Parameters, result and errors are those of :func:`propose`. The artifact's own samples are
-    never believed, whatever the evidence says.
+    never believed, whatever the evidence says; nor are a few beside it, unless it is a gap or a
+    peak, whose ends are known exactly.
     """
     if artifact.stop > evidence.take.frames:
         raise DataError(
             f"The interval of {artifact.marker} ends at frame {artifact.stop}, "
             f"the take has {evidence.take.frames}."
         )
-    evidence = _without(evidence, artifact)
+    evidence = without_own(evidence, artifact)
     with threadpool_limits(1):
         if method != AUTO:
             found = find_method(method)
@@ -311,14 +312,6 @@ def _as_good_as_new(take: Take, artifact: Artifact) -> bool:
     """Whether a repair of this artifact invents so little that it may be believed."""
     swap = artifact.kind is Kind.STEP and artifact.counterpart is not None
     return swap or artifact.kind is Kind.PEAK or artifact.length <= TRUSTED_REPAIR_S * take.rate
-
-
-def _without(evidence: Evidence, artifact: Artifact) -> Evidence:
-    """The same evidence, not believing the artifact's own samples."""
-    own = damage_mask(evidence.take, [artifact.with_status(Status.PENDING)])
-    if not (evidence.trusted & own).any():
-        return evidence
-    return replace(evidence, trusted=evidence.trusted & ~own)
 
 
 def _by_defaults(evidence: Evidence, artifact: Artifact, name: str) -> Repair:
