@@ -15,6 +15,7 @@ from markermend.take import AXES, Take, is_unlabelled
 
 _WIDTH = 1000.0
 _NAMES = 130.0
+_MARGIN = 14.0
 _ROW = 11.0
 # Beyond this many rows only damaged markers are drawn, so that names stay readable.
 _MOST_ROWS = 80
@@ -41,7 +42,8 @@ def damage_map(take: Take, done: Sequence[Outcome]) -> str:
         rows = [label for label in rows if label in damaged]
     where = {label: i for i, label in enumerate(rows)}
     bottom = _ROW * len(rows)
-    per_frame = (_WIDTH - _NAMES) / take.frames
+    across = _WIDTH - _NAMES - _MARGIN
+    per_frame = across / take.frames
     parts = [
         f'<svg class="map" role="img" aria-label="Damage over time" '
         f'viewBox="0 0 {_WIDTH:g} {bottom + 26:g}">'
@@ -50,7 +52,7 @@ def damage_map(take: Take, done: Sequence[Outcome]) -> str:
         y = i * _ROW
         shade = ' class="odd"' if i % 2 else ' class="even"'
         parts.append(
-            f'<rect{shade} x="{_NAMES:g}" y="{y:g}" width="{_WIDTH - _NAMES:g}" height="{_ROW:g}"/>'
+            f'<rect{shade} x="{_NAMES:g}" y="{y:g}" width="{across:g}" height="{_ROW:g}"/>'
             f'<text x="{_NAMES - 6:g}" y="{y + 9:g}" text-anchor="end">{escape(label[-22:])}</text>'
         )
     for o in done:

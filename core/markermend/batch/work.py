@@ -1,0 +1,202 @@
+"""One take of a batch: read, detect, repair, write, and note that it is done."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import markermend as mm
+from markermend.artifact import repair_in_words
+from markermend.artifact_json import to_dict
+from markermend.batch.recipe import NAME, Recipe
+from markermend.batch.sources import Source
+from markermend.errors import DataError, MarkermendError
+from markermend.files.atomic import write_whole
+from markermend.outcome import Outcome, cleaned_document, outcomes
+from markermend.patch import patched
+from markermend.progress import Progress, part
+from markermend.repairs import repair_all
+from markermend.report import quality, take_report
+from markermend.report.quality import waits
+from markermend.take import Take
+
+TAKES, STATE = "takes", "state"
+
+
+@dataclass(frozen=True)
+class Job:
+    """A take to be cleaned into a folder.
+
+    Attributes
+    ----------
+    source : the take
+    folder : of the batch
+    recipe : what is done to it
+    resume : leave it if it is done already, by this recipe from this very file
+    """
+
+    source: Source
+    folder: Path
+    recipe: Recipe
+    resume: bool = False
+
+    @property
+    def state(self) -> Path:
+        """Where it is noted what was done."""
+        return self.folder / STATE / f"{self.source.name}.json"
+
+    @property
+    def output(self) -> Path:
+        """The repaired take."""
+        kind = self.recipe.format
+        ending = self.source.path.suffix.lower() if kind == "same" else f".{kind}"
+        place = self.folder / TAKES / self.source.name
+        return place.with_name(self.recipe.name.replace(NAME, place.name) + ending)
+
+    @property
+    def json(self) -> Path:
+        """What was found and done."""
+        return self.folder / TAKES / f"{self.source.name}.json"
+
+    @property
+    def report(self) -> Path:
+        """The same for people."""
+        return self.folder / TAKES / f"{self.source.name}.html"
+
+
+def clean_one(job: Job, progress: Progress) -> bool:
+    """Clean one take and write all that comes of it; the note that it is done comes last.
+
+    Parameters
+    ----------
+    job : what to do
+    progress : told the share done; may raise to stop
+
+    Returns
+    -------
+    whether there was anything to do
+
+    Raises
+    ------
+    MarkermendError
+        when the take cannot be read, cleaned or written
+    """
+    progress(0.0, "Reading")
+    source = sha256(job.source.path)
+    if job.resume and is_done(job, source):
+        return False
+    take = mm.read(job.source.path, progress=part(progress, 0.0, 0.05))
+    if take.read_only:
+        # Without an operator to look at it, half a take must not pass for a cleaned one.
+        raise DataError(" ".join((f"{job.source.path.name} is damaged.", *take.warnings[:1])))
+    mesh = mm.infer_mesh(take)
+    recipe = job.recipe
+    found = mm.detect(
+        take,
+        method=recipe.detector,
+        params=recipe.detector_params,
+        mesh=mesh,
+        progress=part(progress, 0.1, 0.8),
+    )
+    pairs = repair_all(
+        take,
+        found,
+        method=recipe.method,
+        min_confidence=recipe.min_confidence,
+        mesh=mesh,
+        progress=part(progress, 0.8, 0.95),
+    )
+    clean = patched(take, (patch for _, repair in pairs for patch in repair.patches))
+    record = [repair_in_words(take, a, r.method) for a, r in pairs if r.patches]
+    progress(0.95, "Writing")
+    for folder in {job.output.parent, job.state.parent}:
+        folder.mkdir(parents=True, exist_ok=True)
+    mm.write(
+        clean,
+        job.output,
+        as_float=recipe.as_float,
+        record=record if recipe.record else (),
+        mark_outputs=recipe.mark_outputs,
+    )
+    _describe(job, source, take, clean, outcomes(found, pairs, recipe.min_confidence))
+    progress(1.0, "Done")
+    return True
+
+
+def is_done(job: Job, source: str) -> bool:
+    """Whether the note says so and everything it names is there, unchanged.
+
+    Parameters
+    ----------
+    job : a take
+    source : SHA-256 of its file
+    """
+    try:
+        note = read_note(job)
+        return (
+            note["source_sha256"] == source
+            and note["recipe_sha256"] == job.recipe.hash
+            and all(sha256(job.folder / p) == was for p, was in note["outputs"].items())
+        )
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        # A note that cannot be read is as good as none.
+        return False
+
+
+def read_note(job: Job) -> dict[str, Any]:
+    """What was noted when a take was done: hashes, ``quality`` and ``review``."""
+    note: dict[str, Any] = json.loads(job.state.read_text(encoding="utf-8"))
+    return note
+
+
+def sha256(path: Path) -> str:
+    """SHA-256 of a file."""
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def write_text(path: Path, text: str) -> None:
+    """Write a text file whole or not at all."""
+    write_whole(path, lambda file: _put(file, text), backup=False)
+
+
+def json_text(values: Mapping[str, Any]) -> str:
+    """Write values as JSON."""
+    return json.dumps(values, ensure_ascii=False, indent=1, allow_nan=False) + "\n"
+
+
+def why(error: Exception) -> str:
+    """One sentence about what stopped a take."""
+    if isinstance(error, MarkermendError):
+        return str(error)
+    if isinstance(error, MemoryError):
+        return "There is not enough memory for this take."
+    if isinstance(error, OSError):
+        return f"{error.filename or 'A file'} cannot be used: {error.strerror or error}."
+    return f"Markermend itself failed ({type(error).__name__}: {error}); please report it."
+
+
+def _put(file: Any, text: str) -> None:
+    """Write text into a binary file."""
+    file.write(text.encode())
+
+
+def _describe(job: Job, source: str, take: Take, clean: Take, done: Sequence[Outcome]) -> None:
+    """Write JSON, report and, last, the note that the take is done."""
+    name, method = job.source.name, job.recipe.detector
+    described = cleaned_document(take, done, method, mm.__version__, name=job.source.path.name)
+    write_text(job.json, json_text(described))
+    write_text(job.report, take_report(take, clean, done, method=method, name=name))
+    outputs = (job.output, job.json, job.report)
+    note = {
+        "source_sha256": source,
+        "recipe_sha256": job.recipe.hash,
+        "outputs": {p.relative_to(job.folder).as_posix(): sha256(p) for p in outputs},
+        "quality": quality(name, take, clean, done).to_dict(),
+        "review": [{**to_dict(o.artifact), "reason": o.reason} for o in done if waits(o)],
+    }
+    write_text(job.state, json_text(note))
