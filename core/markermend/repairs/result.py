@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from markermend.arrays import FloatArray
-from markermend.artifact import Artifact, Kind, Status, axis_columns, damage_mask
+from markermend.artifact import Artifact, Kind, axis_columns
 from markermend.errors import MethodError
 from markermend.patch import Patch
 from markermend.repairs.registry import Evidence, Method, Repair
@@ -76,13 +76,13 @@ def axes_of(artifact: Artifact) -> str:
 def without_own(evidence: Evidence, artifact: Artifact) -> Evidence:
     """Evidence that does not believe the artifact's own samples and, by kind, those beside it."""
     edge = round(EDGE_S * evidence.take.rate) if artifact.kind in WIDE else 0
-    start = max(0, artifact.start - edge)
-    stop = min(evidence.take.frames, artifact.stop + edge)
-    wide = replace(artifact, start=start, stop=stop, status=Status.PENDING)
-    own = damage_mask(evidence.take, [wide])
-    if not (evidence.trusted & own).any():
+    rows = slice(max(0, artifact.start - edge), artifact.stop + edge)
+    marker, axes = evidence.take.index(artifact.marker), axis_columns(axes_of(artifact))
+    if not evidence.trusted[rows, marker][:, axes].any():
         return evidence
-    return replace(evidence, trusted=evidence.trusted & ~own)
+    trusted = evidence.trusted.copy()
+    trusted[rows, marker, axes] = False
+    return replace(evidence, trusted=trusted)
 
 
 def make_repair(
