@@ -7,15 +7,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scipy.interpolate import make_smoothing_spline
+from scipy.signal import lfilter
 
 from markermend.bench.smooth_paper import kick_rows, read_root, sine_rows
 from markermend.errors import FileFormatError
 from markermend.smoothers.bspline import fit_bspline
 from markermend.smoothers.butterworth import analyse_residuals, filter_butterworth
+from markermend.smoothers.colour import find_colour, whiten
 from markermend.smoothers.kalman import filter_kalman
 from markermend.smoothers.metrics import percent_less, sm1, sm2
 from markermend.smoothers.moving_average import recursive_average, symmetric_average
 from markermend.smoothers.penalised import innovations_filter, likeliest_cutoff, solve, weight_of
+from markermend.smoothers.registry import Signals
 from markermend.smoothers.rts import run_rts
 from markermend.smoothers.whittaker import fit_whittaker
 from markermend.smoothers.woltring import cross_validate, fit_spline
@@ -163,3 +166,22 @@ def test_hips_of_a_recorded_motion(shared_data: Path) -> None:
     assert points == sorted(points)
     with pytest.raises(FileFormatError):
         read_root(shared_data / "poses" / "02.asf")
+
+
+@pytest.mark.parametrize("colour", [0.0, 0.3, 0.5])
+def test_colour_of_noise_is_seen_and_undone(colour: float) -> None:
+    rng = np.random.default_rng(7)
+    time = np.arange(4000)[:, None, None] / 120.0
+    noise = lfilter([1.0], [1.0, -colour], rng.standard_normal((4000, 4, 3)), axis=0)
+    signals = Signals.of(200 * np.sin(6 * time) + noise, 120.0)
+    found = find_colour(signals)
+    np.testing.assert_allclose(found, colour, atol=0.2)
+    white = whiten(Signals.of(noise, 120.0), np.full(4, colour)).values[1:]
+    assert abs(np.mean(white[1:] * white[:-1]) / np.mean(white**2)) < 0.03
+
+
+def test_a_filtered_recording_has_no_colour() -> None:
+    rng = np.random.default_rng(8)
+    noise = rng.standard_normal((3000, 6))
+    smoothed = filter_butterworth(noise, 100.0, 6.0).reshape(3000, 2, 3)
+    assert find_colour(Signals.of(smoothed, 100.0)).tolist() == [0.0, 0.0]

@@ -42,30 +42,6 @@ def deviations(cutoffs: FloatArray, to_end: FloatArray) -> tuple[FloatArray, ...
     )
 
 
-def colour(scaled: FloatArray, leverage: FloatArray) -> FloatArray:
-    """How much noise that is not white raises the deviations.
-
-    Parameters
-    ----------
-    scaled : (n, channels) what was taken away, over the noise's standard deviation
-    leverage : (n, channels) variance of the smoothed position for noise of one
-
-    Returns
-    -------
-    (channels,) factor, at least 1: the root of (1 + a)/(1 - a), where a is the noise's
-    correlation from one frame to the next
-
-    Notes
-    -----
-    Smoothing takes the share `leverage` out of the residuals' variance and of their covariance
-    between neighbours; it is put back first.
-    """
-    near = np.mean(scaled[1:] * scaled[:-1] + leverage[1:], axis=0)
-    alone = np.mean(scaled * scaled + leverage, axis=0)
-    a = np.clip(near / alone, 0.0, 0.9)
-    return np.asarray(np.sqrt((1.0 + a) / (1.0 - a)))
-
-
 @lru_cache(maxsize=1)
 def _inside() -> tuple[FloatArray, FloatArray]:
     """(k,) log cut-offs, (3, k) log deviations away from ends."""

@@ -4,7 +4,8 @@ Time is cut into blocks. In each, the trajectory is in one of a grid of states: 
 is (a cut-off) and how strong the noise (a multiple of the marker's usual). How well a state
 explains a block is the likelihood of the one-step prediction errors under it, made forwards and
 backwards; states change rarely between blocks. Forward and backward recursion then gives each
-state's probability at each moment.
+state's probability at each moment. Noise that is correlated from frame to frame is whitened first,
+since it would pass for motion.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from markermend.arrays import BoolArray, Float32Array, FloatArray, IntArray
+from markermend.smoothers.colour import find_colour, whiten
 from markermend.smoothers.penalised import LOWEST, innovations, weight_of
 from markermend.smoothers.registry import Signals
 
@@ -42,11 +44,20 @@ class Levels:
     Attributes
     ----------
     cutoff_hz : (frames, markers, 3) frequency that is halved
-    noise_mm : (frames, markers, 3) standard deviation of the noise
+    noise_mm : (frames, markers, 3) standard deviation of white noise as strong at the frequencies
+        of the motion
+    colour : (markers,) correlation of the noise from frame to frame
     """
 
     cutoff_hz: FloatArray
     noise_mm: FloatArray
+    colour: FloatArray
+
+    @property
+    def sample_noise_mm(self) -> FloatArray:
+        """(frames, markers, 3) standard deviation of the recorded samples' noise."""
+        share = np.sqrt((1.0 - self.colour) / (1.0 + self.colour))
+        return np.asarray(self.noise_mm * share[:, None])
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,16 +90,19 @@ def find_levels(signals: Signals) -> Levels:
     length = max(1, round(_BLOCK_S * signals.rate))
     blocks = -(-frames // length)
     grid = np.geomspace(max(_LOWEST_HZ, LOWEST * signals.rate), _HIGHEST * signals.rate, _CUTOFFS)
-    evidence = _gather(signals, grid, length, blocks)
+    colour = find_colour(signals)
+    white = whiten(signals, colour)
+    evidence = _gather(white, grid, length, blocks)
     eventful = np.zeros(blocks, dtype=bool)
     near = signals.event_frames // length
     eventful[near[(near >= 0) & (near < blocks)]] = True
-    log_cutoff, log_noise = _smooth_states(evidence, _usual_noise(signals), np.log(grid), eventful)
+    log_cutoff, log_noise = _smooth_states(evidence, _usual_noise(white), np.log(grid), eventful)
     centres = (np.arange(blocks) + 0.5) * length - 0.5
     shape = (frames, markers, 3)
     return Levels(
         np.exp(_between(log_cutoff, centres, frames)).reshape(shape),
         np.exp(_between(log_noise, centres, frames)).reshape(shape),
+        colour,
     )
 
 

@@ -13,7 +13,7 @@ from markermend.arrays import FloatArray, IntArray
 from markermend.errors import DataError, MethodError
 from markermend.progress import Progress, quiet
 from markermend.smoothers.adaptive import LEAST, smooth_with
-from markermend.smoothers.bands import acceleration, colour, deviations, velocity
+from markermend.smoothers.bands import acceleration, deviations, velocity
 from markermend.smoothers.levels import find_levels
 from markermend.smoothers.registry import Signals, Smoother, find_smoother
 from markermend.take import Origin, Take
@@ -139,8 +139,8 @@ def derivatives(
 
     Notes
     -----
-    The band is one standard deviation under the levels found at each frame, raised where what is
-    taken away is correlated from frame to frame; it does not include that these are estimates.
+    The band is one standard deviation under the levels found at each frame; it does not include
+    that these are estimates.
     """
     columns = _columns(take, markers)
     shape = (take.frames, len(columns), 3)
@@ -172,16 +172,14 @@ def _derive(signals: Signals) -> dict[str, FloatArray]:
         noise, cutoff = levels.noise_mm[frames, markers], levels.cutoff_hz[frames, markers]
         to_end = np.minimum(np.arange(n), np.arange(n)[::-1])[:, None, None]
         bands = deviations(cutoff / rate, np.broadcast_to(to_end, cutoff.shape))
-        taken = (signals.values[frames, markers] - smoothed) / noise
-        lasting = noise * colour(taken, bands[0] ** 2)
         values = {
             "position": smoothed,
             "velocity": velocity(smoothed) * rate,
             "acceleration": acceleration(smoothed) * rate**2,
-            "position_band": bands[0] * lasting,
-            "velocity_band": bands[1] * lasting * rate,
-            "acceleration_band": bands[2] * lasting * rate**2,
-            "noise_mm": noise,
+            "position_band": bands[0] * noise,
+            "velocity_band": bands[1] * noise * rate,
+            "acceleration_band": bands[2] * noise * rate**2,
+            "noise_mm": levels.sample_noise_mm[frames, markers],
             "cutoff_hz": cutoff,
         }
         for name, value in values.items():
