@@ -1,8 +1,8 @@
 """A smooth bridge across an interval, for what a prediction leaves open on both of its sides.
 
 What is left is a Gaussian process of time (rasmussen2006, 2.2) around the straight line that
-joins the two sides. It meets value and velocity at both borders, and its variance says how far
-off the bridge may be.
+joins the two sides. It meets value and velocity at both borders and soon forgets the velocity, so
+that it never overshoots far; its variance says how far off the bridge may be.
 """
 
 from __future__ import annotations
@@ -17,6 +17,10 @@ CONTEXT_S = 0.5
 # Sizes of the process and of the measurement's noise among which the likelihood chooses.
 SIZES_MM = np.geomspace(0.02, 2000.0, 40)
 NOISES_MM = np.array([0.02, 0.05, 0.1, 0.2, 0.5, 1.0])
+# Known stretches that are hidden to see how far off a bridge is.
+TRIALS = 6
+# Length of a 90 % ball in standard deviations of one coordinate, in three dimensions.
+BALL_90 = 2.5003
 
 
 def context_of(seen: BoolArray, start: int, stop: int, rate: float) -> IntArray:
@@ -57,12 +61,10 @@ def bridge(
     """
     wanted = np.arange(start, stop)
     line, trend = _line(frames, values, start, wanted)
-    known = _covariance(frames, frames, rate)
-    across = _covariance(wanted, frames, rate)
-    eigenvalues, vectors = np.linalg.eigh(known)
+    eigenvalues, vectors = np.linalg.eigh(_covariance(frames, frames, rate))
     eigenvalues = np.maximum(eigenvalues, 0.0)
+    across = _covariance(wanted, frames, rate) @ vectors
     turned = vectors.T @ (values - line)
-    across = across @ vectors
     mean, deviation = trend.copy(), np.empty_like(trend)
     for axis in range(3):
         size, noise = _likeliest(eigenvalues, turned[:, axis])
@@ -71,6 +73,54 @@ def bridge(
         explained = np.sum(across**2 / total, axis=1)
         deviation[:, axis] = np.sqrt(np.maximum(size - size**2 * explained, noise))
     return mean, deviation
+
+
+def bridge_within(
+    values: FloatArray, known: BoolArray, start: int, stop: int, rate: float
+) -> tuple[FloatArray, FloatArray]:
+    """Bridge an interval of a signal, with a deviation measured on the rest of it.
+
+    Parameters
+    ----------
+    values : (frames, 3) mm; anything where not known
+    known : (frames,) bool, true somewhere within 0.5 s of the interval and nowhere in it
+    start, stop : the interval
+    rate : frames per second
+
+    Returns
+    -------
+    mean : (stop - start, 3) mm
+    deviation : (stop - start, 3) mm, scaled so that a 90 % ball held nine in ten frames of up to
+        six stretches of the same length that were hidden in turn; as :func:`bridge` gives it where
+        there is none
+    """
+    frames = context_of(known, start, stop, rate)
+    mean, deviation = bridge(frames, values[frames], start, stop, rate)
+    ratios = []
+    for first in _stretches(known, stop - start):
+        last = first + stop - start
+        around = context_of(known, first, last, rate)
+        if not (frames < start).any():
+            around = around[around >= last]
+        if not (frames >= stop).any():
+            around = around[around < first]
+        if len(around):
+            guess, size = bridge(around, values[around], first, last, rate)
+            miss = np.linalg.norm(guess - values[first:last], axis=1)
+            ratios.append(miss / np.sqrt(np.mean(size**2, axis=1)))
+    if ratios:
+        deviation = deviation * float(np.quantile(np.concatenate(ratios), 0.9)) / BALL_90
+    return mean, deviation
+
+
+def _stretches(known: BoolArray, length: int) -> IntArray:
+    """Starts of stretches of a length that are known throughout, spread evenly over the take."""
+    lacking = np.concatenate([[0], np.cumsum(~known)])
+    starts = np.flatnonzero(lacking[length:] == lacking[: len(lacking) - length])
+    if len(starts) == 0:
+        return starts
+    places = np.linspace(0, len(starts) - 1, TRIALS + 2)[1:-1]
+    return np.unique(starts[places.astype(int)])
 
 
 def _line(

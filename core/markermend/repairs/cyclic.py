@@ -97,10 +97,14 @@ def repair_cyclic(evidence: Evidence, artifact: Artifact, params: Any) -> Repair
         )
         return refuse(METHOD, reason, params)
     window = np.arange(-before, stop - start + after)
-    copied = view.own[places[:, None] + window].mean(axis=0)
+    copies = view.own[places[:, None] + window]
     beside = (window < 0) | (window >= stop - start)
+    copies = copies - copies[:, beside].mean(axis=1, keepdims=True)
+    copied = copies.mean(axis=0)
     known = start + window[beside]
     mean, deviation = bridge(known, view.own[known] - copied[beside], start, stop, take.rate)
+    if len(places) > 1:
+        deviation = np.hypot(deviation, copies[:, ~beside].std(axis=0, ddof=1))
     values = to_lab(copied[~beside] + mean, view.rotation[start:stop], view.centre[start:stop])
     level = np.sqrt(np.mean(deviation**2, axis=1, keepdims=True))
     return make_repair(METHOD, evidence, artifact, values, params, np.repeat(level, 3, axis=1))
@@ -175,12 +179,15 @@ def _unlikeness(view: _View, start: int, stop: int, before: int, after: int) -> 
 
 def _differences(track: FloatArray, begin: int, end: int, start: int) -> FloatArray:
     """(frames,) summed squared difference to ``[begin, end)``, moved along with the stretch."""
-    from scipy.signal import fftconvolve
+    from scipy.fft import irfft, next_fast_len, rfft
 
     frames, length = len(track), end - begin
     asked = track[begin:end]
     energy = np.concatenate([[0.0], np.cumsum(np.sum(track**2, axis=1))])
-    both = fftconvolve(track, asked[::-1], mode="valid", axes=0).sum(axis=1)
+    # Correlation by Fourier transform: linear in the take's length, whatever the interval's.
+    size = next_fast_len(frames, real=True)
+    spectrum = rfft(track, size, axis=0) * np.conj(rfft(asked, size, axis=0))
+    both = irfft(spectrum.sum(axis=1), size)[: frames - length + 1]
     square = energy[length:] - energy[:-length] + np.sum(asked**2) - 2.0 * both
     moved = np.zeros(frames)
     offset = begin - start

@@ -10,7 +10,7 @@ import numpy as np
 from markermend.arrays import BoolArray
 from markermend.artifact import Artifact
 from markermend.repairs.body_frame import rank_references
-from markermend.repairs.bridge import bridge, context_of
+from markermend.repairs.bridge import bridge_within, context_of
 from markermend.repairs.registry import Evidence, Repair, register
 from markermend.repairs.result import make_repair, refuse
 
@@ -46,12 +46,12 @@ def repair_pattern(evidence: Evidence, artifact: Artifact, params: Any) -> Repai
     donor, reason = _donor(evidence, seen, artifact, params.donor)
     if donor is None:
         return refuse(METHOD, reason, params)
-    known = context_of(seen[:, marker] & seen[:, donor], start, stop, take.rate)
-    if len(known) == 0:
+    known = seen[:, marker] & seen[:, donor]
+    if len(context_of(known, start, stop, take.rate)) == 0:
         reason = f"{artifact.marker} and {take.labels[donor]} are not seen together nearby."
         return refuse(METHOD, reason, params)
-    apart = take.positions[known, marker] - take.positions[known, donor]
-    mean, deviation = bridge(known, apart, start, stop, take.rate)
+    apart = take.positions[:, marker] - take.positions[:, donor]
+    mean, deviation = bridge_within(apart, known, start, stop, take.rate)
     values = take.positions[start:stop, donor] + mean
     return make_repair(METHOD, evidence, artifact, values, params, deviation)
 

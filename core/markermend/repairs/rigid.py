@@ -10,7 +10,7 @@ import numpy as np
 from markermend.arrays import BoolArray, FloatArray
 from markermend.artifact import Artifact
 from markermend.repairs.body_frame import align, to_frame, to_lab
-from markermend.repairs.bridge import bridge, context_of
+from markermend.repairs.bridge import bridge_within, context_of
 from markermend.repairs.registry import Evidence, Repair, register
 from markermend.repairs.result import make_repair, refuse
 
@@ -59,23 +59,23 @@ def repair_rigid(evidence: Evidence, artifact: Artifact, params: Any) -> Repair:
             f"through the interval; {LEAST_REFERENCES} are needed."
         )
         return refuse(METHOD, reason, params)
-    usable = seen[:, marker] & seen[:, group].all(axis=1)
-    known = context_of(usable, start, stop, take.rate)
-    if len(known) == 0:
+    posed: BoolArray = np.all(seen[:, group], axis=1)
+    usable = posed & seen[:, marker]
+    usable[start:stop] = False
+    if len(context_of(usable, start, stop, take.rate)) == 0:
         reason = f"{artifact.marker} is nowhere near the interval seen together with its group."
         return refuse(METHOD, reason, params)
-    frames = np.concatenate([known, np.arange(start, stop)])
-    cloud = take.positions[frames][:, group]
-    rotation, centre = align(cloud, np.zeros(len(group)))
-    width = _width(to_frame(cloud, rotation, centre).mean(axis=0))
+    cloud = take.positions[posed][:, group]
+    rotation, centre = np.zeros((take.frames, 3, 3)), np.zeros((take.frames, 3))
+    rotation[posed], centre[posed] = align(cloud, np.zeros(len(group)))
+    width = _width(to_frame(cloud, rotation[posed], centre[posed]).mean(axis=0))
     if width < params.least_width:
         reason = f"The other markers of the group lie on a line, within {width:.0f} mm."
         return refuse(METHOD, reason, params)
-    outside, inside = slice(len(known)), slice(len(known), None)
-    own = take.positions[known, marker][:, None]
-    place = to_frame(own, rotation[outside], centre[outside])[:, 0]
-    mean, deviation = bridge(known, place, start, stop, take.rate)
-    values = to_lab(mean, rotation[inside], centre[inside])
+    own = take.positions[:, marker][:, None]
+    place = to_frame(own, rotation, centre)[:, 0]
+    mean, deviation = bridge_within(place, usable, start, stop, take.rate)
+    values = to_lab(mean, rotation[start:stop], centre[start:stop])
     # The frame turns, so each lab coordinate gets its share of the whole.
     level = np.sqrt(np.mean(deviation**2, axis=1, keepdims=True))
     return make_repair(METHOD, evidence, artifact, values, params, np.repeat(level, 3, axis=1))
