@@ -19,7 +19,7 @@ from markermend.detectors.joint.jumps import Jumps
 from markermend.detectors.joint.shapes import fit_of, judge
 from markermend.detectors.joint.steps import pair_jumps
 from markermend.detectors.joint.sudden import Sudden
-from markermend.detectors.joint.training import fit_curve, train_sudden
+from markermend.detectors.joint.training import RARER, fit_curve, train_sudden
 from markermend.errors import Cancelled, DataError, MethodError
 from markermend.simulation import contaminate, simulate_clean
 from markermend.take import Take
@@ -33,7 +33,7 @@ def performer():
 
 
 def sudden(take, **changes):
-    found = mm.detect(take, method="joint", params=JointParams(**changes))
+    found = mm.detect(take, method="joint", params=JointParams(slow=False, **changes))
     return [a for a in found if a.kind is not Kind.GAP]
 
 
@@ -110,6 +110,21 @@ def test_a_peak_next_to_a_gap_is_found(performer):
     assert [(a.start, a.stop, a.axes) for a in found] == [(496, 497, "y")]
 
 
+def test_a_step_cut_off_by_a_gap_is_found(performer):
+    positions = performer.positions.copy()
+    positions[500:540, 4] += [0.0, 18.0, 0.0]
+    positions[540:560, 4] = np.nan
+    (a,) = sudden(Take(positions, performer.labels, performer.rate))
+    assert (a.start, a.stop, a.axes, a.kind) == (500, 540, "y", Kind.STEP)
+    assert "beside a gap" in a.why
+
+
+def test_a_marker_that_falls_off_before_the_end_is_found(performer):
+    end = performer.frames
+    (a,) = sudden(hurt(performer, "LTOE", 2, end - 60, np.full(60, -30.0)))
+    assert (a.start, a.stop, a.axes, a.kind) == (end - 60, end, "z", Kind.STEP)
+
+
 def test_a_swap_is_one_artifact_with_both_names(performer):
     positions = performer.positions.copy()
     a, b = performer.index("LFHD"), performer.index("RFHD")
@@ -159,7 +174,7 @@ def test_it_can_be_stopped(performer):
         raise Cancelled
 
     with pytest.raises(Cancelled):
-        mm.detect(performer, method="joint", progress=stop)
+        mm.detect(performer, method="joint", params=JointParams(slow=False), progress=stop)
 
 
 def test_parameters_are_checked():
@@ -201,6 +216,7 @@ def test_pairs_are_opposite_and_never_overlap():
     assert pair_jumps(jump([10, 40], [5, 5]), 100.0) == []
     assert pair_jumps(jump([10, 40], [5, -15]), 100.0) == []
     assert pair_jumps(jump([10, 900], [5, -5]), 100.0) == []
+    assert [p[:2] for p in pair_jumps(jump([10, 900], [50, -20]), 100.0)] == [(0, 1)]
     both = pair_jumps(jump([10, 30, 50, 70], [5, 8, -8, -5]), 100.0)
     assert [p[:2] for p in both] == [(1, 2)]
 
@@ -223,7 +239,7 @@ def test_curves_agree_with_scikit_learn():
     real = measured[:, 0] + 0.5 * rng.standard_normal(400) > 0
     curve = fit_curve(measured, real)
     model = LogisticRegression(C=10.0, max_iter=1000).fit(measured, real)
-    ours = curve.bias + measured @ np.array(curve.weights) + np.log(10.0)
+    ours = curve.bias + measured @ np.array(curve.weights) + np.log(RARER)
     assert np.allclose(ours, model.decision_function(measured))
     with pytest.raises(DataError):
         fit_curve(measured, np.ones(400, dtype=bool))

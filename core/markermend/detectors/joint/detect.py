@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from markermend.artifact import Artifact, damage_mask
+from markermend.arrays import IntArray
+from markermend.artifact import Artifact
 from markermend.detectors.channels import channels
 from markermend.detectors.counterpart import name_swaps
-from markermend.detectors.finding import to_artifacts as published
 from markermend.detectors.joint.confidence import confidences
 from markermend.detectors.joint.neighbours import nearest_markers
 from markermend.detectors.joint.params import JointParams
+from markermend.detectors.joint.slow import (
+    drift_artifacts,
+    find_drifts,
+    prepare,
+    shipped_trees,
+)
 from markermend.detectors.joint.sudden import find_sudden
 from markermend.detectors.joint.verdict import to_artifacts
-from markermend.detectors.params import PaperParams
-from markermend.detectors.slow import find_slow
-from markermend.mesh import Mesh, infer_mesh
-from markermend.predictors.inputs import trusted_samples
+from markermend.mesh import Mesh
 from markermend.progress import Progress, part
 from markermend.take import Take, is_unlabelled
 
@@ -22,19 +25,20 @@ from markermend.take import Take, is_unlabelled
 def detect_joint(
     take: Take, params: JointParams, mesh: Mesh | None, progress: Progress
 ) -> list[Artifact]:
-    """Find peaks, heavy noise, steps and swaps; slow changes where asked to.
+    """Find peaks, heavy noise, steps, swaps and slow changes.
 
     Each coordinate is searched for jumps and short blocks that no smooth motion explains, the
     clearest first, and for stretches that jitter; jumps that are taken back become steps. How
     sure each is comes from how far it stands out, how large it is and how its neighbours move
     meanwhile. Then the axes of a marker are joined, and steps that another trajectory
-    complements are named as swaps.
+    complements are named as swaps. With all these bridged, slow changes are what stands out of
+    the body's prediction by more than the marker's own habit explains.
 
     Parameters
     ----------
     take : the recording; trajectories without a name are only looked at as partners of a swap
     params : tunables
-    mesh : the body's structure, inferred when None and needed for slow changes
+    mesh : not needed
     progress : told what is being done; may raise to stop
 
     Returns
@@ -59,21 +63,19 @@ def detect_joint(
     sudden = name_swaps(take, to_artifacts(take, markers, found, confidences(found), least))
     if not params.slow:
         return sudden
-    return sudden + _slow(take, sudden, markers, mesh, part(progress, 0.1, 1.0))
+    return sudden + _slow(take, sudden, markers, neighbours, params, part(progress, 0.1, 1.0))
 
 
 def _slow(
     take: Take,
     sudden: list[Artifact],
     markers: list[int],
-    mesh: Mesh | None,
+    neighbours: IntArray,
+    params: JointParams,
     progress: Progress,
 ) -> list[Artifact]:
-    """Slow changes as published, on what the sudden artifacts leave."""
-    damage = damage_mask(take, sudden)
-    for a in sudden:
-        if a.counterpart is not None:
-            damage[a.start : a.stop, take.index(a.counterpart)] = True
-    body = mesh if mesh is not None else infer_mesh(take)
-    trusted = trusted_samples(take, ~damage)
-    return published(take, find_slow(take, body, markers, trusted, PaperParams(), progress))
+    """Slow changes, on what the sudden artifacts leave."""
+    ground = prepare(take, markers, sudden)
+    least = 1.0 - params.sensitivity
+    drifts = find_drifts(ground, neighbours, shipped_trees(), least, params.jobs, progress)
+    return drift_artifacts(take, markers, [d for d in drifts if d.size_mm >= params.least_mm])

@@ -26,9 +26,11 @@ class JointParams:
     sensitivity: float = _tunable(
         0.5, "Flag what is at least 1 − this sure; higher finds more and errs more", "", 0.0, 1.0
     )
-    slow: bool = _tunable(False, "Look for slow changes too, as published; takes minutes")
+    slow: bool = _tunable(True, "Look for slow changes too; seconds instead of one")
     least_mm: float = _tunable(0.5, "Leave out sudden changes smaller than this", "mm")
     peak_ms: float = _tunable(50.0, "Longest single peak; longer blocks are steps", "ms", 1.0, 500)
+
+    jobs: int = _tunable(-1, "Processes for slow changes; -1 as many as there are cores", "", -1)
 
     def __post_init__(self) -> None:
         for f in fields(self):

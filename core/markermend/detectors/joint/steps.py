@@ -9,6 +9,9 @@ from markermend.detectors.joint.jumps import Jumps
 LONGEST_S = 2.0
 # What comes back differs by noise, and by the way the marker turns meanwhile.
 LARGEST_MISMATCH = 0.35
+STRONG_SCORE, STRONG_MM = 15.0, 10.0
+"""Jumps that can be nothing else, as those of a swap: they may return far off, and late."""
+LONGEST_STRONG_S = 10.0
 
 
 def pair_jumps(jumps: Jumps, rate: float) -> list[tuple[int, int, float]]:
@@ -26,14 +29,15 @@ def pair_jumps(jumps: Jumps, rate: float) -> list[tuple[int, int, float]]:
     pairs, no pair overlaps another of its channel.
     """
     alone = [int(i) for i in np.flatnonzero(jumps.length == 0)]
-    longest = LONGEST_S * rate
+    usual, longest = LONGEST_S * rate, LONGEST_STRONG_S * rate
     pairs: list[tuple[float, int, int, int]] = []
     for n, i in enumerate(alone):
         for j in alone[n + 1 :]:
             if jumps.channel[j] != jumps.channel[i] or jumps.frame[j] - jumps.frame[i] > longest:
                 break
             score = _pair_score(jumps, i, j)
-            if score > 0:
+            near = jumps.frame[j] - jumps.frame[i] <= usual
+            if score > 0 and (near or _strong(jumps, i, j)):
                 pairs.append((-score, int(jumps.frame[j] - jumps.frame[i]), i, j))
     used: set[int] = set()
     taken: dict[int, list[tuple[int, int]]] = {}
@@ -53,7 +57,19 @@ def _pair_score(jumps: Jumps, i: int, j: int) -> float:
     """Smaller score of two opposite jumps, less their difference in standard errors."""
     a, b = float(jumps.size[i]), float(jumps.size[j])
     larger = max(abs(a), abs(b))
-    if a * b >= 0 or abs(a + b) > LARGEST_MISMATCH * larger + 0.3:
+    if a * b >= 0:
         return 0.0
+    if abs(a + b) > LARGEST_MISMATCH * larger + 0.3:
+        # Any better match comes first.
+        smaller = float(min(jumps.score[i], jumps.score[j]))
+        return 0.5 * smaller if _strong(jumps, i, j) else 0.0
     error = np.hypot(a / jumps.score[i], b / jumps.score[j])
     return float(min(jumps.score[i], jumps.score[j]) - max(0.0, abs(a + b) / error - 2.0))
+
+
+def _strong(jumps: Jumps, i: int, j: int) -> bool:
+    """Whether both jumps are large and clear beyond doubt."""
+    return bool(
+        min(jumps.score[i], jumps.score[j]) >= STRONG_SCORE
+        and min(abs(jumps.size[i]), abs(jumps.size[j])) >= STRONG_MM
+    )

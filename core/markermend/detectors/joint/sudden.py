@@ -11,10 +11,12 @@ from markermend.artifact import Kind
 from markermend.detectors.joint.jumps import Jumps, find_jumps, reach_at, segments
 from markermend.detectors.joint.noise import Noise, find_noise
 from markermend.detectors.joint.shapes import judge
-from markermend.detectors.joint.steps import pair_jumps
+from markermend.detectors.joint.steps import LONGEST_S, pair_jumps
 
 LEAST_SCORE = 4.5
 """Standard errors from which a shape is written down; confidence decides what is flagged."""
+CUT_OFF_SCORE, CUT_OFF_MM = 10.0, 5.0
+"""What a lone jump must be to count as a step whose other edge is hidden."""
 SHORT_STEP = 2
 """Blocks are looked for up to so many times the longest peak; beyond, edges are jumps."""
 
@@ -32,6 +34,8 @@ class Sudden:
     score : size over its standard error; for noise over the least that counts
     beside_mm : how far the nearest markers jump in that same frame, their median; 0 for noise,
         which is compared with theirs when it is found
+    returns : the trajectory is seen to come back; otherwise a gap or an end of the take comes
+        first
     """
 
     channel: int
@@ -41,6 +45,7 @@ class Sudden:
     size_mm: float
     score: float
     beside_mm: float
+    returns: bool = True
 
 
 def find_sudden(
@@ -80,13 +85,38 @@ def find_sudden(
         start, size = int(jumps.frame[i]), abs(float(jumps.size[i]))
         channel, score = int(jumps.channel[i]), float(jumps.score[i])
         found.append(Sudden(channel, start, start + length, kind, size, score, float(beside[i])))
-    for first, last, clear in pair_jumps(jumps, rate):
+    pairs = pair_jumps(jumps, rate)
+    for first, last, clear in pairs:
         size = 0.5 * (abs(float(jumps.size[first])) + abs(float(jumps.size[last])))
         start, stop = int(jumps.frame[first]), int(jumps.frame[last])
         moved = float(max(beside[first], beside[last]))
         channel = int(jumps.channel[first])
         found.append(Sudden(channel, start, stop, Kind.STEP, size, clear, moved))
+    paired = {i for first, last, _ in pairs for i in (first, last)}
+    found += _cut_off(jumps, paired, beside, seen, rate)
     return sorted(found, key=lambda s: (s.channel, s.start, s.stop))
+
+
+def _cut_off(
+    jumps: Jumps, paired: set[int], beside: FloatArray, seen: BoolArray, rate: float
+) -> list[Sudden]:
+    """Steps of which only one edge is seen: a gap or an end of the take hides the other."""
+    begin, end = segments(seen)
+    found = []
+    for i in np.flatnonzero(
+        (jumps.length == 0) & (jumps.score >= CUT_OFF_SCORE) & (np.abs(jumps.size) >= CUT_OFF_MM)
+    ):
+        channel, frame = int(jumps.channel[i]), int(jumps.frame[i])
+        first, last = int(begin[frame, channel]), int(end[frame, channel])
+        # The shorter piece is the one that went wrong.
+        start, stop = (first, frame) if frame - first < last - frame else (frame, last)
+        if int(i) in paired or stop - start > LONGEST_S * rate:
+            continue
+        size, score = abs(float(jumps.size[i])), float(jumps.score[i])
+        found.append(
+            Sudden(channel, start, stop, Kind.STEP, size, score, float(beside[i]), returns=False)
+        )
+    return found
 
 
 def _outside(jumps: Jumps, noise: list[Noise], reach: int) -> Jumps:

@@ -22,7 +22,7 @@ from markermend.take import Take, is_unlabelled
 
 AMPLITUDES_MM = (2.0, 5.0, 10.0, 30.0)
 SHARE = 0.03
-RARER = 10.0
+RARER = 3.0
 """Training has several artifacts a second, so that all sorts are seen; takes as they come have
 far fewer. Odds are divided by this."""
 LONGEST_PEAK_S = 0.05

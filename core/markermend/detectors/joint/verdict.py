@@ -96,4 +96,6 @@ def _explain(group: Sequence[Sudden], size: float, length: int, rate: float) -> 
     clear = f"{surest.score:.0f} standard errors of its motion around"
     if surest.kind is Kind.PEAK:
         return f"sticks out by {mm} mm for {lasting} {beside}; {clear}"
+    if not surest.returns:
+        return f"lies {mm} mm off for {lasting} beside a gap or an end, one jump away; {clear}"
     return f"jumps {mm} mm in one frame {beside} and comes back {lasting} later; {clear}"

@@ -1,0 +1,245 @@
+"""Slow changes of all markers: scanned one by one, judged beside each other."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+import numpy as np
+
+from markermend.arrays import BoolArray, FloatArray, IntArray
+from markermend.artifact import Artifact, Kind, axis_columns
+from markermend.detectors.finding import how_long, in_mm, overlap
+from markermend.detectors.joint.bank import LONGEST
+from markermend.detectors.joint.drift import APART, FEATURES, Candidates, Scan, scan
+from markermend.detectors.joint.shapes import fit_of
+from markermend.detectors.joint.trees import Trees, load_trees
+from markermend.predictors.bridging import bridge
+from markermend.progress import Progress
+from markermend.take import AXES, Take
+
+RATE = 120.0
+"""Slow changes are looked for at about this rate; faster takes are thinned."""
+LARGEST_OVERLAP = 0.3
+LEAKED = 0.6
+"""A deviation on a reference leaks into the markers foretold from it, never larger than this."""
+PARALLEL_FROM = 60_000
+SHORT_S = 0.1
+"""Holes of this length a spline bridges as well as if the marker had been seen."""
+REACH = 6
+_NEIGHBOURS = FEATURES.index("neighbours")
+
+
+@dataclass(frozen=True)
+class Drift:
+    """A slow change of one coordinate, in frames of the take."""
+
+    marker: int
+    axis: int
+    start: int
+    stop: int
+    size_mm: float
+    confidence: float
+
+
+@dataclass(frozen=True, eq=False)
+class Ground:
+    """A take made ready for the search.
+
+    Attributes
+    ----------
+    positions : (frames, markers, 3) thinned, bridged where damaged, NaN where unseen
+    known : (frames, markers, 3) bool
+    trusted : (frames, markers) bool
+    thin : every so manieth frame of the take
+    """
+
+    positions: FloatArray
+    known: BoolArray
+    trusted: BoolArray
+    thin: int
+
+
+def prepare(take: Take, markers: Sequence[int], sudden: Sequence[Artifact]) -> Ground:
+    """Thin a take to about 120 Hz and mend what is known to be damaged.
+
+    Parameters
+    ----------
+    take : the recording
+    markers : columns to look at
+    sudden : artifacts found already. Swaps are exchanged back and steps pushed back; peaks are
+        bridged; what is noisy is bridged for itself, and not trusted where others are foretold
+        from it
+    """
+    positions = take.positions.copy()
+    known = np.repeat(take.present[:, :, None], 3, axis=2)
+    trusted = take.present.copy()
+    for a in sorted(sudden, key=lambda a: a.kind is not Kind.STEP):
+        marker, rows, axes = take.index(a.marker), slice(a.start, a.stop), axis_columns(a.axes)
+        if a.counterpart is not None:
+            other = take.index(a.counterpart)
+            positions[rows, [marker, other]] = positions[rows, [other, marker]]
+            known[rows, [marker, other]] = ~np.isnan(positions[rows, [marker, other]])
+            trusted[rows, [marker, other]] = known[rows, [marker, other], 0]
+        elif a.kind is Kind.STEP:
+            positions[rows, marker, axes] -= _height(positions[:, marker], a, axes)
+        else:
+            known[rows, marker, axes] = False
+            if a.length > SHORT_S * take.rate:
+                trusted[rows, marker] = False
+    thin = max(1, round(take.rate / RATE))
+    columns = list(markers)
+    # Thinned after bridging, so that a peak next to a kept frame does not count twice.
+    flat = bridge(
+        positions[:, columns].reshape(take.frames, -1), known[:, columns].reshape(take.frames, -1)
+    )
+    whole = flat.reshape(take.frames, len(columns), 3)
+    whole[~(known | take.present[:, :, None])[:, columns]] = np.nan
+    return Ground(
+        np.ascontiguousarray(whole[::thin]),
+        known[::thin, columns],
+        trusted[::thin, columns],
+        thin,
+    )
+
+
+def _height(x: FloatArray, step: Artifact, axes: list[int]) -> FloatArray:
+    """How far a step carries each of its axes, from both its edges, (axes,) mm."""
+    edges = []
+    for frame, sign in ((step.start, 1.0), (step.stop, -1.0)):
+        around = x[max(0, frame - REACH) : frame + REACH, axes]
+        before = min(frame, REACH)
+        if len(around) < 2 * REACH or np.isnan(around).any():
+            continue
+        weights = fit_of(len(around), before, len(around)).size
+        edges.append(sign * (weights @ (around - around[0])))
+    return np.asarray(np.mean(edges, axis=0)) if edges else np.zeros(len(axes))
+
+
+def scan_all(ground: Ground, jobs: int, progress: Progress) -> list[Scan]:
+    """Look for candidates on every marker, in several processes where that pays."""
+    from joblib import Parallel, delayed
+
+    frames, markers = ground.positions.shape[:2]
+    if frames < 3 * LONGEST or markers < 4:
+        return []
+    many = jobs if frames * markers >= PARALLEL_FROM else 1
+    calls = (
+        delayed(scan)(ground.positions, m, ground.known[:, m], ground.trusted)
+        for m in range(markers)
+    )
+    scans = []
+    results = Parallel(n_jobs=many, return_as="generator", pre_dispatch="2*n_jobs")(calls)
+    try:
+        for m, one in enumerate(results):
+            progress((m + 1) / markers, "slow changes")
+            scans.append(one)
+    finally:
+        results.close()
+    return scans
+
+
+def beside(candidates: Candidates, others: Sequence[FloatArray]) -> Candidates:
+    """Fill in how loud the loudest neighbour is at the middle of each candidate."""
+    rows = candidates.features.copy()
+    for n in range(len(rows)):
+        middle = int(candidates.start[n] + candidates.stop[n]) // 2
+        near = slice(max(0, middle - APART), middle + APART + 1)
+        loudest = max((float(o[near].max(initial=0.0)) for o in others), default=0.0)
+        rows[n, _NEIGHBOURS] = loudest / rows[n, 0]
+    return replace(candidates, features=rows)
+
+
+def find_drifts(
+    ground: Ground,
+    neighbours: IntArray,
+    trees: Trees,
+    least: float,
+    jobs: int,
+    progress: Progress,
+) -> list[Drift]:
+    """Find slow changes, the surest first.
+
+    Parameters
+    ----------
+    ground : from :func:`prepare`
+    neighbours : (markers, k) nearest other markers
+    trees : what confidence was learned into
+    least : smallest confidence
+    jobs : processes
+    progress : told after each marker; may raise to stop
+
+    Returns
+    -------
+    Slow changes; on one coordinate they overlap by three tenths at most, and what is only the
+    echo of a larger one on a neighbour is left out
+    """
+    scans = scan_all(ground, jobs, progress)
+    found: list[Drift] = []
+    for marker, one in enumerate(scans):
+        if not len(one.candidates.axis):
+            continue
+        judged = beside(one.candidates, [scans[n].loudness for n in neighbours[marker]])
+        sure = 1.0 / (1.0 + np.exp(-trees.log_odds(judged.features)))
+        for n in np.flatnonzero(sure >= least):
+            start, stop = (int(v[n]) * ground.thin for v in (judged.start, judged.stop))
+            size = float(abs(judged.size_mm[n]))
+            found.append(Drift(marker, int(judged.axis[n]), start, stop, size, float(sure[n])))
+    kept: list[Drift] = []
+    for d in sorted(found, key=lambda d: (-d.confidence, d.marker, d.start)):
+        if not any(_hidden(d, k, neighbours) for k in kept):
+            kept.append(d)
+    return kept
+
+
+def _hidden(drift: Drift, surer: Drift, neighbours: IntArray) -> bool:
+    """Whether a surer drift explains this one: the same place, or a neighbour that it follows."""
+    shared = overlap((drift.start, drift.stop), (surer.start, surer.stop))
+    if drift.marker == surer.marker:
+        return drift.axis == surer.axis and shared > LARGEST_OVERLAP
+    near = surer.marker in neighbours[drift.marker] or drift.marker in neighbours[surer.marker]
+    return bool(near and shared > LARGEST_OVERLAP and drift.size_mm < LEAKED * surer.size_mm)
+
+
+def drift_artifacts(take: Take, markers: Sequence[int], drifts: Sequence[Drift]) -> list[Artifact]:
+    """Join drifts on the axes of one marker, and put each into words."""
+    groups: list[list[Drift]] = []
+    for d in drifts:
+        for g in groups:
+            same = d.marker == g[0].marker and all(d.axis != o.axis for o in g)
+            if same and overlap((d.start, d.stop), (g[0].start, g[0].stop)) >= LARGEST_OVERLAP:
+                g.append(d)
+                break
+        else:
+            groups.append([d])
+    artifacts = []
+    for g in groups:
+        start = min(d.start for d in g)
+        stop = min(max(d.stop for d in g), take.frames)
+        size = float(np.sqrt(sum(d.size_mm**2 for d in g)))
+        artifacts.append(
+            Artifact(
+                take.labels[markers[g[0].marker]],
+                "".join(AXES[axis] for axis in sorted(d.axis for d in g)),
+                start,
+                stop,
+                Kind.SLOW,
+                confidence=g[0].confidence,
+                amplitude_mm=size,
+                why=(
+                    f"drifts {in_mm(size)} mm off the place its neighbours give it and returns, "
+                    f"within {how_long(stop - start, take.rate)}"
+                ),
+            )
+        )
+    return artifacts
+
+
+@lru_cache(maxsize=1)
+def shipped_trees() -> Trees:
+    """Read the trees that ship with Markermend (``models/slow.npz``)."""
+    from importlib.resources import as_file, files
+
+    with as_file(files("markermend_resources").joinpath("models", "slow.npz")) as path:
+        return load_trees(path)

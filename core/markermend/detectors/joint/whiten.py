@@ -1,0 +1,90 @@
+"""What a marker does beyond its body's say and its own habit: the residual made white."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
+from scipy.ndimage import median_filter
+
+from markermend.arrays import BoolArray, FloatArray
+
+LAGS, LEADS = 8, 3
+BLOCK, AROUND = 50, 6
+WHOLE_WEIGHT = 0.05
+PASSES = 3
+SIGMA_WINDOW = 65
+DUST_MM = 0.002
+CLIP = 6.0
+
+
+@dataclass(frozen=True, eq=False)
+class White:
+    """Whitened residual of one coordinate.
+
+    Attributes
+    ----------
+    error : (frames,) mm, the innovation
+    sigma : (frames,) mm, its local standard deviation
+    habit : (frames, 9) the filter that whitens: 1 and minus the own-lag coefficients
+    """
+
+    error: FloatArray
+    sigma: FloatArray
+    habit: FloatArray
+
+
+def whiten(residual: FloatArray, predicted: FloatArray, trusted: BoolArray) -> White:
+    """Foretell a residual from its own past and from how its body moves, and keep the rest.
+
+    Parameters
+    ----------
+    residual : (frames,) mm, measured minus predicted
+    predicted : (frames,) mm
+    trusted : (frames,) bool, samples that may be learned from
+
+    Returns
+    -------
+    White. One filter every 50 frames, learned from 300 frames either side and, at low weight,
+    from the whole take, never from its own block or those beside it.
+    """
+    frames = len(residual)
+    residual = residual - np.median(residual)
+    past = sliding_window_view(np.pad(residual, (LAGS, 0)), LAGS)[:frames, ::-1]
+    speed = np.gradient(predicted)
+    moves = sliding_window_view(np.pad(speed, LEADS, mode="edge"), 2 * LEADS + 1)
+    columns = np.hstack([past, moves])
+    scale = np.maximum(columns.std(axis=0), 1e-9)
+    columns = columns / scale
+    both = np.hstack([columns, residual[:, None]])
+    count = columns.shape[1]
+    blocks = max(1, frames // BLOCK)
+    edges = np.linspace(0, frames, blocks + 1).astype(int)
+    block_of = np.repeat(np.arange(blocks), np.diff(edges))
+    weight = trusted.astype(np.float64)
+    for _ in range(PASSES):
+        weighted = columns * weight[:, None]
+        grams = np.stack([weighted[a:b].T @ both[a:b] for a, b in pairwise(edges)])
+        near = _around(grams, AROUND) - _around(grams, 1)
+        gram = near + WHOLE_WEIGHT * (grams.sum(axis=0) - _around(grams, 1))
+        left = gram[:, :, :count]
+        size = np.trace(left, axis1=1, axis2=2) / count
+        left = left + (1e-5 * size + 1e-12)[:, None, None] * np.eye(count)
+        solved = np.linalg.solve(left, gram[:, :, count:])[:, :, 0]
+        error = residual - (columns * solved[block_of]).sum(axis=1)
+        sigma = median_filter(np.abs(error), SIGMA_WINDOW, mode="nearest") / 0.6745 + DUST_MM
+        weight = trusted / sigma**2 / np.maximum(1.0, np.abs(error) / (2.5 * sigma))
+    habit = np.ones((frames, LAGS + 1))
+    habit[:, 1:] = -(solved[:, :LAGS] / scale[:LAGS])[block_of]
+    return White(error, sigma, habit)
+
+
+def _around(grams: FloatArray, reach: int) -> FloatArray:
+    """Sum over the blocks up to ``reach`` away, itself included."""
+    total = np.cumsum(np.concatenate([np.zeros_like(grams[:1]), grams]), axis=0)
+    at = np.arange(len(grams))
+    return np.asarray(
+        total[np.minimum(at + reach + 1, len(grams))] - total[np.maximum(at - reach, 0)]
+    )
