@@ -159,16 +159,13 @@ def path(x: FloatArray, y: FloatArray, most: int = _POINTS) -> str:
     most : beyond this many points only the lowest and highest of each stretch are drawn
     """
     keep = decimate(y, most)
-    commands, pen = [], "M"
+    commands, drawing = [], False
     for px, py in zip(x[keep], y[keep], strict=True):
-        if math.isfinite(py):
-            commands.append(f"{pen}{px:.1f} {py:.1f}")
-            # A lone sample between gaps still makes a dot, with round line caps.
-            pen = "L"
-        else:
-            pen = "M"
-    if len(commands) == 1:
-        commands.append("h0")
+        seen = math.isfinite(py)
+        if seen:
+            # With round caps a line of no length is a dot: a lone sample between gaps.
+            commands.append(f"L{px:.1f} {py:.1f}" if drawing else f"M{px:.1f} {py:.1f}h0")
+        drawing = seen
     return "".join(commands)
 
 

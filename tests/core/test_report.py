@@ -1,0 +1,196 @@
+"""Reports: whole, safe and self-contained HTML, and pictures that show what is there."""
+
+from __future__ import annotations
+
+import json
+import re
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+from html.parser import HTMLParser
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import markermend as mm
+from markermend.artifact import Artifact, Kind, Status
+from markermend.cli import main
+from markermend.outcome import Outcome, cleaned_document, outcomes
+from markermend.patch import patched
+from markermend.repairs import repair_all
+from markermend.report import batch_parts, quality, take_report
+from markermend.report.svg import damage_map, decimate, path, ticks, worst
+
+EMPTY = {"meta", "link", "br", "hr", "img", "input"}
+HOSTILE = "</script><b>&\"LFHD'"
+
+
+class Reader(HTMLParser):
+    """Follow a page's elements, refusing any that closes out of turn."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.seen: list[tuple[str, dict[str, str | None]]] = []
+        self.feed(text)
+        assert self.open == []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.seen.append((tag, dict(attrs)))
+        if tag not in EMPTY:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.seen.append((tag, dict(attrs)))
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+
+def embedded(text: str, kind: str) -> list[dict]:
+    found = re.findall(rf'<script type="application/json" class="{kind}">(.*?)</script>', text)
+    return [json.loads(one) for one in found]
+
+
+@pytest.fixture(scope="module")
+def cleaned() -> tuple[mm.Take, mm.Take, tuple[Outcome, ...]]:
+    take, truth = mm.simulate(duration_s=6, seed=3)
+    labels = (HOSTILE, *take.labels[1:])
+    take = replace(take, labels=labels)
+    truth = tuple(replace(a, marker=HOSTILE) if a.marker not in labels else a for a in truth)
+    unsure = Artifact(HOSTILE, "xy", 20, 30, Kind.PEAK, 0.3, 4.0, "looks <odd>")
+    false = Artifact(labels[5], "z", 40, 60, Kind.NOISE, 0.9, status=Status.REJECTED)
+    found = (*truth, unsure, false)
+    pairs = repair_all(take, found)
+    after = patched(take, (p for _, repair in pairs for p in repair.patches))
+    return take, after, outcomes(found, pairs, 0.5)
+
+
+def report(cleaned: tuple[mm.Take, mm.Take, tuple[Outcome, ...]]) -> str:
+    return take_report(*cleaned, method="truth", name="walk <1>.c3d")
+
+
+def test_page_is_whole_safe_and_needs_no_network(cleaned) -> None:
+    text = report(cleaned)
+    reader = Reader(text)
+    assert not any("src" in attrs for _, attrs in reader.seen)
+    assert all((attrs.get("href") or "#").startswith("#") for _, attrs in reader.seen)
+    assert "http" not in re.sub(r"http-equiv", "", text)
+    assert "<b>&" not in text.replace("<b>&lt;", "")
+    assert "looks &lt;odd&gt;" in text
+    assert text == report(cleaned)
+
+
+def test_json_inside_tells_the_same(cleaned) -> None:
+    take, _, done = cleaned
+    (values,) = embedded(report(cleaned), "take")
+    inside = values.pop("quality")
+    expected = cleaned_document(take, done, "truth", mm.__version__, name="walk <1>.c3d")
+    assert values == expected
+    assert any(item["marker"] == HOSTILE for item in values["artifacts"])
+    assert inside["gap_before"] > inside["gap_after"]
+    assert inside["review"] == sum(
+        o.method is None and o.artifact.status is Status.PENDING for o in done
+    )
+    assert sum(inside["repaired"].values()) == sum(o.method is not None for o in done)
+
+
+def test_quality_counts_named_markers_only(cleaned) -> None:
+    take, _, _ = cleaned
+    starred = replace(take, labels=("*1", *take.labels[1:]))
+    mine = quality("a", starred, starred, ())
+    assert mine.markers == take.markers - 1
+    assert mine.gap_before == pytest.approx(1 - take.present[:, 1:].mean())
+    assert mine.worst_mm is None
+
+
+def test_damage_map_draws_every_artifact_in_its_place(cleaned) -> None:
+    take, _, done = cleaned
+    picture = ET.fromstring(damage_map(take, done))
+    drawn = [r for r in picture.iter("rect") if r.get("class") not in ("odd", "even")]
+    assert len(drawn) == len(done)
+    row = {label: 11.0 * i for i, label in enumerate(take.labels)}
+    for shape, o in zip(drawn, done, strict=True):
+        kind, state = str(shape.get("class")).split()
+        assert (kind, state) == (o.artifact.kind.value, "mended" if o.method else "left")
+        assert row[o.artifact.marker] <= float(shape.get("y", "")) < row[o.artifact.marker] + 11
+        share = (float(shape.get("x", "")) - 130) / (1000 - 130 - 14)
+        assert share == pytest.approx(o.artifact.start / take.frames, abs=1e-3)
+        assert o.artifact.marker in str(shape.findtext("title"))
+
+
+def test_curves_are_valid_and_the_worst_come_first(cleaned) -> None:
+    _, _, done = cleaned
+    text = report(cleaned)
+    pictures = re.findall(r"<svg.*?</svg>", text, re.S)
+    assert len(pictures) == 1 + min(6, sum(o.method is not None for o in done))
+    for picture in pictures:
+        assert "nan" not in re.sub(r"<title>.*?</title>", "", picture).lower()
+        ET.fromstring(picture)
+    errors = [o.error_mm or 0.0 for o in worst(done, 99)]
+    assert errors == sorted(errors, reverse=True)
+
+
+def test_nothing_damaged_is_said() -> None:
+    take, _ = mm.simulate(duration_s=2, damaged=False)
+    text = take_report(take, take, (), method="joint", name="still")
+    Reader(text)
+    assert "Nothing is damaged" in text
+
+
+def test_batch_joins_index_and_takes(cleaned) -> None:
+    take, after, done = cleaned
+    good = [quality(name, take, after, done) for name in ("a", "b<c")]
+    pages = [take_report(take, after, done, method="truth", name=q.name) for q in good]
+    text = "".join(batch_parts(good, {"bad&": "It is “<broken>”."}, iter(pages)))
+    reader = Reader(text)
+    links = {str(a["href"])[1:] for tag, a in reader.seen if tag == "a"}
+    assert links == {str(a["id"]) for _, a in reader.seen if "id" in a}
+    assert len(links) == 2
+    assert "bad&amp;</b>: It is “&lt;broken&gt;”." in text
+    (index,) = embedded(text, "index")
+    assert [q["name"] for q in index["takes"]] == ["a", "b<c"]
+    assert index["failed"] == [{"name": "bad&", "why": "It is “<broken>”."}]
+    assert len(embedded(text, "take")) == 2
+
+
+@given(
+    st.lists(st.one_of(st.floats(-1e3, 1e3), st.just(np.nan)), min_size=1, max_size=500),
+    st.integers(9, 60),
+)
+def test_decimation_keeps_extremes_and_gaps(values: list[float], most: int) -> None:
+    y = np.array(values)
+    kept = y[decimate(y, most)]
+    assert len(kept) <= max(most + 2, 3)
+    if np.isfinite(y).any():
+        assert np.nanmin(kept) == np.nanmin(y)
+        assert np.nanmax(kept) == np.nanmax(y)
+    assert np.isnan(kept).any() == np.isnan(y).any()
+
+
+@given(st.floats(-1e4, 1e4), st.floats(1e-3, 1e4), st.integers(2, 12))
+def test_ticks_are_few_and_inside(low: float, span: float, about: int) -> None:
+    marks = ticks(low, low + span, about)
+    assert len(marks) <= 2 * about + 1
+    assert all(low - 1e-6 * span <= m <= low + span * (1 + 1e-6) for m in marks)
+
+
+def test_path_breaks_where_nothing_was_seen() -> None:
+    x = np.arange(5.0)
+    assert path(x, np.array([1, 2, np.nan, 3, 4.0])) == "M0.0 1.0h0L1.0 2.0M3.0 3.0h0L4.0 4.0"
+    assert path(x, np.array([np.nan, 1, np.nan, 3, np.nan])) == "M1.0 1.0h0M3.0 3.0h0"
+    assert path(x, np.full(5, np.nan)) == ""
+
+
+def test_clean_writes_a_report(tmp_path: Path) -> None:
+    take, _ = mm.simulate(duration_s=3, seed=2)
+    source, out, html = (tmp_path / n for n in ("t.c3d", "o.c3d", "o.html"))
+    mm.write(take, source)
+    words = ["clean", str(source), "-o", str(out), "--no-slow", "--report", str(html)]
+    assert main(words) == 0
+    text = html.read_text(encoding="utf-8")
+    Reader(text)
+    assert embedded(text, "take")[0]["take"] == "t.c3d"
+    assert main(words) == 1
