@@ -21,8 +21,8 @@ from markermend.cli import main
 from markermend.detectors import find_detector
 from markermend.errors import Cancelled, ExportError, FileFormatError, MarkermendError, MethodError
 
-SLOWLESS = find_detector("joint").params(slow=False, sensitivity=0.9)
-RECIPE = Recipe(detector="joint", detector_params=SLOWLESS, min_confidence=0.95, record=True)
+SLOWLESS = find_detector("paper").params(slow=False)
+RECIPE = Recipe(detector="paper", detector_params=SLOWLESS, min_confidence=0.95, record=True)
 
 
 def contents(folder: Path) -> dict[str, bytes]:
