@@ -144,11 +144,11 @@ def e1(
         for share, mm in settings
         for number in range(simulations if share else 1)
     ]
-    bare = [_bare(clean) for clean in takes]
+    small = [bare(clean) for clean in takes]
     chosen = dict(params or {})
     report = progress or quiet
     counted = Parallel(n_jobs=n_jobs, return_as="generator", pre_dispatch="2*n_jobs")(
-        delayed(_simulate)(bare[t.clean], t, chosen.get(t.method), seed, least_mm) for t in tasks
+        delayed(_simulate)(small[t.clean], t, chosen.get(t.method), seed, least_mm) for t in tasks
     )
     rows: dict[tuple[int, str, float, float], E1Row] = {}
     try:
@@ -161,10 +161,10 @@ def e1(
     return tuple(rows.values())
 
 
-def _bare(clean: Clean) -> Clean:
-    """Only what detection looks at, so that little travels between processes."""
+def bare(clean: Clean) -> Clean:
+    """Keep only what detection looks at, so that little travels between processes."""
     take = clean.take
-    bare = Take(
+    looked_at = Take(
         take.positions,
         take.labels,
         take.rate,
@@ -172,7 +172,7 @@ def _bare(clean: Clean) -> Clean:
         cameras=take.cameras,
         origin=take.origin,
     )
-    return Clean(clean.name, bare, clean.flaws)
+    return Clean(clean.name, looked_at, clean.flaws)
 
 
 def _simulate(clean: Clean, task: _Task, params: Any, seed: int, least_mm: float) -> E1Row:

@@ -7,6 +7,7 @@ import io
 import math
 from collections.abc import Sequence
 
+from markermend.bench.columns import aligned, csv_cell, number
 from markermend.bench.confusion import CLASSES, FOUND
 from markermend.bench.e1 import COMPANIONS, E1Row, pooled
 from markermend.bench.events import DECILES
@@ -37,15 +38,15 @@ def e1_table(rows: Sequence[E1Row]) -> list[str]:
         setting = f"{row.share:.0%}, {row.amplitude_mm:g} mm" if row.share else "untouched"
         lines.append(f"{row.take}, {row.method}, {setting}, {row.simulations} simulations")
         if row.share:
-            lines += _aligned([_HEAD, *(_measures(row, kind) for kind in CLASSES[1:])])
-            lines += ["", *_aligned(_matrix(row))]
+            lines += aligned([_HEAD, *(_measures(row, kind) for kind in CLASSES[1:])])
+            lines += ["", *aligned(_matrix(row))]
             lines.append(
                 f"  F {row.confusion.f():.5f}, MCC {row.confusion.mcc():.4f} over all classes"
             )
         if row.method not in COMPANIONS:
             lines.append(
                 f"  {row.events.alarms_per_minute:.2f} false alarms a minute, "
-                f"calibration error {_number(row.events.calibration_error)}, "
+                f"calibration error {number(row.events.calibration_error)}, "
                 f"{row.seconds:.2f} s a detection"
             )
         lines.append("")
@@ -67,7 +68,7 @@ def calibration_table(rows: Sequence[E1Row]) -> list[str]:
                 mean, real = events.confidence[decile] / n, events.real[decile] / n
                 where = f"{decile / DECILES:.1f}-{(decile + 1) / DECILES:.1f}"
                 cells.append((where, f"{n}", f"{mean:.3f}", f"{real:.3f}"))
-        lines += [f"Calibration of {method}", *_aligned(cells), ""]
+        lines += [f"Calibration of {method}", *aligned(cells), ""]
     return lines
 
 
@@ -84,12 +85,12 @@ def e1_csv(rows: Sequence[E1Row]) -> str:
                 (
                     *(row.take, row.method, row.share, row.amplitude_mm, row.simulations, kind),
                     int(c.counts[k].sum()),
-                    *(_cell(v) for v in (*rates, c.f(kind), c.mcc(kind))),
+                    *(csv_cell(v) for v in (*rates, c.f(kind), c.mcc(kind))),
                     int(row.small.counts[k].sum()),
-                    _cell(row.small.flagged(kind)),
+                    csv_cell(row.small.flagged(kind)),
                     *(int(n[k]) for n in (e.drawn, e.found, e.flags, e.alarms)),
-                    _cell(e.minutes),
-                    _cell(row.seconds),
+                    csv_cell(e.minutes),
+                    csv_cell(row.seconds),
                     *(int(n) for n in c.counts[k]),
                 )
             )
@@ -104,8 +105,8 @@ def _measures(row: E1Row, kind: str) -> tuple[str, ...]:
         kind,
         f"{c.counts[k].sum() / row.simulations:.0f}",
         *(f"{100 * v:.1f}" if math.isfinite(v) else "–" for v in rates),
-        _number(c.f(kind)),
-        _number(c.mcc(kind)),
+        number(c.f(kind)),
+        number(c.mcc(kind)),
         f"{row.events.drawn[k]}",
         f"{100 * v:.1f}" if math.isfinite(v := row.events.recall(kind)) else "–",
     )
@@ -119,26 +120,3 @@ def _matrix(row: E1Row) -> list[tuple[str, ...]]:
         ("true \\ found", *(FOUND[j] for j in columns)),
         *((name, *(f"{counts[k, j]:.1f}" for j in columns)) for k, name in enumerate(CLASSES)),
     ]
-
-
-def _aligned(cells: Sequence[Sequence[str]]) -> list[str]:
-    """Columns of equal width, indented; the first to the left, the others to the right."""
-    widths = [max(len(row[i]) for row in cells) for i in range(len(cells[0]))]
-    return [
-        "  "
-        + "  ".join(
-            cell.ljust(width) if i == 0 else cell.rjust(width)
-            for i, (cell, width) in enumerate(zip(row, widths, strict=True))
-        )
-        for row in cells
-    ]
-
-
-def _number(value: float) -> str:
-    """Three digits, or a dash where there is none."""
-    return f"{value:.3f}" if math.isfinite(value) else "–"
-
-
-def _cell(value: float) -> str:
-    """A number for CSV; empty where there is none."""
-    return f"{value:.6g}" if math.isfinite(value) else ""

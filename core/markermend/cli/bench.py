@@ -6,8 +6,10 @@ import argparse
 from pathlib import Path
 
 import markermend as mm
+from markermend.cli.bench_e3 import run_e3
 from markermend.cli.bench_smooth import run_smooth
-from markermend.cli.console import STDOUT, Bar, check_outputs, read_json, say, write_text
+from markermend.cli.bench_takes import clean_takes
+from markermend.cli.console import STDOUT, Bar, check_outputs, say, write_text
 
 
 def run(options: argparse.Namespace) -> int:
@@ -17,17 +19,12 @@ def run(options: argparse.Namespace) -> int:
 
 def _run_e1(options: argparse.Namespace) -> int:
     """Contaminate takes, detect, and show the measures."""
-    from markermend.artifact_json import artifacts_of
-    from markermend.bench.e1 import COMPANIONS, Clean, e1
+    from markermend.bench.e1 import COMPANIONS, e1
     from markermend.bench.e1_text import e1_csv, e1_table
     from markermend.detectors import find_detector
 
     check_outputs([options.csv], source=None, force=options.force)
-    takes = []
-    for path in map(Path, options.takes):
-        flaws = Path(options.flaws) / f"{path.stem}.json" if options.flaws else None
-        known = artifacts_of(read_json(str(flaws))) if flaws and flaws.exists() else ()
-        takes.append(Clean(path.stem, mm.read(path), known))
+    takes = clean_takes(options.takes, options.flaws)
     methods = list(dict.fromkeys(options.method))
     params = {
         name: find_detector(name).params(slow=False)
@@ -82,4 +79,4 @@ def _run_gaps(options: argparse.Namespace) -> int:
     return 0
 
 
-RUN = {"e1": _run_e1, "gaps": _run_gaps, "smooth": run_smooth}
+RUN = {"e1": _run_e1, "e3": run_e3, "gaps": _run_gaps, "smooth": run_smooth}

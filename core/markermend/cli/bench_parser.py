@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import argparse
 
+from markermend.cli.bench_e3 import SUMMARY as E3
+from markermend.cli.bench_e3 import add_e3
 from markermend.cli.bench_smooth import SUMMARY as SMOOTH
 from markermend.cli.bench_smooth import add_smooth
 
 EXPERIMENTS = {
     "e1": "contaminate clean takes, detect, compare by sample and by event",
+    "e3": E3,
     "gaps": "hide pieces of takes, fill them, compare with what was hidden",
     "smooth": SMOOTH,
 }
@@ -16,7 +19,7 @@ EXPERIMENTS = {
 
 def add_experiments(parser: argparse.ArgumentParser) -> None:
     """Give ``bench`` a command for each experiment."""
-    adders = {"e1": _add_e1, "gaps": _add_gaps, "smooth": add_smooth}
+    adders = {"e1": _add_e1, "e3": add_e3, "gaps": _add_gaps, "smooth": add_smooth}
     names = parser.add_subparsers(dest="experiment", metavar="NAME", required=True)
     for name, summary in EXPERIMENTS.items():
         adders[name](

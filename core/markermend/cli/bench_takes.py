@@ -1,0 +1,26 @@
+"""Clean takes for the experiments, with what is damaged in them already."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import markermend as mm
+from markermend.cli.console import read_json
+
+if TYPE_CHECKING:
+    from markermend.bench.e1 import Clean
+
+
+def clean_takes(paths: Iterable[str], flaws: str | None) -> list[Clean]:
+    """Read takes, and from a folder of JSON files named after them what is damaged in them."""
+    from markermend.artifact_json import artifacts_of
+    from markermend.bench.e1 import Clean
+
+    takes = []
+    for path in map(Path, paths):
+        listed = Path(flaws) / f"{path.stem}.json" if flaws else None
+        known = artifacts_of(read_json(str(listed))) if listed and listed.exists() else ()
+        takes.append(Clean(path.stem, mm.read(path), known))
+    return takes
