@@ -50,6 +50,8 @@ class Lines:
         self._clear()
         lines = [bar(overall, "all takes")]
         lines += [bar(m.share, f"{name}: {m.doing}") for name, m in self._working.items()]
+        # What has scrolled out of the terminal could not be taken away again.
+        lines = lines[: shutil.get_terminal_size().lines - 1]
         sys.stderr.write("\n".join(lines))
         sys.stderr.flush()
         self._drawn = len(lines)
