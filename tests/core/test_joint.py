@@ -16,6 +16,7 @@ from markermend.artifact_json import artifacts_of
 from markermend.detectors.joint import JointParams
 from markermend.detectors.joint.confidence import Curve, confidences, shipped_curves
 from markermend.detectors.joint.jumps import Jumps
+from markermend.detectors.joint.partners import find_partners
 from markermend.detectors.joint.shapes import fit_of, judge
 from markermend.detectors.joint.steps import pair_jumps
 from markermend.detectors.joint.sudden import Sudden
@@ -219,6 +220,21 @@ def test_pairs_are_opposite_and_never_overlap():
     assert [p[:2] for p in pair_jumps(jump([10, 900], [50, -20]), 100.0)] == [(0, 1)]
     both = pair_jumps(jump([10, 30, 50, 70], [5, 8, -8, -5]), 100.0)
     assert [p[:2] for p in both] == [(1, 2)]
+
+
+def test_a_clear_edge_finds_its_faint_partner():
+    rng = np.random.default_rng(0)
+    signal = 0.05 * rng.standard_normal((600, 2))
+    signal[520:565, 1] += 4.0
+    signal[553:577, 1] += 1.5 * np.sin(np.arange(24) * 1.1) * np.hanning(24)
+    one = Jumps(np.array([1]), np.array([520]), np.array([0]), np.array([4.0]), np.array([30.0]))
+    seen = np.ones(signal.shape, dtype=bool)
+    ((i, frame, score),) = find_partners(one, [0], signal, seen, 100.0)
+    assert i == 0
+    assert abs(frame - 565) <= 2
+    assert 8.0 < score <= 30.0
+    signal[565:, 1] += 4.0
+    assert find_partners(one, [0], signal, seen, 100.0) == []
 
 
 def test_confidence_grows_with_score_and_falls_with_moving_neighbours():

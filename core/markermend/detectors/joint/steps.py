@@ -25,8 +25,8 @@ def pair_jumps(jumps: Jumps, rate: float) -> list[tuple[int, int, float]]:
     Returns
     -------
     (i, j, score) of each pair, i before j, the shorter first of equals: indices into ``jumps``,
-    and the smaller score of both, less what they differ in standard errors. No jump is in two
-    pairs, no pair overlaps another of its channel.
+    and the geometric mean of both scores, less what they differ in standard errors. No jump is
+    in two pairs, no pair overlaps another of its channel.
     """
     alone = [int(i) for i in np.flatnonzero(jumps.length == 0)]
     usual, longest = LONGEST_S * rate, LONGEST_STRONG_S * rate
@@ -54,7 +54,7 @@ def pair_jumps(jumps: Jumps, rate: float) -> list[tuple[int, int, float]]:
 
 
 def _pair_score(jumps: Jumps, i: int, j: int) -> float:
-    """Smaller score of two opposite jumps, less their difference in standard errors."""
+    """Mean score of two opposite jumps, less their difference in standard errors."""
     a, b = float(jumps.size[i]), float(jumps.size[j])
     larger = max(abs(a), abs(b))
     if a * b >= 0:
@@ -64,7 +64,8 @@ def _pair_score(jumps: Jumps, i: int, j: int) -> float:
         smaller = float(min(jumps.score[i], jumps.score[j]))
         return 0.5 * smaller if _strong(jumps, i, j) else 0.0
     error = np.hypot(a / jumps.score[i], b / jumps.score[j])
-    return float(min(jumps.score[i], jumps.score[j]) - max(0.0, abs(a + b) / error - 2.0))
+    both = np.sqrt(jumps.score[i] * jumps.score[j])
+    return float(both - max(0.0, abs(a + b) / error - 2.0))
 
 
 def _strong(jumps: Jumps, i: int, j: int) -> bool:

@@ -10,6 +10,7 @@ from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.artifact import Kind
 from markermend.detectors.joint.jumps import Jumps, find_jumps, reach_at, segments
 from markermend.detectors.joint.noise import Noise, find_noise
+from markermend.detectors.joint.partners import find_partners
 from markermend.detectors.joint.shapes import judge
 from markermend.detectors.joint.steps import LONGEST_S, pair_jumps
 
@@ -76,25 +77,53 @@ def find_sudden(
     noise = find_noise(signal, rest, seen, neighbours, rate)
     jumps = _outside(jumps, noise, reach_at(rate))
     beside = _beside(signal, seen, neighbours, jumps, rate)
+    pairs = pair_jumps(jumps, rate)
+    paired = {i for first, last, _ in pairs for i in (first, last)}
+    alone = [int(i) for i in np.flatnonzero(jumps.length == 0) if int(i) not in paired]
+    calm = seen.copy()
+    for n in noise:
+        calm[n.start : n.stop, n.channel] = False
+    partners = find_partners(jumps, alone, signal, calm, rate)
     found = [
         Sudden(n.channel, n.start, n.stop, Kind.NOISE, n.sigma_mm, n.ratio, 0.0) for n in noise
     ]
-    for i in np.flatnonzero(jumps.length > 0):
-        length = int(jumps.length[i])
-        kind = Kind.PEAK if length <= peak_frames else Kind.STEP
-        start, size = int(jumps.frame[i]), abs(float(jumps.size[i]))
-        channel, score = int(jumps.channel[i]), float(jumps.score[i])
-        found.append(Sudden(channel, start, start + length, kind, size, score, float(beside[i])))
-    pairs = pair_jumps(jumps, rate)
+    found += _blocks(jumps, beside, partners, peak_frames, reach_at(rate))
     for first, last, clear in pairs:
         size = 0.5 * (abs(float(jumps.size[first])) + abs(float(jumps.size[last])))
         start, stop = int(jumps.frame[first]), int(jumps.frame[last])
         moved = float(max(beside[first], beside[last]))
         channel = int(jumps.channel[first])
         found.append(Sudden(channel, start, stop, Kind.STEP, size, clear, moved))
-    paired = {i for first, last, _ in pairs for i in (first, last)}
+    for i, frame, clear in partners:
+        start, stop = sorted((int(jumps.frame[i]), frame))
+        size, moved = abs(float(jumps.size[i])), float(beside[i])
+        found.append(Sudden(int(jumps.channel[i]), start, stop, Kind.STEP, size, clear, moved))
+    paired |= {i for i, _, _ in partners}
     found += _cut_off(jumps, paired, beside, seen, rate)
     return sorted(found, key=lambda s: (s.channel, s.start, s.stop))
+
+
+def _blocks(
+    jumps: Jumps,
+    beside: FloatArray,
+    partners: list[tuple[int, int, float]],
+    peak_frames: int,
+    reach: int,
+) -> list[Sudden]:
+    """Peaks and short steps, but for those that are a step's faint edge misread."""
+    edges = [(int(jumps.channel[i]), frame, score) for i, frame, score in partners]
+    found = []
+    for i in np.flatnonzero(jumps.length > 0):
+        channel, start = int(jumps.channel[i]), int(jumps.frame[i])
+        stop, score = start + int(jumps.length[i]), float(jumps.score[i])
+        if any(
+            c == channel and start - reach <= f <= stop + reach and score < s for c, f, s in edges
+        ):
+            continue
+        kind = Kind.PEAK if stop - start <= peak_frames else Kind.STEP
+        size = abs(float(jumps.size[i]))
+        found.append(Sudden(channel, start, stop, kind, size, score, float(beside[i])))
+    return found
 
 
 def _cut_off(
