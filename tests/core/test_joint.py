@@ -226,7 +226,7 @@ def test_a_clear_edge_finds_its_faint_partner():
     rng = np.random.default_rng(0)
     signal = 0.05 * rng.standard_normal((600, 2))
     signal[520:565, 1] += 4.0
-    signal[553:577, 1] += 1.5 * np.sin(np.arange(24) * 1.1) * np.hanning(24)
+    signal[553:577, 1] += 0.5 * np.sin(np.arange(24) * 1.1) * np.hanning(24)
     one = Jumps(np.array([1]), np.array([520]), np.array([0]), np.array([4.0]), np.array([30.0]))
     seen = np.ones(signal.shape, dtype=bool)
     ((i, frame, score),) = find_partners(one, [0], signal, seen, 100.0)
