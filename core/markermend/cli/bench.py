@@ -7,6 +7,7 @@ from pathlib import Path
 
 import markermend as mm
 from markermend.cli.bench_e3 import run_e3
+from markermend.cli.bench_predictors import run_predictors
 from markermend.cli.bench_smooth import run_smooth
 from markermend.cli.bench_takes import clean_takes
 from markermend.cli.console import STDOUT, Bar, check_outputs, say, write_text
@@ -79,4 +80,10 @@ def _run_gaps(options: argparse.Namespace) -> int:
     return 0
 
 
-RUN = {"e1": _run_e1, "e3": run_e3, "gaps": _run_gaps, "smooth": run_smooth}
+RUN = {
+    "e1": _run_e1,
+    "e3": run_e3,
+    "gaps": _run_gaps,
+    "predictors": run_predictors,
+    "smooth": run_smooth,
+}

@@ -6,6 +6,8 @@ import argparse
 
 from markermend.cli.bench_e3 import SUMMARY as E3
 from markermend.cli.bench_e3 import add_e3
+from markermend.cli.bench_predictors import SUMMARY as PREDICTORS
+from markermend.cli.bench_predictors import add_predictors
 from markermend.cli.bench_smooth import SUMMARY as SMOOTH
 from markermend.cli.bench_smooth import add_smooth
 
@@ -13,13 +15,20 @@ EXPERIMENTS = {
     "e1": "contaminate clean takes, detect, compare by sample and by event",
     "e3": E3,
     "gaps": "hide pieces of takes, fill them, compare with what was hidden",
+    "predictors": PREDICTORS,
     "smooth": SMOOTH,
 }
 
 
 def add_experiments(parser: argparse.ArgumentParser) -> None:
     """Give ``bench`` a command for each experiment."""
-    adders = {"e1": _add_e1, "e3": add_e3, "gaps": _add_gaps, "smooth": add_smooth}
+    adders = {
+        "e1": _add_e1,
+        "e3": add_e3,
+        "gaps": _add_gaps,
+        "predictors": add_predictors,
+        "smooth": add_smooth,
+    }
     names = parser.add_subparsers(dest="experiment", metavar="NAME", required=True)
     for name, summary in EXPERIMENTS.items():
         adders[name](
