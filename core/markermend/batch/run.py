@@ -7,9 +7,10 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import markermend as mm
+from markermend.batch.cluster import run_on_cluster
 from markermend.batch.pool import Message, run_jobs
 from markermend.batch.recipe import Recipe
 from markermend.batch.sources import Source
@@ -26,6 +27,9 @@ from markermend.batch.work import (
 from markermend.errors import ExportError
 from markermend.files.atomic import write_whole
 from markermend.report import Quality, batch_parts
+
+if TYPE_CHECKING:
+    from distributed import Client
 
 RECIPE, REPORT, REVIEW, INDEX = "recipe.toml", "report.html", "review.json", "index.json"
 Listener = Callable[[Message, Source, float], None]
@@ -55,6 +59,7 @@ def run_batch(
     recipe: Recipe | None = None,
     *,
     jobs: int = -1,
+    cluster: str | Client | None = None,
     resume: bool = False,
     force: bool = False,
     listener: Listener | None = None,
@@ -72,6 +77,8 @@ def run_batch(
     folder : made when it is not there
     recipe : what is done to each, the defaults when None
     jobs : processes; -1 as many as there are cores
+    cluster : address of a Dask scheduler, or a client of it, to use instead of processes here;
+        its workers must see takes and folder under the same paths
     resume : do only what an earlier run into this folder, by the same recipe, left
     force : do everything again, over what is there
     listener : told every message, its take, and the share done of the whole batch by file size;
@@ -82,6 +89,8 @@ def run_batch(
     ExportError
         when the folder holds results already and neither ``resume`` nor ``force`` is set, or a
         result would be written over one of the takes
+    MarkermendError
+        when the cluster does not answer
     """
     whole = Path(folder).resolve()
     chosen = recipe or Recipe()
@@ -95,7 +104,11 @@ def run_batch(
     shares = dict.fromkeys(size, 0.0)
     failures: dict[str, str] = {}
     skipped = 0
-    with closing(run_jobs(ordered, clean_one, _processes(jobs))) as messages:
+    if cluster is None:
+        running = run_jobs(ordered, clean_one, _processes(jobs))
+    else:
+        running = run_on_cluster(ordered, clean_one, cluster)
+    with closing(running) as messages:
         for message in messages:
             source = ordered[message.job].source
             shares[source.name] = message.share

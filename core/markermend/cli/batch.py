@@ -24,6 +24,7 @@ def run(options: argparse.Namespace) -> int:
             options.output,
             recipe,
             jobs=options.jobs,
+            cluster=options.cluster,
             resume=options.resume,
             force=options.force,
             listener=show,

@@ -197,6 +197,11 @@ def _add_batch(p: argparse.ArgumentParser) -> None:
     )
     p.add_argument("--jobs", metavar="N", type=int, default=-1, help="processes (-1: all cores)")
     p.add_argument(
+        "--cluster",
+        metavar="ADDRESS",
+        help="use the workers of this Dask scheduler, such as tcp://host:8786, instead",
+    )
+    p.add_argument(
         "--recipe",
         metavar="FILE",
         help="TOML with every choice, such as the recipe.toml that a batch leaves in DIR",
