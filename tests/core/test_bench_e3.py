@@ -97,6 +97,23 @@ def test_the_same_on_any_number_of_processes(performer):
     assert [(r.rmse_mm, r.spread_mm) for r in one] == [(r.rmse_mm, r.spread_mm) for r in two]
 
 
+def test_only_flags_of_the_planted_class_are_reconstructed(performer, monkeypatch):
+    wrong = Artifact("C7", "x", 100, 300, Kind.SLOW)
+    monkeypatch.setattr("markermend.bench.e3.detect", lambda *_, **__: (wrong,))
+    errors = {
+        every: [
+            r.rmse_mm
+            for r in e3([Clean("head", performer)], detectors=("joint",), repairers=("linear",),
+                        kinds=["peak"], shares=(0.05,), simulations=1, all_classes=every, n_jobs=1)
+            if r.located != "perfect"
+        ]
+        for every in (False, True)
+    }  # fmt: skip
+    distorted, classified = errors[False]
+    assert classified == distorted
+    assert errors[True][1] != distorted
+
+
 def test_published_figures_are_those_of_the_tables():
     assert published(0.05, "distorted", "", "slow") == 0.10129
     assert published(0.05, "classified", "spline", "noise") == 0.68692

@@ -141,7 +141,17 @@ def test_tables_and_figures_hold_what_was_measured(study):
     text = "\n".join(predictors_table(study))
     assert all(name in text for name in QUICK)
     figures = predictor_figures(study)
-    assert set(figures) == {"head-order-lags.svg", "head-histogram.svg"}
+    assert set(figures) == {
+        "head-order-lags.svg",
+        "head-histogram.svg",
+        "head-correlation.svg",
+    }
+    assert sum(line["table"] == "matrix" for line in lines) == len(LABELS) ** 2
+    assert all(
+        float(line["value"]) == pytest.approx(1.0)
+        for line in lines
+        if line["table"] == "matrix" and line["series"] == line["position"]
+    )
     for drawing in figures.values():
         assert ElementTree.fromstring(drawing).tag.endswith("svg")
         assert "nan" not in drawing

@@ -15,7 +15,14 @@ import numpy as np
 from threadpoolctl import threadpool_limits
 
 from markermend.arrays import BoolArray, FloatArray
-from markermend.bench.residuals import CorrelationRow, Shape, correlations, shape_of
+from markermend.bench.residuals import (
+    CorrelationMatrix,
+    CorrelationRow,
+    Shape,
+    correlations,
+    matrix_of,
+    shape_of,
+)
 from markermend.errors import DataError, MethodError
 from markermend.mesh import Mesh, infer_mesh
 from markermend.predictors.ffnn import FfnnParams, predict_ffnn
@@ -142,11 +149,15 @@ class PredictorRow:
 
 @dataclass(frozen=True, eq=False)
 class PredictorStudy:
-    """All tables: over order and lags, predictors side by side, correlation of markers."""
+    """All tables: over order and lags, predictors side by side, correlation of markers.
+
+    The correlations are summarised in rows; the matrices are those of the X positions.
+    """
 
     sweep: tuple[SweepRow, ...]
     predictors: tuple[PredictorRow, ...]
     correlations: tuple[CorrelationRow, ...]
+    matrices: tuple[CorrelationMatrix, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -235,6 +246,7 @@ def study_predictors(
         correlations=tuple(
             row for name, body in bodies.items() for row in correlations(name, *body)
         ),
+        matrices=tuple(matrix_of(name, *body) for name, body in bodies.items()),
     )
 
 

@@ -9,7 +9,7 @@ from html import escape
 import numpy as np
 
 from markermend.bench.predictors import PredictorStudy
-from markermend.bench.residuals import EDGES, densities
+from markermend.bench.residuals import EDGES, CorrelationMatrix, densities
 from markermend.report.svg import path, ticks
 
 _WIDTH, _HEIGHT, _LEFT, _RIGHT, _TOP, _BOTTOM = 640.0, 400.0, 60.0, 190.0, 30.0, 45.0
@@ -19,13 +19,13 @@ _COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#
 Curve = tuple[Sequence[float], Sequence[float]]
 
 
-def figure_names(take: str) -> tuple[str, str]:
-    """File names of a take's two figures: over order and lags, and the histogram."""
-    return f"{take}-order-lags.svg", f"{take}-histogram.svg"
+def figure_names(take: str) -> tuple[str, str, str]:
+    """File names of a take's figures: over order and lags, histogram, correlation."""
+    return f"{take}-order-lags.svg", f"{take}-histogram.svg", f"{take}-correlation.svg"
 
 
 def predictor_figures(study: PredictorStudy) -> dict[str, str]:
-    """Draw, for every take, the residual over order and lags and its histogram.
+    """Draw, for every take, the residual over order and lags, its histogram, the correlations.
 
     Parameters
     ----------
@@ -57,7 +57,46 @@ def predictor_figures(study: PredictorStudy) -> dict[str, str]:
         figures[figure_names(take)[1]] = chart(
             curves, f"{take}: residuals", "standard deviations", "share of the samples"
         )
+    for matrix in study.matrices:
+        figures[figure_names(matrix.take)[2]] = heat_map(matrix)
     return figures
+
+
+def heat_map(matrix: CorrelationMatrix) -> str:
+    """Draw a correlation matrix: blue together, red against each other, grey unknown.
+
+    Returns
+    -------
+    A whole SVG document
+    """
+    cell, left, top = 12.0, 110.0, 40.0
+    size = cell * len(matrix.labels)
+    parts = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {left + size + 10:g} '
+        f'{top + size + 10:g}" font-family="sans-serif" font-size="10">',
+        f'<rect width="{left + size + 10:g}" height="{top + size + 10:g}" fill="white"/>',
+        f'<text x="10" y="20" font-size="12">{escape(matrix.take)}: correlation of X positions'
+        "</text>",
+    ]
+    for i, (label, values) in enumerate(zip(matrix.labels, matrix.values, strict=True)):
+        y = top + i * cell
+        name = escape(label[-16:])
+        parts.append(f'<text x="{left - 4:g}" y="{y + 9:g}" text-anchor="end">{name}</text>')
+        for j, value in enumerate(values):
+            parts.append(
+                f'<rect x="{left + j * cell:g}" y="{y:g}" width="{cell:g}" height="{cell:g}" '
+                f'fill="{_shade(float(value))}"/>'
+            )
+    return "".join(parts) + "</svg>\n"
+
+
+def _shade(r: float) -> str:
+    """White at 0, blue towards 1, red towards -1."""
+    if not math.isfinite(r):
+        return "#999"
+    full = (0, 114, 178) if r >= 0 else (213, 94, 0)
+    mixed = (round(255 + abs(r) * (channel - 255)) for channel in full)
+    return "#" + "".join(f"{channel:02x}" for channel in mixed)
 
 
 def chart(curves: Mapping[str, Curve], title: str, across: str, up: str) -> str:

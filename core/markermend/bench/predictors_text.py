@@ -38,7 +38,8 @@ def predictors_csv(study: PredictorStudy) -> str:
 
     Tables are ``sweep`` (series: what, position: L and k), ``predictors`` (series: predictor,
     position: what), ``histogram`` (series: predictor or distribution, position: middle of the
-    bin in standard deviations, value: share of the samples) and ``correlation``.
+    bin in standard deviations, value: share of the samples), ``correlation`` and ``matrix``
+    (series and position: two markers, value: correlation of their X positions).
     """
     text = io.StringIO()
     out = csv.writer(text, lineterminator="\n")
@@ -60,6 +61,10 @@ def predictors_csv(study: PredictorStudy) -> str:
         for what, value in (("pairs", c.pairs), ("mean", c.mean), ("strong", c.strong)):
             line = (c.take, f"{c.quantity}, {c.relation}", what, csv_cell(value))
             out.writerow(("correlation", *line))
+    for matrix in study.matrices:
+        for label, values in zip(matrix.labels, matrix.values, strict=True):
+            for other, value in zip(matrix.labels, values, strict=True):
+                out.writerow(("matrix", matrix.take, label, other, csv_cell(float(value))))
     return text.getvalue()
 
 

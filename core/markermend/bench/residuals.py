@@ -10,7 +10,7 @@ from markermend.arrays import FloatArray, IntArray
 from markermend.mesh import Mesh
 from markermend.take import AXES, Take
 
-EDGES = np.linspace(-6.0, 6.0, 49)
+EDGES = np.linspace(-6.125, 6.125, 50)
 """Bins of the histogram, in standard deviations; what lies outside counts in the last ones."""
 RELATIONS = ("same group", "parent and child", "other groups")
 STRONG = 0.9
@@ -132,7 +132,7 @@ def correlations(name: str, take: Take, mesh: Mesh) -> tuple[CorrelationRow, ...
     -----
     skurowski2022, section 3.1 and Figure 3, which shows the matrix of X positions.
     """
-    columns = np.array([m for group in mesh.groups for m in group.markers], dtype=np.int64)
+    columns = grouped(mesh)
     group = np.array([g for g, found in enumerate(mesh.groups) for _ in found.markers])
     parent = np.array([-1 if found.parent is None else found.parent for found in mesh.groups])
     first, second = np.triu_indices(len(columns), 1)
@@ -152,6 +152,34 @@ def correlations(name: str, take: Take, mesh: Mesh) -> tuple[CorrelationRow, ...
                     row = (name, f"{what} {letter}", between, len(r), float(r.mean()), strong)
                     rows.append(CorrelationRow(*row))
     return tuple(rows)
+
+
+def grouped(mesh: Mesh) -> IntArray:
+    """Columns of the markers that belong to a group, group by group, (n,) int64."""
+    return np.array([m for group in mesh.groups for m in group.markers], dtype=np.int64)
+
+
+@dataclass(frozen=True, eq=False)
+class CorrelationMatrix:
+    """Correlation of the X positions of a take's markers, group by group (Figure 3a).
+
+    Attributes
+    ----------
+    take : name
+    labels : of the markers, n of them
+    values : (n, n) float64 in [-1, 1]; NaN where there is none
+    """
+
+    take: str
+    labels: tuple[str, ...]
+    values: FloatArray
+
+
+def matrix_of(name: str, take: Take, mesh: Mesh) -> CorrelationMatrix:
+    """Correlate the X positions of all markers of a take that belong to a group."""
+    columns = grouped(mesh)
+    labels = tuple(take.labels[c] for c in columns)
+    return CorrelationMatrix(name, labels, correlation_matrix(take.positions[:, columns, 0]))
 
 
 def correlation_matrix(signals: FloatArray) -> FloatArray:

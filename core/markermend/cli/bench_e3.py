@@ -51,6 +51,11 @@ def add_e3(p: argparse.ArgumentParser) -> None:
     p.add_argument(
         "--amplitude", metavar="MM", type=float, default=10.0, help="mean amplitude (default: 10)"
     )
+    p.add_argument(
+        "--all-classes",
+        action="store_true",
+        help="reconstruct all that detectors flag, not only what they call the class planted",
+    )
     p.add_argument("--simulations", metavar="N", type=int, default=200, help="per setting")
     p.add_argument("--seed", metavar="N", type=int, default=0, help="same seed, same result")
     p.add_argument("--jobs", metavar="N", type=int, default=-1, help="processes (-1: all cores)")
@@ -80,6 +85,7 @@ def run_e3(options: argparse.Namespace) -> int:
             kinds=options.kind,
             shares=options.share,
             amplitude_mm=options.amplitude,
+            all_classes=options.all_classes,
             simulations=options.simulations,
             seed=options.seed,
             n_jobs=options.jobs,
