@@ -229,12 +229,13 @@ def test_a_clear_edge_finds_its_faint_partner():
     signal[553:577, 1] += 0.5 * np.sin(np.arange(24) * 1.1) * np.hanning(24)
     one = Jumps(np.array([1]), np.array([520]), np.array([0]), np.array([4.0]), np.array([30.0]))
     seen = np.ones(signal.shape, dtype=bool)
-    ((i, frame, score),) = find_partners(one, [0], signal, seen, 100.0)
+    ((i, frame, score),) = find_partners(one, [0], signal, seen, 100.0, [])
     assert i == 0
     assert abs(frame - 565) <= 2
     assert 8.0 < score <= 30.0
+    assert find_partners(one, [0], signal, seen, 100.0, [(1, 530, 600)]) == []
     signal[565:, 1] += 4.0
-    assert find_partners(one, [0], signal, seen, 100.0) == []
+    assert find_partners(one, [0], signal, seen, 100.0, []) == []
 
 
 def test_confidence_grows_with_score_and_falls_with_moving_neighbours():
@@ -269,6 +270,11 @@ def test_training_is_seeded():
     first = train_sudden([(take, ())], rounds=1, seed=2)
     assert first == train_sudden([(take, ())], rounds=1, seed=2)
     assert isinstance(first[Kind.PEAK], Curve)
+
+
+def test_a_raw_take_has_no_artifact_twice(shared_data):
+    found = sudden(mm.read(shared_data / "gait" / "test_walking.c3d"))
+    assert len({a.id for a in found}) == len(found) > 0
 
 
 @pytest.mark.parametrize("name", ["85_02", "85_12", "HDM_mm_01-02_03_120"])

@@ -20,6 +20,7 @@ def find_partners(
     signal: FloatArray,
     seen: BoolArray,
     rate: float,
+    taken: list[tuple[int, int, int]],
 ) -> list[tuple[int, int, float]]:
     """Look for the faint jump that takes a clear one back.
 
@@ -29,6 +30,7 @@ def find_partners(
     alone : those jumps no other clear one takes back
     signal, seen : (frames, channels) mm without NaN, bool; where not seen nothing is looked for
     rate : frames per second
+    taken : channel, start and stop of steps found already; no other may overlap them
 
     Returns
     -------
@@ -42,8 +44,8 @@ def find_partners(
     if not clear:
         return []
     noise = jitter(sixth_difference(signal), seen, rate)
-    found = []
-    for i in clear:
+    steps, found = list(taken), []
+    for i in sorted(clear, key=lambda i: (-float(jumps.score[i]), i)):
         size, score = float(jumps.size[i]), float(jumps.score[i])
         channel, frame = int(jumps.channel[i]), int(jumps.frame[i])
         first = max(int(begin[frame, channel]) + 1, frame - longest)
@@ -65,5 +67,9 @@ def find_partners(
             continue
         both = np.sqrt(np.minimum(other, score) * score) - np.maximum(mismatch / error - 1.0, 0.0)
         best = int(np.argmax(np.where(fits, both, -np.inf)))
+        start, stop = sorted((frame, int(at[best])))
+        if any(c == channel and start < b and a < stop for c, a, b in steps):
+            continue
+        steps.append((channel, start, stop))
         found.append((i, int(at[best]), float(both[best])))
     return found

@@ -8,6 +8,7 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.artifact import Kind
+from markermend.detectors.finding import overlap
 from markermend.detectors.joint.jumps import Jumps, find_jumps, reach_at, segments
 from markermend.detectors.joint.noise import Noise, find_noise
 from markermend.detectors.joint.partners import find_partners
@@ -18,6 +19,7 @@ LEAST_SCORE = 4.5
 """Standard errors from which a shape is written down; confidence decides what is flagged."""
 CUT_OFF_SCORE, CUT_OFF_MM = 10.0, 5.0
 """What a lone jump must be to count as a step whose other edge is hidden."""
+MOSTLY = 0.5
 SHORT_STEP = 2
 """Blocks are looked for up to so many times the longest peak; beyond, edges are jumps."""
 
@@ -83,7 +85,8 @@ def find_sudden(
     calm = seen.copy()
     for n in noise:
         calm[n.start : n.stop, n.channel] = False
-    partners = find_partners(jumps, alone, signal, calm, rate)
+    steps = [(int(jumps.channel[i]), int(jumps.frame[i]), int(jumps.frame[j])) for i, j, _ in pairs]
+    partners = find_partners(jumps, alone, signal, calm, rate, steps)
     found = [
         Sudden(n.channel, n.start, n.stop, Kind.NOISE, n.sigma_mm, n.ratio, 0.0) for n in noise
     ]
@@ -100,7 +103,17 @@ def find_sudden(
         found.append(Sudden(int(jumps.channel[i]), start, stop, Kind.STEP, size, clear, moved))
     paired |= {i for i, _, _ in partners}
     found += _cut_off(jumps, paired, beside, seen, rate)
-    return sorted(found, key=lambda s: (s.channel, s.start, s.stop))
+    return sorted(_once(found), key=lambda s: (s.channel, s.start, s.stop))
+
+
+def _once(found: list[Sudden]) -> list[Sudden]:
+    """Without those that a clearer one of their class and coordinate mostly covers."""
+    kept: dict[tuple[int, str], list[Sudden]] = {}
+    for s in sorted(found, key=lambda s: (-s.score, s.channel, s.start, s.stop)):
+        others = kept.setdefault((s.channel, s.kind.value), [])
+        if all(overlap((s.start, s.stop), (o.start, o.stop)) < MOSTLY for o in others):
+            others.append(s)
+    return [s for same in kept.values() for s in same]
 
 
 def _blocks(
