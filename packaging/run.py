@@ -44,7 +44,7 @@ def clean_headless(take):
     artifacts = RESULTS / (take.stem + "_artifacts.json")
     picture = RESULTS / (take.stem + "_review.png")
     python = bootstrap.venv_program("python")
-    clean_take = [bootstrap.venv_program("markermend"), "clean", str(take), "--no-slow", "--force"]
+    clean_take = [bootstrap.venv_program("markermend"), "clean", str(take), "--force"]
     with tempfile.TemporaryDirectory() as folder:
         # The window keeps its review beside the take, and its layout in the settings: those of
         # the copy go away with it. Off screen Qt warns of what nobody there could miss.
@@ -68,10 +68,6 @@ def clean_headless(take):
         ("picture of the window", picture),
     ):
         bootstrap.say("  %-24s %s" % (what, path))
-    bootstrap.say(
-        "\nSlow changes were not looked for, since that takes a minute or two; this does:\n"
-        "  %s clean %s -o OUT.c3d" % (clean_take[0], take)
-    )
     return 0
 
 
