@@ -117,7 +117,7 @@ ACTIONS: tuple[Action, ...] = (
         "Review",
         ("Shift+D",),
         "slow",
-        "Look for every class; slow drifts train a predictor for each marker, about a minute",
+        "Look for every class; slow drifts take some seconds longer than all the others",
         _editable,
     ),
     Action(
