@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from itertools import zip_longest
 from typing import Any
 
 import numpy as np
@@ -154,6 +155,7 @@ class MarkerModel(QAbstractItemModel):
         for a in artifacts:
             if a.status is Status.PENDING:
                 counts.setdefault(a.marker, Counter())[a.kind] += 1
+        before = {id(row): row.counts for row in _walk(self._root)}
         for row in _walk(self._root):
             row.counts = Counter()
         for label, count in counts.items():
@@ -161,25 +163,26 @@ class MarkerModel(QAbstractItemModel):
             while node is not None:
                 node.counts.update(count)
                 node = node.parent
-        self._announce(OPEN)
+        self._announce(OPEN, (r for r in _walk(self._root) if r.counts != before[id(r)]))
 
     def set_missing(self, take: Take, labels: Iterable[str]) -> None:
         """Work out the share of frames without these markers."""
-        for label in labels:
-            node = self._by_label.get(label)
-            if node is not None:
-                x = take.positions[:, take.index(label), 0]
-                node.missing = float(np.isnan(x).mean()) if len(x) else 0.0
-        self._announce(MISSING)
+        nodes = [self._by_label[label] for label in labels if label in self._by_label]
+        for node in nodes:
+            x = take.positions[:, take.index(node.label), 0]
+            node.missing = float(np.isnan(x).mean()) if len(x) else 0.0
+        self._announce(MISSING, nodes)
 
     def set_shown(self, shown: tuple[str, ...]) -> None:
         """Set the check marks and colours."""
+        changed = {a for a, b in zip_longest(self._shown, shown) if a != b}
+        changed |= {b for a, b in zip_longest(self._shown, shown) if a != b}
         self._shown = shown
-        self._announce(NAME)
+        self._announce(NAME, (self._by_label[c] for c in changed if c in self._by_label))
 
     def recolour(self) -> None:
         """Draw icons and colours anew."""
-        self._announce(NAME)
+        self._announce(NAME, _walk(self._root))
 
     def index_of(self, label: str) -> QModelIndex:
         """Where a marker stands, or an invalid index."""
@@ -195,13 +198,11 @@ class MarkerModel(QAbstractItemModel):
             return QModelIndex()
         return self.createIndex(node.parent.rows.index(node), column, node)
 
-    def _announce(self, column: int) -> None:
-        """Say that a column has other contents, everywhere."""
-        for node in (self._root, *_walk(self._root)):
-            if node.rows:
-                first = self.createIndex(0, column, node.rows[0])
-                last = self.createIndex(len(node.rows) - 1, column, node.rows[-1])
-                self.dataChanged.emit(first, last)
+    def _announce(self, column: int, nodes: Iterable[Node]) -> None:
+        """Say that a column of some rows has other contents; each costs the views a while."""
+        for node in nodes:
+            index = self._index(node, column)
+            self.dataChanged.emit(index, index)
 
     # What Qt asks
 

@@ -24,6 +24,9 @@ from markermend_app.panels.plot_view import PlotView
 
 TIME_HEIGHT = 36
 _VALUES_WIDTH = 80
+_SPARE = 2
+"""Markers whose empty curves are kept for the next ones: making curves takes long."""
+_NONE: FloatArray = np.zeros(0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,7 +89,9 @@ class PlotRow:
         self.sweep = pg.LinearRegionItem(movable=False)
         self.cursor = pg.InfiniteLine(angle=90, movable=False)
         self.cursor.setZValue(30)
+        self._proposals: list[pg.PlotDataItem] = []
         self.proposed: list[pg.PlotDataItem] = []
+        self._pool: list[Trace] = []
         self.traces: dict[str, Trace] = {}
         self._take: Take | None = None
         self._before = False
@@ -104,12 +109,18 @@ class PlotRow:
 
     def show_markers(self, take: Take, original: Take, markers: Sequence[str]) -> None:
         """Draw these markers and no others."""
-        for name in list(self.traces):
-            for item in self.traces.pop(name).items():
+        for trace in self._pool[max(len(markers), _SPARE) :]:
+            for item in trace.items():
                 self.plot.removeItem(item)
+        del self._pool[max(len(markers), _SPARE) :]
+        for i in range(len(self._pool), len(markers)):
+            self._pool.append(self._new_trace(i))
+        for trace in self._pool[len(markers) :]:
+            for item in trace.items():
+                _fill(item)
+        self.traces = dict(zip(markers, self._pool, strict=False))
         self._take = take
-        for i, name in enumerate(markers):
-            self.traces[name] = self._new_trace(i)
+        for name in markers:
             self.refresh(take, original, name)
 
     def refresh(self, take: Take, original: Take, name: str) -> None:
@@ -121,10 +132,10 @@ class PlotRow:
         origin = take.origin[:, column]
         mended = (origin == Origin.FILLED) | (origin == Origin.EDITED)
         _fill_whole(trace.measured, np.where(mended, np.nan, values))
-        _fill(trace.changed, values, mended)
-        _fill(trace.lone, values, lone_samples(values), join=0)
+        _fill_pieces(trace.changed, values, mended)
+        _fill_pieces(trace.lone, values, lone_samples(values), join=0)
         same = (values == source) | (np.isnan(values) & np.isnan(source))
-        _fill(trace.original, source, ~same)
+        _fill_pieces(trace.original, source, ~same)
 
     def show_prediction(self, predicted: Mapping[str, FloatArray]) -> None:
         """Draw predicted positions, (frames, 3) by marker; others get none."""
@@ -132,12 +143,12 @@ class PlotRow:
             if name in predicted:
                 _fill_whole(trace.predicted, predicted[name][:, self.column])
             else:
-                trace.predicted.setData([], [])
+                _fill(trace.predicted)
 
     def set_before(self, before: bool) -> None:
         """Bring the source's samples forward and let the repairs step back, or not."""
         self._before = before
-        for i, trace in enumerate(self.traces.values()):
+        for i, trace in enumerate(self._pool):
             self._style(trace, i)
 
     # Artifacts and the proposal
@@ -162,23 +173,26 @@ class PlotRow:
 
     def show_proposal(self, patches: Sequence[Patch], band_mm: FloatArray | None) -> None:
         """Draw what a repair would put here; the band goes with the first patch."""
-        for item in self.proposed:
-            self.plot.removeItem(item)
         self.proposed = []
         self.band.clear()
         for i, patch in enumerate(patches):
             if self.axis not in patch.axes or patch.marker not in self.traces:
                 continue
             x, y = self._joined(patch)
-            item = curve(theme.current().accent, width=2)
-            item.setZValue(15)
-            self.plot.addItem(item)
-            item.setData(x, y)
+            if len(self.proposed) == len(self._proposals):
+                item = curve(theme.current().accent, width=2)
+                item.setZValue(15)
+                self.plot.addItem(item)
+                self._proposals.append(item)
+            item = self._proposals[len(self.proposed)]
+            _fill(item, x, y)
             self.proposed.append(item)
             if i == 0 and band_mm is not None and len(band_mm) == patch.stop - patch.start:
                 inner = np.arange(patch.start, patch.stop, dtype=np.float64)
                 values = patch.values[:, patch.axes.index(self.axis)]
                 self.band.set_data(inner, values, band_mm)
+        for item in self._proposals[len(self.proposed) :]:
+            _fill(item)
 
     def _joined(self, patch: Patch) -> tuple[FloatArray, FloatArray]:
         """A patch's values on this axis with the samples on either side."""
@@ -195,11 +209,18 @@ class PlotRow:
 
     # The view
 
-    def fit_values(self, start: float, stop: float, current: Artifact | None) -> None:
-        """Show the values that matter within these frames."""
+    def set_view(self, start: float, stop: float, current: Artifact | None) -> None:
+        """Show these frames and, unless a hand moved them, the values that matter there."""
+        values = self._values_within(start, stop, current) if self.follows else None
+        self.view.setRange(xRange=(start, stop), yRange=values, padding=0)
+
+    def _values_within(
+        self, start: float, stop: float, current: Artifact | None
+    ) -> tuple[float, float] | None:
+        """Values that matter within these frames, or None where nothing is."""
         take = self._take
         if take is None or not self.traces:
-            return
+            return None
         low, high = max(0, int(start)), max(0, int(np.ceil(stop)) + 1)
         columns = [take.index(name) for name in self.traces]
         trusted, special = [], []
@@ -214,9 +235,7 @@ class PlotRow:
         special += [item.yData for item in self.proposed if item.yData is not None]
         height = max(1.0, self.view.height())
         bottom = min(0.3, self.intervals.strip_height / height)
-        found = value_range(trusted, special, bottom)
-        if found is not None:
-            self.view.setYRange(*found, padding=0)
+        return value_range(trusted, special, bottom)
 
     def restyle(self) -> None:
         """Take over the theme's colours."""
@@ -239,9 +258,9 @@ class PlotRow:
             line.setPen(pg.mkPen(look.selection, width=1, style=Qt.PenStyle.DashLine))
         self.cursor.setPen(pg.mkPen(theme.faded(look.text, 0.75), width=1))
         self.band.set_color(theme.faded(accent, 0.22))
-        for item in self.proposed:
+        for item in self._proposals:
             item.setPen(pg.mkPen(accent, width=2, cosmetic=True))
-        for i, trace in enumerate(self.traces.values()):
+        for i, trace in enumerate(self._pool):
             self._style(trace, i)
         self.intervals.update()
 
@@ -285,14 +304,20 @@ class PlotRow:
 def _fill_whole(item: pg.PlotDataItem, values: FloatArray) -> None:
     """Give a curve one value a frame; a curve without any is emptied."""
     if np.isnan(values).all():
-        item.setData([], [])
+        _fill(item)
     else:
-        item.setData(np.arange(len(values), dtype=np.float64), values)
+        _fill(item, np.arange(len(values), dtype=np.float64), values)
 
 
-def _fill(item: pg.PlotDataItem, values: FloatArray, mask: BoolArray, join: int = 1) -> None:
+def _fill_pieces(item: pg.PlotDataItem, values: FloatArray, mask: BoolArray, join: int = 1) -> None:
     """Give a curve the masked stretches of some values."""
     if mask.any():
-        item.setData(*pieces(values, mask, join))
+        _fill(item, *pieces(values, mask, join))
     else:
-        item.setData([], [])
+        _fill(item)
+
+
+def _fill(item: pg.PlotDataItem, x: FloatArray = _NONE, y: FloatArray = _NONE) -> None:
+    """Give a curve its points; one that is empty already is left alone, which most are."""
+    if len(x) or item.xData is not None:
+        item.setData(x, y)

@@ -111,9 +111,7 @@ class TrajectoryPanel(QWidget):
         self._view = time_range(start, stop, take.frames)
         current = self.document.current
         for row in self.rows:
-            row.view.setXRange(*self._view, padding=0)
-            if row.follows:
-                row.fit_values(*self._view, current)
+            row.set_view(*self._view, current)
         self._place_buttons()
         self.view_changed.emit(*self._view)
 
