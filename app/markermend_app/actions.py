@@ -236,7 +236,7 @@ ACTIONS: tuple[Action, ...] = (
     Action("about", "About Markermend", "Help", (), "", "", _anything),
 )
 
-METHOD_KEYS = tuple("123456789")
+METHOD_KEYS = range(1, 10)
 
 
 def build(owner: QWidget, document: Document, run: Callable[[str], None]) -> dict[str, QAction]:

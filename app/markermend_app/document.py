@@ -139,8 +139,9 @@ class Document(QObject):
             elif not set(names) <= set(self.shown):
                 self.show((*self.shown, *names))
             if frame:
-                self.go_to((artifact.start + artifact.stop) // 2)
+                # With its frames in view, the cursor need not bring itself into view first.
                 self.frame_requested.emit(artifact.start, artifact.stop)
+                self.go_to((artifact.start + artifact.stop) // 2)
         self.current_changed.emit()
         self._propose()
 

@@ -169,9 +169,9 @@ class MainWindow(QMainWindow):
         on_open = self.actions_by_name["detect_on_open"]
         on_open.setChecked(settings.flag("detect_on_open", True))
 
-        for i, key in enumerate(actions.METHOD_KEYS):
-            shortcut = QShortcut(QKeySequence(key), self)
-            shortcut.activated.connect(lambda i=i: self._choose_method(i))
+        for key in actions.METHOD_KEYS:
+            shortcut = QShortcut(QKeySequence(str(key)), self)
+            shortcut.activated.connect(lambda key=key: self._choose_method(key))
 
     def _connect(self) -> None:
         document = self.document
@@ -229,15 +229,15 @@ class MainWindow(QMainWindow):
             "about": lambda: dialogs.show_about(self),
         }
 
-    def _choose_method(self, position: int) -> None:
-        """Preview the repair method with that number."""
+    def _choose_method(self, key: int) -> None:
+        """Preview the repair method with that number key."""
         if self.document.current is None:
             return
         from markermend.repairs import REPAIRS
 
-        names = list(REPAIRS)
-        if position < len(names):
-            self.document.choose_method(names[position])
+        for method in REPAIRS.values():
+            if method.key == key:
+                self.document.choose_method(method.name)
 
     def _set_theme(self, name: str) -> None:
         settings.remember("theme", name)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QApplication
 
 from markermend.artifact import Kind, Status
 from markermend.mesh import Mesh
@@ -99,13 +100,54 @@ def test_axes_class_and_edges_change_the_artifact(qtbot, inspector, document):
 def test_methods_stand_in_the_order_of_their_keys_and_can_be_chosen(qtbot, inspector, document):
     select(document, Kind.PEAK)
     methods = inspector.artifact.methods
-    assert list(methods.buttons) == ["auto", *REPAIRS]
+    keyed = sorted((m for m in REPAIRS.values() if m.key), key=lambda m: m.key)
+    assert list(methods.buttons) == ["auto", *(m.name for m in keyed)]
+    assert [m.key for m in keyed] == list(range(1, 10))
     assert methods.buttons["auto"].isChecked()
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=10_000)
     press(qtbot, methods.buttons["linear"])
     assert document.method == "linear"
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=10_000)
     assert methods.outcome.text().startswith(REPAIRS["linear"].label)
+
+
+def test_the_other_methods_stand_in_one_list(qtbot, inspector, document):
+    inspector.resize(300, 700)
+    select(document, Kind.GAP)
+    methods = inspector.artifact.methods
+    listed = [methods.more.itemData(row) for row in range(methods.more.count())]
+    assert set(listed) == {m.name for m in REPAIRS.values() if m.key is None}
+    assert methods.more.currentText() == "", "nothing of it is chosen yet"
+    row = listed.index("kalman")
+    tip = methods.more.itemData(row, Qt.ItemDataRole.ToolTipRole)
+    assert tip == REPAIRS["kalman"].summary
+    qtbot.mouseClick(methods.more, Qt.MouseButton.LeftButton)
+    view = methods.more.view()
+    qtbot.waitUntil(view.isVisible)
+    view.scrollTo(methods.more.model().index(row, 0))
+    at = view.visualRect(methods.more.model().index(row, 0)).center()
+    qtbot.mouseMove(view.viewport(), at)
+    qtbot.wait(QApplication.doubleClickInterval() + 50)  # the list ignores a click too soon
+    qtbot.mouseClick(view.viewport(), Qt.MouseButton.LeftButton, pos=at)
+    assert document.method == "kalman"
+    assert methods.more.currentText() == REPAIRS["kalman"].label
+    assert not any(b.isChecked() for b in methods.buttons.values())
+    press(qtbot, methods.buttons["linear"])
+    assert document.method == "linear"
+    assert methods.more.currentIndex() == -1
+    assert [n for n, b in methods.buttons.items() if b.isChecked()] == ["linear"]
+    assert inspector.artifact.minimumSizeHint().width() <= 300
+
+
+def test_the_list_of_methods_is_reached_and_used_by_keys(qtbot, inspector, document):
+    select(document, Kind.GAP)
+    more = inspector.artifact.methods.more
+    more.setFocus(Qt.FocusReason.TabFocusReason)
+    assert more.focusPolicy() & Qt.FocusPolicy.TabFocus
+    qtbot.keyClick(more, Qt.Key.Key_Down)
+    assert document.method == more.itemData(0)
+    qtbot.keyClick(more, Qt.Key.Key_Down)
+    assert document.method == more.itemData(1)
 
 
 def test_a_method_without_answer_says_why_and_cannot_be_applied(inspector, document, monkeypatch):

@@ -41,6 +41,10 @@ class ArtifactPage(QWidget):
         self.kind.setToolTip(self.tr("Class of the artifact"))
         for kind in Kind:
             self.kind.addItem(theme.KIND_NAME[kind])
+        self.kind.setSizeAdjustPolicy(
+            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
+        self.kind.setMinimumContentsLength(6)
         self.kind.activated.connect(self._kind_chosen)
         self.axes: dict[str, QToolButton] = {}
         axes = QHBoxLayout()
@@ -51,7 +55,7 @@ class ArtifactPage(QWidget):
             button = QToolButton()
             button.setText(axis.upper())
             button.setCheckable(True)
-            button.setMinimumWidth(32)
+            button.setMinimumWidth(26)
             button.setToolTip(self.tr("Whether {0} is wrong").format(axis.upper()))
             button.setAccessibleName(self.tr("Axis {0}").format(axis.upper()))
             button.clicked.connect(lambda _=False: self._axes_chosen())
@@ -68,7 +72,7 @@ class ArtifactPage(QWidget):
             field.setToolTip(self.tr("{0}, as numbered in the file").format(name))
             field.setKeyboardTracking(False)
             field.setAlignment(Qt.AlignmentFlag.AlignCenter)
-            field.setMinimumWidth(72)
+            field.setMinimumWidth(68)
             field.valueChanged.connect(self._edges_chosen)
             edges.addWidget(field, 1)
         edges.insertWidget(1, QLabel("–"))
@@ -137,7 +141,10 @@ class ArtifactPage(QWidget):
         if math.isfinite(a.amplitude_mm):
             length += self.tr(", {0:.1f} mm").format(a.amplitude_mm)
         self.extent.setText(length)
+        # A bar paints itself, and all behind it, at once unless it is kept from it.
+        self.confidence.setUpdatesEnabled(False)
         self.confidence.setValue(round(100 * a.confidence))
+        self.confidence.setUpdatesEnabled(True)
         self.sureness.setText(f"{100 * a.confidence:.0f} %, {self._words(a.confidence)}")
         self.why.setText(a.why or self.tr("No reason was given."))
 
@@ -217,7 +224,7 @@ class Decisions(QWidget):
         )
         grid = QGridLayout(self)
         grid.setContentsMargins(12, 8, 12, 12)
-        grid.setSpacing(8)
+        grid.setSpacing(4)
         for i, button in enumerate((self.accept, self.reject, self.repair)):
             grid.addWidget(button, 0, i)
         grid.addWidget(self.reopen, 1, 0, 1, 3)

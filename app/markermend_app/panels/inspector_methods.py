@@ -2,28 +2,47 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSignalBlocker
-from PySide6.QtWidgets import QButtonGroup, QGridLayout, QRadioButton, QVBoxLayout, QWidget
+from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QComboBox,
+    QGridLayout,
+    QRadioButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from markermend.artifact import Status
 from markermend_app.document import Document
 from markermend_app.panels.inspector_take import heading, plain
 
-KEYS = 9
 # A repair expected to be off by more than a marker is wide is worth a second look.
 DOUBTFUL_MM = 20.0
 
 
 class MethodList(QWidget):
-    """Radio buttons in the registry's order, in two columns; the number on each is its key."""
+    """Radio buttons for the methods that have a key, and one drop-down list of all others."""
 
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._document = document
         self.buttons: dict[str, QRadioButton] = {}
         self._group = QButtonGroup(self)
+        self.more = QComboBox()
+        self.more.setPlaceholderText(self.tr("More methods…"))
+        self.more.setAccessibleName(self.tr("More methods"))
+        self.more.setToolTip(self.tr("Repair methods without a key of their own"))
+        # Long names must not keep the dock wide.
+        self.more.setSizeAdjustPolicy(
+            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
+        self.more.setMinimumContentsLength(8)
+        self.more.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.more.activated.connect(
+            lambda row: document.choose_method(str(self.more.itemData(row)))
+        )
         self._grid = QGridLayout()
-        self._grid.setHorizontalSpacing(8)
+        self._grid.setHorizontalSpacing(4)
         self._grid.setVerticalSpacing(4)
         self.outcome = plain("muted")
         column = QVBoxLayout(self)
@@ -32,6 +51,8 @@ class MethodList(QWidget):
         column.addWidget(heading(self.tr("Repair")))
         column.addWidget(self.outcome)
         column.addLayout(self._grid)
+        column.addSpacing(4)
+        column.addWidget(self.more)
         document.current_changed.connect(self._refresh)
         document.proposal_changed.connect(self._refresh)
 
@@ -41,14 +62,16 @@ class MethodList(QWidget):
 
         tip = self.tr("The method that is expected to err least here")
         self._grid.addWidget(self._made("auto", self.tr("Best for this artifact"), tip), 0, 0, 1, 2)
-        half = (len(REPAIRS) + 1) // 2
-        for i, method in enumerate(REPAIRS.values()):
-            label, tip = method.label, method.summary
-            if i < KEYS:
-                label = f"{i + 1}  {label}"
-                tip = self.tr("{0} (key {1})").format(tip, i + 1)
-            button = self._made(method.name, label, tip)
+        keyed = [method for method in REPAIRS.values() if method.key is not None]
+        half = (len(keyed) + 1) // 2
+        for i, method in enumerate(keyed):
+            tip = self.tr("{0} (key {1})").format(method.summary, method.key)
+            button = self._made(method.name, f"{method.key} {method.label}", tip)
             self._grid.addWidget(button, 1 + i % half, i // half)
+        others = (method for method in REPAIRS.values() if method.key is None)
+        for row, method in enumerate(sorted(others, key=lambda m: m.label.lower())):
+            self.more.addItem(method.label, method.name)
+            self.more.setItemData(row, method.summary, Qt.ItemDataRole.ToolTipRole)
 
     def _made(self, name: str, label: str, tip: str) -> QRadioButton:
         """Make the button of a method."""
@@ -69,10 +92,16 @@ class MethodList(QWidget):
         if not self.buttons:
             self._fill()
         offered = a.status is not Status.REPAIRED and self._document.editable
+        chosen = self._document.method
+        # An exclusive group keeps one checked, but none is while one of the list is chosen.
+        self._group.setExclusive(False)
         for name, button in self.buttons.items():
             button.setEnabled(offered)
             with QSignalBlocker(button):
-                button.setChecked(name == self._document.method)
+                button.setChecked(name == chosen)
+        self._group.setExclusive(True)
+        self.more.setEnabled(offered)
+        self.more.setCurrentIndex(self.more.findData(chosen))
         self.outcome.setText(self._promise())
         proposal = self._document.proposal
         doubtful = offered and proposal is not None and (proposal.error_mm or 0.0) > DOUBTFUL_MM

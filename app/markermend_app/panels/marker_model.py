@@ -155,7 +155,7 @@ class MarkerModel(QAbstractItemModel):
         for a in artifacts:
             if a.status is Status.PENDING:
                 counts.setdefault(a.marker, Counter())[a.kind] += 1
-        before = {id(row): row.counts for row in _walk(self._root)}
+        before = {id(row): dict(row.counts) for row in _walk(self._root)}
         for row in _walk(self._root):
             row.counts = Counter()
         for label, count in counts.items():
@@ -163,7 +163,7 @@ class MarkerModel(QAbstractItemModel):
             while node is not None:
                 node.counts.update(count)
                 node = node.parent
-        self._announce(OPEN, (r for r in _walk(self._root) if r.counts != before[id(r)]))
+        self._announce(OPEN, (r for r in _walk(self._root) if dict(r.counts) != before[id(r)]))
 
     def set_missing(self, take: Take, labels: Iterable[str]) -> None:
         """Work out the share of frames without these markers."""
