@@ -435,3 +435,17 @@ def test_long_takes_pan_quickly(make):
         spent.append(time.perf_counter() - began)
     # Measured at 20 ms; the bound leaves room for busy machines.
     assert float(np.median(spent)) < 0.25
+
+
+def test_curves_are_used_again_and_keep_nothing_of_the_marker_before(bench):
+    row, take = bench.panel.rows[0], bench.document.session.take
+    names = take.labels[:5]
+    bench.document.show(names)
+    bench.document.show(names[2:4])
+    first = row.traces[names[2]].measured
+    bench.document.show(names[4:])
+    assert row.traces[names[4]].measured is first
+    wanted = take.positions[:, take.index(names[4]), 0]
+    np.testing.assert_array_equal(first.yData, wanted)
+    drawn = [i for i in row.plot.listDataItems() if i.xData is not None and len(i.xData) > 1]
+    assert drawn == [first]
