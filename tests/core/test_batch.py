@@ -139,7 +139,8 @@ def test_killed_parent_is_resumed(
     (out / "takes" / ".markermend-0.part").write_bytes(b"half")
     heard = Heard()
     result = run_batch(find_takes([shoot]), out, RECIPE, jobs=1, resume=True, listener=heard)
-    assert result.skipped == 1
+    # The worker outlives its parent for a moment and may finish the take it was at.
+    assert result.skipped in (1, 2)
     assert contents(out) == contents(undisturbed[0])
 
 
