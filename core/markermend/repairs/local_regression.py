@@ -105,9 +105,11 @@ def repair_local_regression(evidence: Evidence, artifact: Artifact, params: Any)
 
 def _too_few_references(artifact: Artifact, count: int) -> str:
     """Why the body cannot tell where the marker was."""
+    seen = ("No other marker", "Only one other marker")[count] if count < 2 else "Only two others"
+    verb = "are" if count == 2 else "is"
     return (
-        f"Only {count} other markers of the body are seen all through the interval of "
-        f"{artifact.marker}; 3 are needed."
+        f"{seen} of the body {verb} seen all through the interval of {artifact.marker}; "
+        "three are needed."
     )
 
 
