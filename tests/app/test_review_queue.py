@@ -13,7 +13,7 @@ from markermend.mesh import Mesh
 from markermend.session_file import open_session
 from markermend.take import Take
 from markermend_app.document import Document
-from markermend_app.panels.queue_model import FRAMES, KIND, MARKER, REPAIR, STATUS
+from markermend_app.panels.queue_model import FRAMES, KIND, MARKER, REPAIR, STATUS, badness
 from markermend_app.panels.review_queue import ReviewQueue
 
 
@@ -219,3 +219,14 @@ def test_two_thousand_artifacts_stay_quick_and_keep_their_place(tmp_path, qtbot)
     assert len(document.queue) == 1999
     document.open(None, None)
     document.proposals.close()
+
+
+def test_gaps_at_the_ends_of_a_take_come_last():
+    inside = Artifact("A", "xyz", 50, 60, Kind.GAP)
+    leading, trailing = (
+        Artifact("A", "xyz", 0, 50, Kind.GAP),
+        Artifact("A", "xyz", 60, 400, Kind.GAP),
+    )
+    peak = Artifact("A", "x", 70, 71, Kind.PEAK, 0.9, 2.0)
+    order = sorted([leading, inside, trailing, peak], key=lambda a: -badness(a, 100.0, 400))
+    assert order[:2] == [inside, peak]

@@ -60,11 +60,16 @@ class Wanted:
         )
 
 
-def badness(a: Artifact, rate: float) -> float:
-    """How much an artifact is worth looking at: its size in mm times how sure we are."""
+def badness(a: Artifact, rate: float, frames: int) -> float:
+    """How much an artifact is worth looking at: its size in mm times how sure we are.
+
+    Where a take begins or ends without a marker it was mostly not in view yet or any more, and
+    little can be done: such gaps come last.
+    """
     size = a.amplitude_mm
     if not math.isfinite(size):
-        size = GAP_MM_PER_S * a.length / rate
+        at_edge = a.start == 0 or a.stop == frames
+        size = 0.0 if at_edge else GAP_MM_PER_S * a.length / rate
     return a.confidence * size
 
 
@@ -88,7 +93,7 @@ class QueueModel(QAbstractTableModel):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.rows: list[Artifact] = []
-        self.rate = 100.0
+        self.rate, self.frames = 100.0, 0
         self.first_frame = 1
         self._all: tuple[Artifact, ...] = ()
         self._notes: Mapping[str, RepairNote] = {}
@@ -127,6 +132,7 @@ class QueueModel(QAbstractTableModel):
         self._all, self._notes = artifacts, notes
         if take is not None and take is not self._take:
             self.rate, self.first_frame = take.rate, take.first_frame
+            self.frames = take.frames
             self._names = short_names(take.labels)
         self._take = take
         self._arrange()
@@ -171,7 +177,7 @@ class QueueModel(QAbstractTableModel):
             return (note.method, note.error_mm or 0.0) if note else ("", 0.0)
 
         return {
-            STATUS: lambda a: (_ORDER[a.status], -badness(a, self.rate)),
+            STATUS: lambda a: (_ORDER[a.status], -badness(a, self.rate, self.frames)),
             KIND: lambda a: (kinds[a.kind], a.start),
             MARKER: lambda a: (a.marker.lower(), a.start),
             AXES: lambda a: (len(a.axes), a.axes, a.start),
