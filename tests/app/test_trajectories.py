@@ -114,7 +114,7 @@ def make(qtbot, tmp_path):
     yield build
     for panel, document in made:
         document.open(None, None)
-        panel.close_workers()
+        panel.predictions.close()
         document.proposals.close()
 
 

@@ -364,3 +364,11 @@ def test_contaminated_real_takes(shared_data: Path, name: str) -> None:
     assert share[Kind.STEP] >= 0.75
     assert share[Kind.PEAK] >= 0.3
     assert alarms <= 15
+
+
+@pytest.mark.parametrize("method", ["joint", "paper"])
+@pytest.mark.parametrize("shape", [(0, 3, 3), (1, 3, 3), (5, 0, 3), (2, 1, 3)])
+def test_hardly_any_take_has_no_artifacts(method, shape):
+    apart = 100.0 * np.arange(shape[1])[None, :, None]
+    take = Take(np.zeros(shape) + apart, tuple("ABC"[: shape[1]]), 100.0)
+    assert detect(take, method=method) == ()

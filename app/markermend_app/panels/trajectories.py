@@ -125,10 +125,6 @@ class TrajectoryPanel(QWidget):
         for row in self.rows:
             row.set_before(before)
 
-    def close_workers(self) -> None:
-        """End the thread that predicts."""
-        self.predictions.close()
-
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Esc forgets the swept range."""
         if event.key() == Qt.Key.Key_Escape and self.document.selection is not None:

@@ -54,6 +54,8 @@ def detect(
             f"Detection method “{detector.name}” takes {detector.params.__name__}, "
             f"not {type(chosen).__name__}."
         )
+    if take.frames == 0:
+        return ()
     report = progress or quiet
     report(0.0, "gaps")
     with threadpool_limits(1):
