@@ -10,6 +10,7 @@ import markermend
 from markermend.cli.bench_parser import add_experiments
 from markermend.cli.smooth_parser import SUMMARY as SMOOTH
 from markermend.cli.smooth_parser import add_smoothing
+from markermend.cli.train_parser import add_training
 
 ABOUT = """\
 Find, name and repair damaged intervals in optical motion capture takes.
@@ -39,6 +40,7 @@ COMMANDS = {
     "batch": "clean many takes alike, in several processes",
     "simulate": "make a take of a synthetic performer, damaged, with the truth",
     "bench": "rerun an experiment and print its table",
+    "train": "learn one of Markermend's own models anew",
 }
 
 
@@ -82,6 +84,7 @@ def make_parser() -> argparse.ArgumentParser:
         "batch": _add_batch,
         "simulate": _add_simulate,
         "bench": add_experiments,
+        "train": add_training,
     }
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
     for name, summary in COMMANDS.items():

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -17,7 +18,7 @@ from markermend.detectors.joint.neighbours import nearest_markers
 from markermend.detectors.joint.sudden import Sudden, find_sudden
 from markermend.errors import DataError
 from markermend.progress import Progress, quiet
-from markermend.simulation import contaminate
+from markermend.simulation import contaminate, simulate_clean
 from markermend.take import Take, is_unlabelled
 
 AMPLITUDES_MM = (2.0, 5.0, 10.0, 30.0)
@@ -27,6 +28,40 @@ RARER = 3.0
 far fewer. Odds are divided by this."""
 LONGEST_PEAK_S = 0.05
 KINDS = (Kind.PEAK, Kind.NOISE, Kind.STEP)
+RATES_HZ = (60.0, 100.0, 120.0, 200.0, 240.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Examples:
+    """Flags of one class on contaminated copies of one take.
+
+    Attributes
+    ----------
+    measured : (n, features) see :func:`markermend.detectors.joint.confidence.features`
+    real : (n,) bool, at least half of the flag is damage
+    """
+
+    measured: FloatArray
+    real: BoolArray
+
+
+def performers(count: int, seed: int) -> list[Take]:
+    """Simulate undamaged performers of all sizes, recorded at 60 to 240 Hz for 20 s each.
+
+    Parameters
+    ----------
+    count : how many
+    seed : same seed, same performers
+    """
+    return [
+        simulate_clean(
+            duration_s=20.0,
+            rate=RATES_HZ[i % len(RATES_HZ)],
+            height_m=1.1 + 0.17 * (i % 6),
+            seed=seed + i,
+        )
+        for i in range(count)
+    ]
 
 
 def train_sudden(
@@ -36,38 +71,58 @@ def train_sudden(
     seed: int = 0,
     progress: Progress | None = None,
 ) -> dict[Kind, Curve]:
-    """Learn one logistic curve a class.
+    """Learn one logistic curve a class; :func:`collect` and :func:`fit_curves` in one."""
+    return fit_curves(collect(takes, rounds=rounds, seed=seed, progress=progress))
+
+
+def collect(
+    takes: Sequence[tuple[Take, Sequence[Artifact]]],
+    *,
+    rounds: int = 4,
+    seed: int = 0,
+    progress: Progress | None = None,
+) -> list[dict[Kind, Examples]]:
+    """Contaminate takes and find out which flags are real.
 
     Parameters
     ----------
     takes : clean recordings, each with what is damaged in it already; that is left out
     rounds : contaminations of each take and amplitude (2 to 30 mm)
-    seed : same takes and seed, same curves
+    seed : same takes and seed, same examples
     progress : told the share done; may raise ``Cancelled``
 
     Returns
     -------
-    Curves by class. A flag counts as real when half of it is damage. Every take counts alike,
-    however many flags it has.
+    Examples by class, for each take
+    """
+    report = progress or quiet
+    collected = []
+    with threadpool_limits(1):
+        for i, (take, flaws) in enumerate(takes):
+            report(i / len(takes), "contaminating")
+            parts = _examples(take, flaws, rounds, seed + 1000 * i)
+            found = [s for some, _ in parts for s in some]
+            measured, real = features(found), np.concatenate([hit for _, hit in parts])
+            kinds = np.array([s.kind.value for s in found])
+            collected.append(
+                {k: Examples(measured[kinds == k.value], real[kinds == k.value]) for k in KINDS}
+            )
+    return collected
+
+
+def fit_curves(takes: Sequence[Mapping[Kind, Examples]]) -> dict[Kind, Curve]:
+    """Fit one curve a class to the examples of several takes.
 
     Raises
     ------
     DataError
         when no false flag, or no real one, of a class turned up to learn from
     """
-    report = progress or quiet
-    measured: dict[Kind, list[FloatArray]] = {kind: [] for kind in KINDS}
-    real: dict[Kind, list[BoolArray]] = {kind: [] for kind in KINDS}
-    with threadpool_limits(1):
-        for i, (take, flaws) in enumerate(takes):
-            report(i / len(takes), "contaminating")
-            for found, hit in _examples(take, flaws, rounds, seed + 1000 * i):
-                for kind in KINDS:
-                    of_kind = np.array([s.kind is kind for s in found], dtype=bool)
-                    measured[kind].append(features(found)[of_kind])
-                    real[kind].append(hit[of_kind])
     return {
-        kind: fit_curve(np.concatenate(measured[kind]), np.concatenate(real[kind]))
+        kind: fit_curve(
+            np.concatenate([take[kind].measured for take in takes]),
+            np.concatenate([take[kind].real for take in takes]),
+        )
         for kind in KINDS
     }
 

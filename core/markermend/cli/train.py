@@ -1,0 +1,56 @@
+"""``markermend train MODEL …``: learn a model that ships with Markermend anew."""
+
+from __future__ import annotations
+
+import argparse
+
+from markermend.cli.bench_takes import clean_takes
+from markermend.cli.console import Bar, check_outputs, say, table, write_json
+
+
+def run(options: argparse.Namespace) -> int:
+    """Train the model that was named."""
+    return RUN[str(options.model)](options)
+
+
+def _run_sudden(options: argparse.Namespace) -> int:
+    """Learn the curves of the sudden classes, and show how they hold on takes left out."""
+    from markermend.detectors.joint.left_out import leave_one_out
+    from markermend.detectors.joint.training import as_json, collect, fit_curves, performers
+    from markermend.errors import MethodError
+
+    check_outputs([options.output], source=None, force=options.force)
+    if options.rounds < 1 or len(options.takes) + options.performers < 1:
+        raise MethodError("Training needs at least one round and one take or performer.")
+    known = clean_takes(options.takes, options.flaws)
+    simulated = performers(options.performers, options.seed)
+    takes = [(c.take, c.flaws) for c in known] + [(take, ()) for take in simulated]
+    names = [c.name for c in known] + [f"performer {i + 1}" for i in range(len(simulated))]
+    with Bar() as bar:
+        examples = collect(takes, rounds=options.rounds, seed=options.seed, progress=bar)
+    write_json(options.output, as_json(fit_curves(examples)))
+    if len(examples) > 1:
+        say("Judged by curves fitted to all other takes:")
+        head = ["Take", "Class", "Flags", "Real", "Calibration error", "Area under curve"]
+        rows = [
+            [
+                names[r.take],
+                r.kind.value,
+                f"{r.flags}",
+                f"{r.real}",
+                *map(_figure, (r.error, r.area)),
+            ]
+            for r in leave_one_out(examples)
+        ]
+        for line in table(head, rows, "llrrrr"):
+            say(line)
+    say(f"Written: {options.output}.")
+    return 0
+
+
+def _figure(value: float) -> str:
+    """Three digits, or a dash where there is nothing to measure."""
+    return "–" if value != value else f"{value:.3f}"
+
+
+RUN = {"sudden": _run_sudden}

@@ -1,0 +1,51 @@
+"""Options of ``markermend train``."""
+
+from __future__ import annotations
+
+import argparse
+
+MODELS = {
+    "sudden": "how sure peaks, heavy noise and steps are: one curve a class",
+}
+"""What can be trained; :mod:`markermend.cli.train` has a function for each."""
+
+
+def add_training(parser: argparse.ArgumentParser) -> None:
+    """Give ``train`` a command for each model."""
+    adders = {"sudden": _add_sudden}
+    names = parser.add_subparsers(dest="model", metavar="MODEL", required=True)
+    for name, summary in MODELS.items():
+        adders[name](
+            names.add_parser(name, help=summary, description=f"{summary[0].upper()}{summary[1:]}.")
+        )
+
+
+def _add_sudden(p: argparse.ArgumentParser) -> None:
+    p.add_argument("takes", metavar="TAKE", nargs="*", help="clean recordings")
+    p.add_argument(
+        "--flaws",
+        metavar="FOLDER",
+        help="what is damaged in TAKE already, as JSON of “detect” named after it; left out",
+    )
+    p.add_argument(
+        "--performers",
+        metavar="N",
+        type=int,
+        default=6,
+        help="simulated performers beside them (default: 6)",
+    )
+    p.add_argument(
+        "--rounds",
+        metavar="N",
+        type=int,
+        default=4,
+        help="contaminations of each take and amplitude (default: 4)",
+    )
+    add_model_output(p)
+
+
+def add_model_output(p: argparse.ArgumentParser) -> None:
+    """Add what every model needs: a seed and a file to write."""
+    p.add_argument("--seed", metavar="N", type=int, default=0, help="same seed, same model")
+    p.add_argument("-o", "--output", metavar="FILE", required=True, help="model to write")
+    p.add_argument("--force", action="store_true", help="overwrite what is there already")
