@@ -26,7 +26,9 @@ if TYPE_CHECKING:
         MethodError,
     )
     from markermend.files import read, write
+    from markermend.files.pose import read_pose
     from markermend.mesh import Mesh, infer_mesh
+    from markermend.poses import Pose
     from markermend.repairs import fill, repair
     from markermend.session import Session
     from markermend.simulation import simulate
@@ -46,6 +48,7 @@ _HOME = {
     "Mesh": "mesh",
     "MethodError": "errors",
     "Origin": "take",
+    "Pose": "poses",
     "Session": "session",
     "Status": "artifact",
     "Take": "take",
@@ -53,6 +56,7 @@ _HOME = {
     "fill": "repairs",
     "infer_mesh": "mesh",
     "read": "files",
+    "read_pose": "files.pose",
     "repair": "repairs",
     "simulate": "simulation",
     "smooth": "smoothers",
@@ -70,6 +74,7 @@ __all__ = [
     "Mesh",
     "MethodError",
     "Origin",
+    "Pose",
     "Session",
     "Status",
     "Take",
@@ -77,6 +82,7 @@ __all__ = [
     "fill",
     "infer_mesh",
     "read",
+    "read_pose",
     "repair",
     "simulate",
     "smooth",

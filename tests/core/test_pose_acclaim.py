@@ -1,0 +1,237 @@
+"""Acclaim skeletons and movements: read, moved, and refused in one sentence when damaged."""
+
+from __future__ import annotations
+
+import math
+import random
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import markermend as mm
+from markermend.errors import FileFormatError
+from markermend.files.amc import read_amc
+from markermend.files.asf import read_asf
+
+ASF = """\
+# a comment
+:version 1.10
+:units
+  mass 1.0
+  length 0.45   // inches
+  angle deg
+:root
+   order TX TY TZ RX RY RZ
+   axis XYZ
+   position 1 0 0
+   orientation 0 0 30
+:bonedata
+  begin
+     id 1
+     name upper
+     direction 0 -2 0
+     length 4
+     axis 10 20 30 XYZ
+     dof rx ry rz
+  end
+  begin
+     id 2
+     name lower   ; the other one
+     direction 1 0 0
+     length 3
+     axis 0 -40 15 ZYX
+     dof rz rx
+  end
+  begin
+     id 3
+     name stump
+     direction 0 0 1
+     length 1
+     axis 0 0 0 XYZ
+  end
+:hierarchy
+  begin
+    root upper stump
+    upper lower
+  end
+"""
+AMC = """\
+#!OML
+:FULLY-SPECIFIED
+:DEGREES
+1
+root 1 2 3 10 20 30
+upper 40 50 60
+lower -20 35
+2
+root 4 5 6 -10 5 90
+upper 1 2 3
+lower 10 20
+"""
+
+
+@pytest.fixture
+def small(tmp_path):
+    (tmp_path / "a.asf").write_text(ASF)
+    (tmp_path / "a_1.amc").write_text(AMC)
+    return tmp_path
+
+
+def turn(axis, degrees):
+    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    i, j = [k for k in range(3) if k != axis]
+    m = np.eye(3)
+    m[i, i] = m[j, j] = c
+    m[i, j], m[j, i] = (-s, s) if axis != 1 else (s, -s)
+    return m
+
+
+def in_order(axes, degrees):
+    m = np.eye(3)
+    for axis, angle in zip(axes, degrees, strict=True):
+        m = turn("xyz".index(axis), angle) @ m
+    return m
+
+
+def test_kinematics_are_those_of_the_paper(small):
+    pose = mm.read_pose(small / "a_1.amc")
+    mm_of = 25.4 / 0.45
+    root_c = in_order("xyz", [0, 0, 30])
+    root = root_c @ in_order("xyz", [10, 20, 30]) @ root_c.T
+    upper_c = in_order("xyz", [10, 20, 30])
+    upper = root @ upper_c @ in_order("xyz", [40, 50, 60]) @ upper_c.T
+    lower_c = in_order("zyx", [0, -40, 15])
+    lower = upper @ lower_c @ in_order("zx", [-20, 35]) @ lower_c.T
+    start = np.array([2.0, 2, 3]) * mm_of
+    knee = start + upper @ [0, -4 * mm_of, 0]
+    at = dict(zip(pose.joints, pose.positions[0], strict=True))
+    assert pose.joints == ("root", "upper", "stump", "lower")
+    assert pose.parents == (-1, 0, 0, 1)
+    assert_allclose(at["root"], start)
+    assert_allclose(at["upper"], knee)
+    assert_allclose(at["lower"], knee + lower @ [3 * mm_of, 0, 0])
+    assert_allclose(at["stump"], start + root @ [0, 0, mm_of])
+    x, y, z, w = pose.rotations[0, 3]
+    assert_allclose([1 - 2 * (y * y + z * z), 2 * (x * y + z * w)], lower[:2, 0], atol=1e-12)
+
+
+def test_radians_rate_and_scale(small):
+    degrees = mm.read_pose(small / "a_1.amc")
+    words = [line.split() for line in AMC.splitlines()]
+    lines = [":FULLY-SPECIFIED", ":RADIANS", ":SAMPLES-PER-SECOND 60"]
+    for first, *rest in words[3:]:
+        turns = rest if first != "root" else rest[3:]
+        kept = [] if first != "root" else rest[:3]
+        lines.append(" ".join([first, *kept, *(repr(math.radians(float(v))) for v in turns)]))
+    (small / "r.amc").write_text("\n".join(lines))
+    radians = mm.read_pose(small / "r.amc", skeleton=small / "a.asf")
+    assert radians.rate == 60
+    assert radians.warnings == ()
+    assert degrees.rate == 120
+    assert_allclose(radians.positions, degrees.positions, atol=1e-9)
+    (small / "a.asf").write_text(ASF.replace("length 0.45", "length 0.9"))
+    assert_allclose(mm.read_pose(small / "a_1.amc").positions, degrees.positions / 2)
+
+
+def test_segments_left_out(small):
+    (small / "a_2.amc").write_text(AMC.replace("lower -20 35\n", "").replace("lower 10 20\n", ""))
+    never = mm.read_pose(small / "a_2.amc")
+    assert never.seen.all()
+    assert any("lower" in sentence for sentence in never.warnings)
+    (small / "a_3.amc").write_text(AMC.replace("upper 40 50 60\n", "extra 1\n") + "# the end\n")
+    once = mm.read_pose(small / "a_3.amc")
+    assert once.seen.tolist() == [[True, False, True, False], [True] * 4]
+    assert not once.turned[0, 0], "nobody knows how the root of an unseen segment is turned"
+    assert any("extra" in sentence for sentence in once.warnings)
+
+
+def test_the_same_poses_however_they_are_written(small):
+    alike = mm.read_pose(small / "a_1.amc")
+    (small / "a_4.amc").write_text(AMC.replace("lower -20 35", "lower -20 35 # bent"))
+    assert_allclose(mm.read_pose(small / "a_4.amc").positions, alike.positions)
+    (small / "a_5.amc").write_bytes(AMC.replace("\n", "\r\n").encode())
+    assert_allclose(mm.read_pose(small / "a_5.amc").positions, alike.positions)
+
+
+def test_cut_short_keeps_the_whole_poses(small):
+    (small / "a_6.amc").write_text(AMC[:-4])
+    pose = mm.read_pose(small / "a_6.amc")
+    assert pose.frames == 1
+    assert any("cut short" in sentence for sentence in pose.warnings)
+
+
+@pytest.mark.parametrize(
+    ("asf", "amc", "says"),
+    [
+        (ASF, AMC.replace("upper 40 50 60", "upper 40 fifty 60"), "line 6"),
+        (ASF, AMC.replace("upper 40 50 60", "upper 40 50"), "line 6"),
+        (ASF, AMC.replace("upper 40 50 60", "upper 40 50 nan"), "line 6"),
+        (ASF, ":DEGREES\n", "cut short"),
+        (ASF, "1\nnobody 3\n", "no pose"),
+        (ASF.replace("     length 4\n", ""), AMC, "upper"),
+        (ASF.replace("dof rz rx", "dof rz rq"), AMC, "rq"),
+        (ASF.replace("ZYX", "ZYY"), AMC, "ZYY"),
+        (ASF.replace("upper lower", "lower lower"), AMC, "lower"),
+        (ASF.replace("upper lower", "upper lower nobody"), AMC, "nobody"),
+        (ASF.replace("root upper stump", "root upper lower"), AMC, "lower"),
+        (ASF.partition(":bonedata")[0], AMC, ":bonedata"),
+        (ASF[: ASF.index("name stump")], AMC, "no end"),
+        (ASF.replace("length 0.45", "length 0"), AMC, "unit of length"),
+        ("", AMC, ":root"),
+    ],
+)
+def test_damage_is_one_sentence(tmp_path, asf, amc, says):
+    (tmp_path / "a.asf").write_text(asf)
+    (tmp_path / "a_1.amc").write_text(amc)
+    with pytest.raises(FileFormatError, match=says) as raised:
+        mm.read_pose(tmp_path / "a_1.amc")
+    assert "a_1.amc" in str(raised.value) or "a.asf" in str(raised.value)
+    assert "\n" not in str(raised.value)
+
+
+def test_skeleton_that_is_not_there(tmp_path):
+    (tmp_path / "a_1.amc").write_text(AMC)
+    with pytest.raises(FileFormatError, match=r"a\.asf"):
+        mm.read_pose(tmp_path / "a_1.amc")
+    with pytest.raises(FileFormatError, match="cannot be opened"):
+        mm.read_pose(tmp_path / "a_1.amc", skeleton=tmp_path / "b.asf")
+
+
+def test_mangled_files_never_fail_otherwise(tmp_path):
+    draw = random.Random(0)
+    for _ in range(300):
+        texts = [ASF, AMC]
+        which = draw.randrange(2)
+        text = list(texts[which])
+        for _ in range(draw.randrange(1, 6)):
+            at = draw.randrange(len(text))
+            text[at : at + draw.randrange(4)] = draw.choice(["", "x", "\n", "9e99", " ", "-", ":"])
+        texts[which] = "".join(text)
+        (tmp_path / "a.asf").write_text(texts[0])
+        (tmp_path / "a_1.amc").write_text(texts[1])
+        try:
+            pose = mm.read_pose(tmp_path / "a_1.amc")
+        except FileFormatError:
+            continue
+        assert pose.frames > 0
+
+
+def test_real_recordings(shared_data):
+    folder = shared_data / "poses"
+    frames = 0
+    for path in sorted(folder.glob("*.amc")):
+        movement, _, warnings = read_amc(path, read_asf(folder / f"{path.stem[:2]}.asf"))
+        frames += movement.frames
+        assert warnings == []
+    assert frames == 50_519
+    pose = mm.read_pose(folder / "02_01.amc")
+    assert len(pose.joints) == 31
+    for joint, parent in enumerate(pose.parents):
+        if parent >= 0:
+            length = np.linalg.norm(pose.positions[:, joint] - pose.positions[:, parent], axis=1)
+            assert np.ptp(length) < 1e-12
+    head = pose.positions[:, pose.index("head"), 1]
+    foot = pose.positions[:, pose.index("lfoot"), 1]
+    assert 1300 < (head - foot).max() < 1900
+    assert mm.read_pose(folder / "02.asf").frames == 1
