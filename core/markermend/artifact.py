@@ -78,6 +78,14 @@ class Artifact:
             key = f"{self.marker}|{self.axes}|{self.start}|{self.stop}|{self.kind}"
             object.__setattr__(self, "id", hashlib.sha1(key.encode()).hexdigest()[:12])
 
+    def __repr__(self) -> str:
+        size = "" if math.isnan(self.amplitude_mm) else f", {self.amplitude_mm:.1f} mm"
+        other = f" with {self.counterpart}" if self.counterpart else ""
+        return (
+            f"<{self.kind} {self.marker}.{self.axes}{other} [{self.start}, {self.stop}){size}, "
+            f"{self.confidence:.0%} sure, {self.status}>"
+        )
+
     @property
     def length(self) -> int:
         """Number of frames."""

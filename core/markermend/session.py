@@ -5,6 +5,7 @@ Pure Python and NumPy: the window only shows it, the command line and scripts dr
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -69,6 +70,11 @@ class Session:
         self._take: tuple[int, Take] | None = None
         self._artifacts: tuple[int, tuple[Artifact, ...]] | None = None
         self._clean_at: Step | None = None
+
+    def __repr__(self) -> str:
+        counts = Counter(a.status for a in self.artifacts)
+        told = ", ".join(f"{counts[s]} {s}" for s in Status if counts[s]) or "no artifacts"
+        return f"<Session of {self.original!r}: {told}, {len(self._done)} steps>"
 
     # What stands now
 

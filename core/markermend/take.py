@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
 from enum import IntEnum
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
 from markermend.arrays import BoolArray, ByteArray, Float32Array, FloatArray
 from markermend.errors import DataError
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
 
 AXES = "xyz"
 
@@ -59,6 +64,10 @@ class Analog:
     units: tuple[str, ...]
     rate: float
 
+    def __repr__(self) -> str:
+        samples, channels = self.values.shape
+        return f"<Analog {channels} channels, {samples} samples at {self.rate:g} Hz>"
+
 
 @dataclass(frozen=True)
 class Points:
@@ -77,6 +86,10 @@ class Points:
     labels: tuple[str, ...]
     kinds: tuple[str, ...]
     columns: tuple[int, ...]
+
+    def __repr__(self) -> str:
+        counts = Counter(self.kinds)
+        return f"<Points {', '.join(f'{n} {kind}' for kind, n in counts.items())}>"
 
 
 @dataclass(frozen=True)
@@ -217,6 +230,37 @@ class Take:
 
     def __contains__(self, label: str) -> bool:
         return label in self._column
+
+    def __repr__(self) -> str:
+        seen = f", {self.present.mean():.1%} seen" if self.present.size else ""
+        name = f"“{self.source.path.name}”: " if self.source else ""
+        return (
+            f"<Take {name}{self.frames} frames at {self.rate:g} Hz ({self.duration_s:.1f} s), "
+            f"{self.markers} markers{seen}>"
+        )
+
+    def to_xarray(
+        self, layout: Literal["movement", "pyomeca"] = "movement"
+    ) -> xarray.Dataset | xarray.DataArray:
+        """Lay the take out as a labelled array; see :func:`markermend.exchange.to_xarray`."""
+        from markermend.exchange import to_xarray
+
+        return to_xarray(self, layout)
+
+    @classmethod
+    def from_xarray(cls, data: xarray.Dataset | xarray.DataArray) -> Take:
+        """Make a take of a labelled array; see :func:`markermend.exchange.from_xarray`."""
+        from markermend.exchange import from_xarray
+
+        return from_xarray(data)
+
+    def to_dataframe(
+        self, layout: Literal["wide", "long", "kineticstoolkit"] = "wide"
+    ) -> pandas.DataFrame:
+        """Lay the take out as a table; see :func:`markermend.exchange.to_dataframe`."""
+        from markermend.exchange import to_dataframe
+
+        return to_dataframe(self, layout)
 
     def subject(self, label: str) -> str:
         """Body a marker belongs to: the part before the colon, or empty."""

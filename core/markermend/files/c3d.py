@@ -111,7 +111,7 @@ def read_head(file: IO[bytes], size: int) -> bytes:
 def name_points(layout: C3dLayout) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Label and kind of every point of a file; an empty kind is a marker."""
     labels, _ = unique_labels(layout.strings("POINT", "LABELS"), layout.points)
-    return labels, kinds_of(layout, labels)
+    return labels, kinds_of(lambda name: layout.strings("POINT", name), labels)
 
 
 @dataclass

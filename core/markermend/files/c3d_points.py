@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
-
-from markermend.files.c3d_layout import C3dLayout
+from collections.abc import Callable, Iterable, Sequence
 
 # Lists of labels in the POINT group, as Vicon's type groups name them.
 LISTS = {
@@ -30,12 +28,13 @@ _BY_NAME = (
 _SEGMENT_POINTS = "OALP"
 
 
-def kinds_of(layout: C3dLayout, labels: Sequence[str]) -> tuple[str, ...]:
+def kinds_of(point_texts: Callable[[str], Sequence[str]], labels: Sequence[str]) -> tuple[str, ...]:
     """Tell markers from other points.
 
     Parameters
     ----------
-    layout : the file
+    point_texts : gives the texts of a parameter of the POINT group by its name, none where the
+        file has no such parameter
     labels : one per point, in the file's order
 
     Returns
@@ -44,11 +43,11 @@ def kinds_of(layout: C3dLayout, labels: Sequence[str]) -> tuple[str, ...]:
     ``"scalar"``, ``"reaction"`` or ``"modelled"``
     """
     lists = dict(LISTS)
-    for name in layout.strings("POINT", "TYPE_GROUPS")[0::2]:
+    for name in point_texts("TYPE_GROUPS")[0::2]:
         lists.setdefault(name.upper(), name.lower().removesuffix("s") or "modelled")
     listed: dict[str, str] = {}
     for name, kind in lists.items():
-        for label in layout.strings("POINT", name):
+        for label in point_texts(name):
             if label:
                 listed.setdefault(label, kind)
     axes = _segment_axes(labels)

@@ -42,6 +42,10 @@ class Mesh:
     groups: tuple[Group, ...]
     links: tuple[tuple[int, int], ...] = ()
 
+    def __repr__(self) -> str:
+        sizes = ", ".join(f"{g.name} ({len(g.markers)})" for g in self.groups)
+        return f"<Mesh of {len(self.labels)} markers in {len(self.groups)} groups: {sizes}>"
+
     @cached_property
     def _group_of(self) -> dict[int, int]:
         return {m: g for g, group in enumerate(self.groups) for m in group.markers}

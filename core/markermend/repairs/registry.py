@@ -59,6 +59,13 @@ class Repair:
     band_mm: FloatArray | None = None
     params: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
 
+    def __repr__(self) -> str:
+        if not self.patches:
+            return f"<Repair by {self.method}: none, {self.reason}>"
+        places = ", ".join(f"{p.marker} [{p.start}, {p.stop})" for p in self.patches)
+        error = "" if self.error_mm is None else f", about {self.error_mm:.2g} mm off"
+        return f"<Repair by {self.method}: {places}{error}>"
+
 
 MethodFunction = Callable[[Evidence, Artifact, Any], Repair]
 
