@@ -96,15 +96,17 @@ class Exporter(QObject):
             return False
         # A copy, so that decisions made while the file is written do not get into it.
         take = session.take.viewing(session.positions.copy(), session.origin.copy())
+        original = session.original
         record = session.repairs_in_words() if choice.record else ()
         revision = session.revision
         written: list[bool] = []
 
         def work(progress: Progress) -> Any:
             from markermend.files import write
+            from markermend.hand import without_emptied
 
             return write(
-                take,
+                without_emptied(take, original),
                 target,
                 overwrite=overwrite,
                 as_float=as_float,

@@ -49,6 +49,7 @@ class Artifact:
     why : the evidence in one sentence
     counterpart : for a swap, the marker that carries the complementary step
     status : what the operator decided
+    note : what the operator wrote about it
     id : stable name; made from marker, axes, interval and kind when empty, kept by edits
 
     Raises
@@ -68,6 +69,7 @@ class Artifact:
     counterpart: str | None = None
     status: Status = Status.PENDING
     id: str = ""
+    note: str = ""
 
     def __post_init__(self) -> None:
         if not self.axes or "".join(a for a in AXES if a in self.axes) != self.axes:

@@ -23,9 +23,10 @@ def to_dict(artifact: Artifact) -> dict[str, Any]:
     Returns
     -------
     dict with the keys ``marker, axes, start, stop, kind, confidence, amplitude_mm, why,
-    counterpart, status, id``
+    counterpart, status, id``, and ``note`` where the operator wrote one
     """
     size = artifact.amplitude_mm
+    written = {"note": artifact.note} if artifact.note else {}
     return {
         "marker": artifact.marker,
         "axes": artifact.axes,
@@ -38,6 +39,7 @@ def to_dict(artifact: Artifact) -> dict[str, Any]:
         "counterpart": artifact.counterpart,
         "status": artifact.status.value,
         "id": artifact.id,
+        **written,
     }
 
 
@@ -72,6 +74,7 @@ def from_dict(values: Mapping[str, Any]) -> Artifact:
             counterpart=None if counterpart is None else str(counterpart),
             status=Status(values.get("status", Status.PENDING)),
             id=str(values.get("id", "")),
+            note=str(values.get("note", "")),
         )
     except (TypeError, ValueError) as error:
         raise DataError(

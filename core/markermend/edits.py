@@ -10,8 +10,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-import numpy as np
-
 from markermend.arrays import ByteArray, FloatArray
 from markermend.artifact import Artifact
 from markermend.errors import DataError
@@ -34,12 +32,22 @@ class RepairNote:
 
 
 class State:
-    """Working copy of a review: samples, artifacts by id, and how they were repaired."""
+    """Working copy of a review: samples, artifacts by id, and how they were repaired.
+
+    Attributes
+    ----------
+    original : the take as it was read, under the names its markers have now
+    positions, origin : the working samples
+    base_positions, base_origin : what a repair that is taken back returns to: the samples as
+        read, until hand work changes them
+    """
 
     def __init__(self, take: Take) -> None:
         self.original = take
         self.positions: FloatArray = take.positions.copy()
         self.origin: ByteArray = take.origin.copy()
+        self.base_positions: FloatArray = take.positions
+        self.base_origin: ByteArray = take.origin
         self.artifacts: dict[str, Artifact] = {}
         self.notes: dict[str, RepairNote] = {}
 
@@ -64,6 +72,37 @@ class SetSamples:
                 )
             raise
         return SetSamples(tuple(reversed(undo)))
+
+
+@dataclass(frozen=True)
+class SetBase:
+    """Write patches into what repairs that are taken back return to: hand work stays."""
+
+    patches: tuple[Patch, ...]
+
+    def apply(self, state: State) -> SetBase:
+        """Write the patches; each names all axes, so that none can fail."""
+        if not state.base_positions.flags.writeable:
+            # A review without hand work does without a second copy of its samples.
+            state.base_positions = state.base_positions.copy()
+            state.base_origin = state.base_origin.copy()
+        undo = [
+            apply_patch(state.base_positions, state.base_origin, state.original.index(p.marker), p)
+            for p in self.patches
+        ]
+        return SetBase(tuple(reversed(undo)))
+
+
+@dataclass(frozen=True)
+class SetNames:
+    """Give markers other names, new by old; artifacts are told of it by an edit of their own."""
+
+    names: Mapping[str, str]
+
+    def apply(self, state: State) -> SetNames:
+        """Rename."""
+        state.original = state.original.renamed(self.names)
+        return SetNames({new: old for old, new in self.names.items()})
 
 
 @dataclass(frozen=True)
@@ -119,7 +158,7 @@ class Group:
         return Group(tuple(reversed(undo)))
 
 
-Edit = SetSamples | SetArtifacts | SetNotes | Group
+Edit = SetSamples | SetBase | SetNames | SetArtifacts | SetNotes | Group
 
 
 @dataclass(frozen=True)
@@ -131,18 +170,20 @@ class Change:
     markers : labels whose samples changed
     start, stop : frames within which they changed; equal when none did
     artifacts : whether any artifact or note changed
+    names : whether markers have other names
     """
 
     markers: tuple[str, ...] = ()
     start: int = 0
     stop: int = 0
     artifacts: bool = False
+    names: bool = False
 
 
 def extent(edit: Edit) -> Change:
     """Work out what an edit touches."""
     patches: list[Patch] = []
-    artifacts = False
+    artifacts = names = False
     queue: list[Edit] = [edit]
     while queue:
         item = queue.pop()
@@ -150,15 +191,18 @@ def extent(edit: Edit) -> Change:
             queue.extend(item.edits)
         elif isinstance(item, SetSamples):
             patches.extend(item.patches)
-        else:
+        elif isinstance(item, SetNames):
+            names = names or bool(item.names)
+        elif isinstance(item, SetArtifacts | SetNotes):
             artifacts = artifacts or bool(item.changes)
     if not patches:
-        return Change(artifacts=artifacts)
+        return Change(artifacts=artifacts, names=names)
     return Change(
         markers=tuple(dict.fromkeys(p.marker for p in patches)),
         start=min(p.start for p in patches),
         stop=max(p.stop for p in patches),
         artifacts=artifacts,
+        names=names,
     )
 
 
@@ -171,22 +215,5 @@ def merged(changes: Iterable[Change]) -> Change:
         start=min((c.start for c in moved), default=0),
         stop=max((c.stop for c in moved), default=0),
         artifacts=any(c.artifacts for c in known),
+        names=any(c.names for c in known),
     )
-
-
-def restoring(state: State, marker: str, axes: str, start: int, stop: int) -> Patch:
-    """Patch that puts the samples of the source back."""
-    column = state.original.index(marker)
-    measured = state.original.positions[start:stop, column]
-    # Where the working copy gained or lost whole samples, one axis cannot go back alone.
-    if (np.isnan(measured[:, 0]) != np.isnan(state.positions[start:stop, column, 0])).any():
-        axes = "xyz"
-    values = measured[:, ["xyz".index(a) for a in axes]].copy()
-    others = [i for i, a in enumerate("xyz") if a not in axes]
-    untouched = state.positions[start:stop, column][:, others] == measured[:, others]
-    origin = np.where(
-        untouched.all(axis=1),
-        state.original.origin[start:stop, column],
-        state.origin[start:stop, column],
-    )
-    return Patch(marker, axes, start, stop, values, origin.astype(np.uint8))

@@ -7,12 +7,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
-import numpy as np
-
-from markermend.arrays import ByteArray, FloatArray, runs
+from markermend.arrays import ByteArray, FloatArray
 from markermend.artifact import Artifact, Kind, Status, in_order, repair_in_words
 from markermend.edits import (
     Change,
@@ -20,28 +18,23 @@ from markermend.edits import (
     Group,
     RepairNote,
     SetArtifacts,
+    SetBase,
+    SetNames,
     SetNotes,
     SetSamples,
     State,
     extent,
     merged,
-    restoring,
 )
 from markermend.errors import DataError
+from markermend.pace import Pace, Stopwatch, pace_of
+from markermend.restoring import taking_back
+from markermend.step import Step, decides, parts, same_finding, touched_by_hand
 from markermend.take import Take
 
 if TYPE_CHECKING:
     # The repair methods bring SciPy along; a review can be opened without it.
     from markermend.repairs.registry import Repair
-
-
-@dataclass(frozen=True)
-class Step:
-    """One entry of the history: what it is called, what it does and what takes it back."""
-
-    label: str
-    edit: Edit
-    inverse: Edit
 
 
 class Session:
@@ -53,7 +46,7 @@ class Session:
 
     Attributes
     ----------
-    original : the take as it was opened
+    stopwatch : measures the operator's time; told by whoever sees what the operator does
     revision : grows with every change, also by undo and redo; what was computed at one revision
         may be applied only while it is unchanged
     on_step : called after each change with ``("do", step)``, ``("undo", step)`` or
@@ -61,8 +54,8 @@ class Session:
     """
 
     def __init__(self, take: Take) -> None:
-        self.original = take
         self.revision = 0
+        self.stopwatch = Stopwatch()
         self.on_step: Callable[[str, Step], None] | None = None
         self._state = State(take)
         self._done: list[Step] = []
@@ -77,6 +70,16 @@ class Session:
         return f"<Session of {self.original!r}: {told}, {len(self._done)} steps>"
 
     # What stands now
+
+    @property
+    def original(self) -> Take:
+        """The take as it was read, under the names its markers have now."""
+        return self._state.original
+
+    @property
+    def state(self) -> State:
+        """What edits apply to; to be read, not written."""
+        return self._state
 
     @property
     def take(self) -> Take:
@@ -132,12 +135,22 @@ class Session:
         return tuple(a for a in self.artifacts if a.status in statuses)
 
     def repairs_in_words(self) -> tuple[str, ...]:
-        """Say what was repaired and how, one line each, for the record in an exported file."""
-        return tuple(
+        """Say what was repaired and how, one line each, for the record in an exported file.
+
+        Work by hand on samples and names follows, in the words of the history.
+        """
+        repaired = (
             repair_in_words(self.original, a, note.method if note else "")
             for a in self.with_status(Status.REPAIRED)
             for note in [self._state.notes.get(a.id)]
         )
+        by_hand = (s.label for s in self._done if parts(s.edit, SetBase, SetNames))
+        return (*repaired, *by_hand)
+
+    @property
+    def pace(self) -> Pace:
+        """How many artifacts are decided, and in how much time."""
+        return pace_of(self.artifacts, self.stopwatch.spent_s)
 
     # Decisions
 
@@ -148,7 +161,7 @@ class Session:
         stays, and a new flag that one of these of the same marker and kind already covers by
         half is left out.
         """
-        touched = _touched_by_hand(self._done)
+        touched = touched_by_hand(self._done)
         staying: dict[str, list[Artifact]] = {}
         changes: dict[str, Artifact | None] = {}
         for artifact in self.artifacts:
@@ -159,7 +172,7 @@ class Session:
         for artifact in found:
             if artifact.id in self._state.artifacts and artifact.id not in changes:
                 continue
-            if not any(_same_finding(artifact, d) for d in staying.get(artifact.marker, ())):
+            if not any(same_finding(artifact, d) for d in staying.get(artifact.marker, ())):
                 changes[artifact.id] = artifact
         return self.perform(f"Detect ({method})", SetArtifacts(changes))
 
@@ -167,10 +180,8 @@ class Session:
         """Accept, reject or reopen; reopening or rejecting a repaired one restores its samples."""
         chosen = [self.artifact(i) for i in ids]
         edits: list[Edit] = []
-        repaired = [a for a in chosen if a.status is Status.REPAIRED]
-        if repaired and status is not Status.REPAIRED:
-            edits.append(self._restore(repaired))
-            edits.append(SetNotes({a.id: None for a in repaired}))
+        if status is not Status.REPAIRED:
+            edits.extend(taking_back(self._state, chosen))
         edits.append(SetArtifacts({a.id: a.with_status(status) for a in chosen}))
         verb = {
             Status.ACCEPTED: "Accept",
@@ -178,7 +189,7 @@ class Session:
             Status.PENDING: "Reopen",
             Status.REPAIRED: "Mark as repaired",
         }[status]
-        return self.perform(f"{verb} {_describe(chosen)}", Group(tuple(edits)))
+        return self.perform(f"{verb} {describe(chosen)}", Group(tuple(edits)))
 
     def repair(self, repairs: Sequence[tuple[str, Repair]], label: str = "") -> Change:
         """Replace samples by proposed repairs, all as one step.
@@ -190,44 +201,44 @@ class Session:
         DataError
             when a proposal has no patches, or leaves the interval or the axes of its artifact
         """
-        edits: list[Edit] = []
         chosen = [self.artifact(i) for i, _ in repairs]
-        repaired = [a for a in chosen if a.status is Status.REPAIRED]
-        if repaired:
-            edits.append(self._restore(repaired))
+        edits: list[Edit] = [*taking_back(self._state, chosen)]
         for artifact, (_, proposal) in zip(chosen, repairs, strict=True):
-            if not proposal.patches:
-                why = proposal.reason or "the method has no answer here"
-                raise DataError(f"The {_describe([artifact])} cannot be repaired: {why}")
-            _check_within(artifact, proposal)
-            edits.append(SetSamples(proposal.patches))
-            note = RepairNote(proposal.method, proposal.error_mm)
-            edits.append(SetNotes({artifact.id: note}))
-            edits.append(SetArtifacts({artifact.id: artifact.with_status(Status.REPAIRED)}))
-        return self.perform(label or f"Repair {_describe(chosen)}", Group(tuple(edits)))
+            edits.extend(_repairing(artifact, proposal))
+        return self.perform(label or f"Repair {describe(chosen)}", Group(tuple(edits)))
 
-    def mark(self, artifact: Artifact) -> Change:
-        """Add an artifact by hand."""
+    def mark(self, artifact: Artifact, proposal: Repair | None = None) -> Change:
+        """Add an artifact by hand; with a proposal it is repaired by it in the same step."""
         if artifact.marker not in self.original:
             raise DataError(f"The take has no marker called “{artifact.marker}”.")
         if artifact.stop > self.original.frames:
             raise DataError("An artifact cannot reach beyond the last frame.")
-        i = artifact.id
-        while i in self._state.artifacts:
-            i += "+"
-        artifact = replace(artifact, id=i)
-        return self.perform(f"Mark {_describe([artifact])}", SetArtifacts({i: artifact}))
+        artifact = replace(artifact, id=self.free_id(artifact.id))
+        if proposal is None:
+            edit: Edit = SetArtifacts({artifact.id: artifact})
+            return self.perform(f"Mark {describe([artifact])}", edit)
+        edit = Group(_repairing(artifact, proposal))
+        return self.perform(f"Repair {describe([artifact])} by hand", edit)
+
+    def free_id(self, wanted: str) -> str:
+        """An artifact's name that is not in use, the wanted one if it can be."""
+        while wanted in self._state.artifacts:
+            wanted += "+"
+        return wanted
 
     def remove(self, ids: Sequence[str]) -> Change:
         """Take artifacts off the list; samples of repaired ones go back to the source."""
         chosen = [self.artifact(i) for i in ids]
-        repaired = [a for a in chosen if a.status is Status.REPAIRED]
-        edits: list[Edit] = []
-        if repaired:
-            edits.append(self._restore(repaired))
-            edits.append(SetNotes({a.id: None for a in repaired}))
-        edits.append(SetArtifacts(dict.fromkeys(ids)))
-        return self.perform(f"Remove {_describe(chosen)}", Group(tuple(edits)))
+        edits = (*taking_back(self._state, chosen), SetArtifacts(dict.fromkeys(ids)))
+        return self.perform(f"Remove {describe(chosen)}", Group(edits))
+
+    def annotate(self, artifact_id: str, note: str) -> Change:
+        """Write a note on an artifact; an empty one takes it away."""
+        old = self.artifact(artifact_id)
+        new = replace(old, note=note.strip())
+        if new == old:
+            return Change()
+        return self.perform(f"Note on {describe([old])}", SetArtifacts({old.id: new}))
 
     def change(
         self,
@@ -249,14 +260,11 @@ class Session:
         )
         if new == old:
             return Change()
-        edits: list[Edit] = []
         if old.status is Status.REPAIRED:
-            edits.append(self._restore([old]))
-            edits.append(SetNotes({old.id: None}))
             new = new.with_status(Status.PENDING)
-        edits.append(SetArtifacts({old.id: new}))
-        what = f"Call {_describe([old])} {new.kind}" if new.kind != old.kind else ""
-        return self.perform(what or f"Adjust {_describe([old])}", Group(tuple(edits)))
+        edits = (*taking_back(self._state, [old]), SetArtifacts({old.id: new}))
+        what = f"Call {describe([old])} {new.kind}" if new.kind != old.kind else ""
+        return self.perform(what or f"Adjust {describe([old])}", Group(edits))
 
     # History
 
@@ -270,10 +278,14 @@ class Session:
         """Labels of the steps that redo would bring back, next first."""
         return tuple(s.label for s in reversed(self._undone))
 
-    def perform(self, label: str, edit: Edit) -> Change:
-        """Apply an edit as one undoable step."""
+    def perform(self, label: str, edit: Edit, spent_s: float | None = None) -> Change:
+        """Apply an edit as one undoable step; one that was stored knows the time of its making."""
         inverse = edit.apply(self._state)
-        step = Step(label, edit, inverse)
+        if spent_s is None:
+            spent_s = self.stopwatch.touch()
+        else:
+            self.stopwatch.spent_s = max(self.stopwatch.spent_s, spent_s)
+        step = Step(label, edit, inverse, spent_s)
         self._done.append(step)
         self._undone.clear()
         return self._after("do", step)
@@ -309,7 +321,7 @@ class Session:
     def exported(self) -> bool:
         """Whether the samples and decisions as they stand have been exported (or are untouched)."""
         last = self._done[-1] if self._done else None
-        return last is self._clean_at or not any(_decides(s) for s in self._done)
+        return last is self._clean_at or not any(decides(s) for s in self._done)
 
     def mark_exported(self) -> None:
         """Remember that what stands now is in a file."""
@@ -327,62 +339,21 @@ class Session:
             self.on_step(what, step)
         return extent(step.edit)
 
-    def _restore(self, artifacts: Sequence[Artifact]) -> Edit:
-        """Edit that puts the source's samples back, but for those another repair still covers."""
-        leaving = {a.id for a in artifacts}
-        staying: dict[str, list[Artifact]] = {}
-        for a in self.with_status(Status.REPAIRED):
-            if a.id not in leaving:
-                for name in self._repaired_markers(a):
-                    staying.setdefault(name, []).append(a)
-        patches = []
-        for a in artifacts:
-            for name in self._repaired_markers(a):
-                free = np.ones(a.length, dtype=bool)
-                for other in staying.get(name, ()):
-                    if set(other.axes) & set(a.axes):
-                        free[max(0, other.start - a.start) : max(0, other.stop - a.start)] = False
-                for start, stop in runs(free).tolist():
-                    patches.append(
-                        restoring(self._state, name, a.axes, a.start + start, a.start + stop)
-                    )
-        return SetSamples(tuple(patches))
 
-    def _repaired_markers(self, artifact: Artifact) -> tuple[str, ...]:
-        """Markers whose samples a repair of this artifact replaced."""
-        note = self._state.notes.get(artifact.id)
-        if artifact.counterpart and note is not None and note.method == "swap":
-            return (artifact.marker, artifact.counterpart)
-        return (artifact.marker,)
+def _repairing(artifact: Artifact, proposal: Repair) -> tuple[Edit, ...]:
+    """Edits that repair an artifact as proposed."""
+    if not proposal.patches:
+        why = proposal.reason or "the method has no answer here"
+        raise DataError(f"The {describe([artifact])} cannot be repaired: {why}")
+    _check_within(artifact, proposal)
+    return (
+        SetSamples(proposal.patches),
+        SetNotes({artifact.id: RepairNote(proposal.method, proposal.error_mm)}),
+        SetArtifacts({artifact.id: artifact.with_status(Status.REPAIRED)}),
+    )
 
 
-def _decides(step: Step) -> bool:
-    """Whether a step holds an operator's decision, not just a detection run."""
-    return not step.label.startswith("Detect (")
-
-
-def _touched_by_hand(steps: Iterable[Step]) -> set[str]:
-    """Ids of artifacts that the operator marked, changed or decided about in these steps."""
-    queue: list[Edit] = [s.edit for s in steps if _decides(s)]
-    touched: set[str] = set()
-    while queue:
-        item = queue.pop()
-        if isinstance(item, Group):
-            queue.extend(item.edits)
-        elif isinstance(item, SetArtifacts):
-            touched |= set(item.changes)
-    return touched
-
-
-def _same_finding(new: Artifact, decided: Artifact) -> bool:
-    """Whether a decided artifact already covers half of a new flag."""
-    if new.marker != decided.marker or new.kind != decided.kind:
-        return False
-    shared = min(new.stop, decided.stop) - max(new.start, decided.start)
-    return shared * 2 >= new.length
-
-
-def _describe(artifacts: Sequence[Artifact]) -> str:
+def describe(artifacts: Sequence[Artifact]) -> str:
     """Name artifacts in a history label."""
     if len(artifacts) == 1:
         return f"{artifacts[0].kind} on {artifacts[0].marker}"

@@ -22,14 +22,15 @@ from pathlib import Path
 from typing import IO, Any
 
 from markermend.artifact_json import to_dict
-from markermend.edits import Edit, Group, SetArtifacts, SetNotes, SetSamples
 from markermend.errors import DataError, FileFormatError, MarkermendError
-from markermend.session import Session, Step
+from markermend.session import Session
+from markermend.session_carry import carry_over, marker_hashes
 from markermend.session_json import step_from_dict, step_to_dict
 from markermend.session_place import index_entry, journal_path, own_path, session_path
+from markermend.step import Step
 from markermend.take import Take
 
-VERSION = 1
+VERSION = 2
 
 
 def source_hash(take: Take) -> str:
@@ -41,14 +42,6 @@ def source_hash(take: Take) -> str:
         return digest.hexdigest()
     with take.source.path.open("rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
-
-
-def marker_hashes(take: Take) -> dict[str, str]:
-    """Fingerprint of each trajectory and the frame count, to tell which ones a change spared."""
-    return {
-        label: hashlib.sha1(take.positions[:, i].tobytes()).hexdigest()
-        for i, label in enumerate(take.labels)
-    }
 
 
 @dataclass
@@ -203,7 +196,7 @@ def open_session(take: Take, *, folder: Path | None = None) -> SessionFile:
                 where = stored["source"]["path"]
                 result.warning = f"The review made of this take at “{where}” goes on here."
         if stored is not None and stored["source"]["sha256"] != digest:
-            result.warning = _carry_over(session, stored, path)
+            result.warning = carry_over(session, stored, path)
             if handle is not None:
                 os.replace(path, path.with_name(path.name + ".old"))
                 handle.truncate(0)
@@ -277,55 +270,6 @@ def _unreadable(path: Path) -> FileFormatError:
     )
 
 
-def _carry_over(session: Session, document: Mapping[str, Any], path: Path) -> str:
-    """Apply what a review of another version of the take says of trajectories that are the same.
-
-    Returns one sentence that tells what was kept.
-    """
-    now = marker_hashes(session.original)
-    then = document["source"].get("markers", {})
-    same = {label for label in now if then.get(label) == now[label]}
-    for entry in document["done"]:
-        label, edit = step_from_dict(entry)
-        kept = _restricted(edit, same, set(session.notes) | {a.id for a in session.artifacts})
-        if kept is not None:
-            session.perform(label, kept)
-    changed = len(now) - len(same)
-    return (
-        f"The take has changed since it was reviewed: what was decided on the {len(same)} markers "
-        f"that are the same was kept, on {changed} it was not; the old review stays in "
-        f"“{path.name}.old”."
-    )
-
-
-def _restricted(edit: Edit, markers: set[str], known: set[str]) -> Edit | None:
-    """The part of an edit that concerns only these markers, or None when nothing is left."""
-    if isinstance(edit, Group):
-        parts = []
-        for part in edit.edits:
-            kept = _restricted(part, markers, known)
-            if kept is not None:
-                parts.append(kept)
-        return Group(tuple(parts)) if parts else None
-    if isinstance(edit, SetSamples):
-        patches = tuple(p for p in edit.patches if p.marker in markers)
-        # Half a swap would tear two trajectories apart; half of a restoration (it names the
-        # origin of its samples) is right for the markers that are left.
-        whole = len(patches) == len(edit.patches) or all(p.origin is not None for p in patches)
-        return SetSamples(patches) if patches and whole else None
-    if isinstance(edit, SetArtifacts):
-        changes = {
-            i: a
-            for i, a in edit.changes.items()
-            if (a is None and i in known)
-            or (a is not None and {a.marker, a.counterpart or a.marker} <= markers)
-        }
-        known |= set(changes)
-        return SetArtifacts(changes) if changes else None
-    notes = {i: n for i, n in edit.changes.items() if i in known}
-    return SetNotes(notes) if notes else None
-
-
 def _source_path(take: Take) -> str:
     """Where the take lay, or empty."""
     return str(take.source.path) if take.source else ""
@@ -350,8 +294,8 @@ def _replay_document(session: Session, document: Mapping[str, Any]) -> None:
     undone = [step_from_dict(d) for d in document["undone"]]
     for entry in document["done"]:
         session.perform(*step_from_dict(entry))
-    for label, edit in reversed(undone):
-        session.perform(label, edit)
+    for step in reversed(undone):
+        session.perform(*step)
     for _ in undone:
         session.undo()
 

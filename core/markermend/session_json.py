@@ -9,19 +9,28 @@ from typing import Any
 import numpy as np
 
 from markermend.artifact_json import from_dict, to_dict
-from markermend.edits import Edit, Group, RepairNote, SetArtifacts, SetNotes, SetSamples
+from markermend.edits import (
+    Edit,
+    Group,
+    RepairNote,
+    SetArtifacts,
+    SetBase,
+    SetNames,
+    SetNotes,
+    SetSamples,
+)
 from markermend.patch import Patch
-from markermend.session import Step
+from markermend.step import Step
 
 
 def step_to_dict(step: Step) -> dict[str, Any]:
-    """Write a step: its label and its edit; the inverse is found again by replaying."""
-    return {"label": step.label, "edit": _edit_to_dict(step.edit)}
+    """Write a step: its label, edit and time; the inverse is found again by replaying."""
+    return {"label": step.label, "edit": _edit_to_dict(step.edit), "spent_s": step.spent_s}
 
 
-def step_from_dict(entry: Mapping[str, Any]) -> tuple[str, Edit]:
-    """Read a step back as label and edit."""
-    return entry["label"], _edit_from_dict(entry["edit"])
+def step_from_dict(entry: Mapping[str, Any]) -> tuple[str, Edit, float]:
+    """Read a step back as label, edit and the seconds spent on the review so far."""
+    return entry["label"], _edit_from_dict(entry["edit"]), float(entry.get("spent_s", 0.0))
 
 
 def _edit_to_dict(edit: Edit) -> dict[str, Any]:
@@ -29,6 +38,10 @@ def _edit_to_dict(edit: Edit) -> dict[str, Any]:
         return {"group": [_edit_to_dict(e) for e in edit.edits]}
     if isinstance(edit, SetSamples):
         return {"samples": [_patch_to_dict(p) for p in edit.patches]}
+    if isinstance(edit, SetBase):
+        return {"base": [_patch_to_dict(p) for p in edit.patches]}
+    if isinstance(edit, SetNames):
+        return {"names": dict(edit.names)}
     if isinstance(edit, SetArtifacts):
         return {
             "artifacts": {i: None if a is None else to_dict(a) for i, a in edit.changes.items()}
@@ -46,6 +59,10 @@ def _edit_from_dict(entry: Mapping[str, Any]) -> Edit:
         return Group(tuple(_edit_from_dict(e) for e in entry["group"]))
     if "samples" in entry:
         return SetSamples(tuple(_patch_from_dict(p) for p in entry["samples"]))
+    if "base" in entry:
+        return SetBase(tuple(_patch_from_dict(p) for p in entry["base"]))
+    if "names" in entry:
+        return SetNames(entry["names"])
     if "artifacts" in entry:
         return SetArtifacts(
             {i: None if a is None else from_dict(a) for i, a in entry["artifacts"].items()}

@@ -280,6 +280,28 @@ class Take:
         """Return the same recording with other samples; everything else is kept."""
         return replace(self, positions=positions, origin=origin)
 
+    def renamed(self, names: Mapping[str, str]) -> Take:
+        """Return the same recording with other marker names, new by old; it costs nothing.
+
+        Raises
+        ------
+        DataError
+            when there is no such marker, a name is empty, or two points would have the same
+        """
+        for label in names:
+            self.index(label)
+        labels = tuple(names.get(label, label) for label in self.labels)
+        others = self.points.labels if self.points is not None else ()
+        for new in names.values():
+            if not new.strip():
+                raise DataError("A marker needs a name.")
+            if labels.count(new) + others.count(new) > 1:
+                raise DataError(f"There is a “{new}” already; choose another name.")
+        view = object.__new__(type(self))
+        view.__dict__.update(self.__dict__, labels=labels)
+        view.__dict__.pop("_column", None)
+        return view
+
     def viewing(self, positions: FloatArray, origin: ByteArray) -> Take:
         """Return the same recording over other arrays that are known to be valid.
 

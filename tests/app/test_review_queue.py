@@ -10,10 +10,11 @@ from PySide6.QtCore import Qt
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend.mesh import Mesh
+from markermend.priority import badness
 from markermend.session_file import open_session
 from markermend.take import Take
 from markermend_app.document import Document
-from markermend_app.panels.queue_model import FRAMES, KIND, MARKER, REPAIR, STATUS, badness
+from markermend_app.panels.queue_model import FRAMES, KIND, MARKER, REPAIR, STATUS
 from markermend_app.panels.review_queue import ReviewQueue
 
 

@@ -18,6 +18,7 @@ from PySide6.QtCore import (
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend.edits import RepairNote
+from markermend.priority import badness
 from markermend.take import Take
 from markermend_app import theme
 from markermend_app.panels.badge import dot_icon
@@ -28,8 +29,6 @@ STATUS, KIND, MARKER, AXES, FRAMES, TIME, LENGTH, SIZE, CONFIDENCE, REPAIR, WHY 
 COLUMNS = 11
 RIGHT = (FRAMES, TIME, LENGTH, SIZE)
 ARTIFACT = Qt.ItemDataRole.UserRole
-GAP_MM_PER_S = 100.0
-"""What a second without a marker weighs against a deviation in mm, when the worst come first."""
 
 _ORDER = {Status.PENDING: 0, Status.ACCEPTED: 1, Status.REPAIRED: 2, Status.REJECTED: 3}
 STATUS_ICON = {Status.ACCEPTED: "accept", Status.REJECTED: "reject", Status.REPAIRED: "repair"}
@@ -58,19 +57,6 @@ class Wanted:
             and (not self.statuses or a.status in self.statuses)
             and self.text.lower() in name
         )
-
-
-def badness(a: Artifact, rate: float, frames: int) -> float:
-    """How much an artifact is worth looking at: its size in mm times how sure we are.
-
-    Where a take begins or ends without a marker it was mostly not in view yet or any more, and
-    little can be done: such gaps come last.
-    """
-    size = a.amplitude_mm
-    if not math.isfinite(size):
-        at_edge = a.start == 0 or a.stop == frames
-        size = 0.0 if at_edge else GAP_MM_PER_S * a.length / rate
-    return a.confidence * size
 
 
 def describe_length(a: Artifact, rate: float) -> str:

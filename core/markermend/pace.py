@@ -1,0 +1,77 @@
+"""The operator's own measure: artifacts decided, seconds each, minutes a take.
+
+Only time in which the operator does something counts. Who looks at a screen for a while before
+the next key is at work; who has not touched anything for longer than that is not there.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+from markermend.artifact import Artifact, Status
+
+IDLE_AFTER_S = 30.0
+
+
+class Stopwatch:
+    """Time spent on a review.
+
+    Parameters
+    ----------
+    clock : seconds that only grow
+    idle_after_s : a pause longer than this is not counted at all
+
+    Attributes
+    ----------
+    spent_s : seconds of work so far
+    """
+
+    def __init__(
+        self, clock: Callable[[], float] = time.monotonic, idle_after_s: float = IDLE_AFTER_S
+    ) -> None:
+        self.spent_s = 0.0
+        self._clock = clock
+        self._idle_after_s = idle_after_s
+        self._touched: float | None = None
+
+    def touch(self) -> float:
+        """Say that the operator did something now; returns the seconds of work so far."""
+        now = self._clock()
+        if self._touched is not None and now - self._touched <= self._idle_after_s:
+            self.spent_s += now - self._touched
+        self._touched = now
+        return self.spent_s
+
+
+@dataclass(frozen=True)
+class Pace:
+    """How a review goes.
+
+    Attributes
+    ----------
+    decided, total : artifacts
+    spent_s : seconds of work
+    """
+
+    decided: int
+    total: int
+    spent_s: float
+
+    @property
+    def seconds_each(self) -> float | None:
+        """Seconds an artifact, or None while none is decided."""
+        return self.spent_s / self.decided if self.decided else None
+
+    @property
+    def minutes(self) -> float:
+        """Minutes spent on the take."""
+        return self.spent_s / 60.0
+
+
+def pace_of(artifacts: Iterable[Artifact], spent_s: float) -> Pace:
+    """Count what is decided: accepted, rejected or repaired."""
+    known = tuple(artifacts)
+    decided = sum(a.status is not Status.PENDING for a in known)
+    return Pace(decided, len(known), spent_s)

@@ -1,0 +1,181 @@
+"""Work by hand: what it does to samples, artifacts and names, and what an export holds of it."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from reviews import artifact, make_take, proposal, state_of
+
+import markermend as mm
+from markermend import hand
+from markermend.artifact import Kind, Status
+from markermend.errors import DataError
+from markermend.files import read, write
+from markermend.session import Session
+from markermend.session_file import open_session
+from markermend.take import Origin, Take
+
+
+def of(session, marker):
+    return [(a.start, a.stop, a.kind, a.status) for a in session.artifacts if a.marker == marker]
+
+
+def unlabelled_take() -> Take:
+    """C is missing for a while, in which an unlabelled trajectory is seen where it should be."""
+    rng = np.random.default_rng(7)
+    positions = rng.normal(0, 100, (50, 3, 3)).astype(np.float32).astype(np.float64)
+    positions[:15, 2] = positions[25:, 2] = np.nan
+    positions[15:25, 1] = np.nan
+    return Take(positions, ("A", "C", "*3"), 100.0)
+
+
+def test_cutting_opens_a_gap_that_joins_the_one_beside_it():
+    session = Session(make_take())
+    gap = artifact("B", start=10, stop=20, kind=Kind.GAP)
+    inside = artifact("B", start=21, stop=24)
+    session.add_detected([gap, inside], "paper")
+    before = state_of(session)
+    hand.cut(session, "B", 20, 28)
+    assert np.isnan(session.positions[20:28, 1]).all()
+    assert (session.origin[20:28, 1] == Origin.MISSING).all()
+    assert of(session, "B") == [(10, 28, Kind.GAP, Status.PENDING)]
+    assert session.history[-1] == "Cut B in frames 25–32"
+    session.undo()
+    assert state_of(session) == before
+    with pytest.raises(DataError, match="nothing to cut"):
+        hand.cut(session, "B", 12, 15)
+
+
+def test_a_filled_cut_that_is_reopened_is_cut_again():
+    session = Session(make_take())
+    hand.cut(session, "A", 30, 40)
+    (gap,) = session.artifacts
+    session.repair([(gap.id, proposal(gap))])
+    assert (session.origin[30:40, 0] == Origin.FILLED).all()
+    session.set_status([gap.id], Status.PENDING)
+    assert np.isnan(session.positions[30:40, 0]).all()
+    assert (session.origin[30:40, 0] == Origin.MISSING).all()
+
+
+def test_merging_an_unlabelled_trajectory_closes_the_gap_and_the_export_is_without_it(tmp_path):
+    take = unlabelled_take()
+    write(take, tmp_path / "in.c3d")
+    source = read(tmp_path / "in.c3d")
+    session = Session(source)
+    session.add_detected([artifact("C", start=15, stop=25, kind=Kind.GAP)], "paper")
+    hand.merge(session, "*3", "C")
+    assert session.artifacts == ()
+    assert (session.origin[15:25, 1] == Origin.EDITED).all()
+    write(hand.without_emptied(session.take, session.original), tmp_path / "out.c3d")
+    result = mm.read(tmp_path / "out.c3d")
+    assert result.labels == ("A", "C")
+    assert np.array_equal(result.positions[15:25, 1], source.positions[15:25, 2])
+    assert np.array_equal(result.positions[:, 0], source.positions[:, 0])
+    session.undo()
+    assert np.array_equal(session.positions, source.positions, equal_nan=True)
+
+
+def test_what_is_moved_leaves_a_gap_and_never_overwrites():
+    session = Session(make_take())
+    hand.move(session, "A", "B", 10, 20)
+    assert np.array_equal(session.positions[10:20, 1], session.original.positions[10:20, 0])
+    assert of(session, "A") == [(10, 20, Kind.GAP, Status.PENDING)]
+    with pytest.raises(DataError, match="own in 5 of these frames"):
+        hand.move(session, "C", "B", 15, 20)
+    with pytest.raises(DataError, match="nothing to take over"):
+        hand.move(session, "A", "C", 12, 18)
+    with pytest.raises(DataError, match="another marker"):
+        hand.move(session, "A", "A", 0, 5)
+
+
+def test_renaming_takes_artifacts_along_and_comes_out_in_the_export(tmp_path):
+    write(unlabelled_take(), tmp_path / "in.c3d")
+    source = read(tmp_path / "in.c3d")
+    session = Session(source)
+    session.add_detected([artifact("C", start=15, stop=25, kind=Kind.GAP)], "paper")
+    before = state_of(session)
+    hand.rename(session, {"C": "LKNE", "*3": "RKNE"})
+    assert session.original.labels == session.take.labels == ("A", "LKNE", "RKNE")
+    assert session.artifacts[0].marker == "LKNE"
+    hand.cut(session, "LKNE", 0, 3)
+    write(session.take, tmp_path / "out.c3d", record=session.repairs_in_words())
+    result = mm.read(tmp_path / "out.c3d")
+    assert result.labels == ("A", "LKNE", "RKNE")
+    assert np.isnan(result.positions[:3, 1]).all()
+    assert np.array_equal(result.positions[3:], source.positions[3:], equal_nan=True)
+    assert session.repairs_in_words() == (
+        "Rename C to LKNE, *3 to RKNE",
+        "Cut LKNE in frames 1–3",
+    )
+    session.undo()
+    session.undo()
+    assert state_of(session) == before
+
+
+@pytest.mark.parametrize("names", [{"A": "B"}, {"A": " "}, {"Z": "Y"}])
+def test_a_name_that_is_taken_empty_or_unknown_is_refused(names):
+    session = Session(make_take())
+    before = state_of(session)
+    with pytest.raises(DataError):
+        hand.rename(session, names)
+    assert state_of(session) == before
+
+
+def test_two_markers_may_change_names():
+    session = Session(make_take())
+    hand.rename(session, {"A": "B", "B": "A"})
+    assert session.take.labels == ("B", "A", "C")
+    assert session.take.index("A") == 1
+
+
+def test_splitting_and_joining():
+    session = Session(make_take())
+    a = artifact()
+    session.add_detected([a], "paper")
+    session.repair([(a.id, proposal(a))])
+    hand.split(session, a.id, 34)
+    assert of(session, "A") == [
+        (30, 34, Kind.NOISE, Status.PENDING),
+        (34, 40, Kind.NOISE, Status.PENDING),
+    ]
+    assert session.positions.tobytes() == session.original.positions.tobytes()
+    with pytest.raises(DataError, match="inside"):
+        hand.split(session, a.id, 34)
+    hand.join(session, [x.id for x in session.artifacts])
+    assert of(session, "A") == [(30, 40, Kind.NOISE, Status.PENDING)]
+    with pytest.raises(DataError, match="two or more"):
+        hand.join(session, [session.artifacts[0].id])
+
+
+def test_hand_work_names_and_notes_survive_a_crash(tmp_path):
+    kept = open_session(make_take(), folder=tmp_path)
+    session = kept.session
+    hand.cut(session, "A", 5, 9)
+    hand.rename(session, {"A": "HIP"})
+    session.annotate(session.artifacts[0].id, "  look again ")
+    hand.move(session, "B", "HIP", 5, 9)
+    expected = state_of(session)
+    kept._journal.close()
+    again = open_session(make_take(), folder=tmp_path)
+    assert again.recovered == 4
+    assert state_of(again.session) == expected
+    again.session.undo()
+    assert again.session.artifacts[0].note == "look again"
+    again.close()
+
+
+def test_a_take_changed_on_disk_keeps_renamed_markers_that_are_the_same(tmp_path):
+    kept = open_session(make_take(), folder=tmp_path)
+    hand.rename(kept.session, {"A": "HIP", "C": "KNEE"})
+    hand.rename(kept.session, {"HIP": "TOE"})
+    kept.session.mark(artifact("TOE"))
+    kept.save()
+    kept.close()
+    take = make_take()
+    positions = take.positions.copy()
+    positions[0, 2, 0] += 1.0
+    again = open_session(take.with_positions(positions, take.origin), folder=tmp_path)
+    # Both names were given in one step, and one of the two markers is another one now.
+    assert again.session.original.labels == ("A", "B", "C")
+    assert again.session.artifacts == ()
+    again.close()

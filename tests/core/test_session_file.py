@@ -1,0 +1,342 @@
+"""A review on disk: saving, the journal after a crash, the lock, a take that changed."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import textwrap
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from reviews import artifact, drive, make_take, proposal, state_of, verbs
+
+from markermend import session_file
+from markermend.artifact import Artifact, Kind, Status
+from markermend.errors import FileFormatError, MarkermendError
+from markermend.session_file import open_session
+from markermend.take import Take
+
+
+@settings(max_examples=25, deadline=None)
+@given(verbs, st.integers(0, 5), st.booleans())
+def test_a_killed_review_comes_back_whole(tmp_path_factory, script, undos, save_half_way):
+    folder = tmp_path_factory.mktemp("review")
+    kept = open_session(make_take(), folder=folder)
+    for i, step in enumerate(script):
+        drive(kept.session, *step)
+        if save_half_way and i == len(script) // 2:
+            kept.save()
+    for _ in range(undos):
+        kept.session.undo()
+    expected = state_of(kept.session), kept.session.history, kept.session.undone
+    # The process dies here: the lock goes, nothing is saved.
+    kept._journal.close()
+    again = open_session(make_take(), folder=folder)
+    assert (state_of(again.session), again.session.history, again.session.undone) == expected
+    again.close()
+
+
+def test_a_line_cut_short_loses_only_that_step(tmp_path):
+    kept = open_session(make_take(), folder=tmp_path)
+    for a in (artifact(), artifact("C")):
+        kept.session.mark(a)
+    journal = Path(kept._journal.name)
+    kept._journal.close()
+    journal.write_bytes(journal.read_bytes()[:-20])
+    again = open_session(make_take(), folder=tmp_path)
+    assert [a.marker for a in again.session.artifacts] == ["A"]
+    assert again.recovered == 1
+    again.close()
+
+
+def test_saved_review_opens_with_its_history(tmp_path):
+    kept = open_session(make_take(), folder=tmp_path)
+    a = artifact()
+    kept.session.add_detected([a], "paper")
+    kept.session.repair([(a.id, proposal(a))])
+    kept.session.undo()
+    kept.save()
+    kept.close()
+    again = open_session(make_take(), folder=tmp_path)
+    assert again.recovered == 0
+    again.session.redo()
+    assert again.session.artifact(a.id).status is Status.REPAIRED
+    assert again.session.notes[a.id].error_mm == pytest.approx(0.4)
+    again.close()
+
+
+def test_second_opening_is_read_only(tmp_path):
+    first = open_session(make_take(), folder=tmp_path)
+    first.session.mark(artifact())
+    second = open_session(make_take(), folder=tmp_path)
+    assert second.read_only
+    assert not first.read_only
+    second.save()
+    assert not second.path.exists()
+    first.close()
+
+
+def test_a_changed_take_keeps_the_old_review_aside(tmp_path):
+    kept = open_session(make_take(), folder=tmp_path)
+    kept.session.mark(artifact())
+    kept.save()
+    kept.close()
+    take = make_take()
+    positions = take.positions.copy()
+    positions[0, 0, 0] += 1.0
+    again = open_session(take.with_positions(positions, take.origin), folder=tmp_path)
+    assert again.session.artifacts == ()
+    assert "changed" in again.warning
+    assert Path(str(again.path) + ".old").exists()
+    again.close()
+
+
+def test_a_changed_take_keeps_what_was_decided_on_unchanged_trajectories(tmp_path):
+    kept = open_session(make_take(), folder=tmp_path)
+    a, c = artifact("A"), artifact("C")
+    kept.session.add_detected([a, c], "paper")
+    kept.session.repair([(c.id, proposal(c, 7.0)), (a.id, proposal(a, 7.0))])
+    kept.save()
+    kept.close()
+    take = make_take()
+    positions = take.positions.copy()
+    positions[0, 0, 0] += 1.0
+    again = open_session(take.with_positions(positions, take.origin), folder=tmp_path)
+    assert [x.id for x in again.session.with_status(Status.REPAIRED)] == [c.id]
+    assert (again.session.positions[30:40, 2] == 7.0).all()
+    assert (again.session.positions[:, 0] == positions[:, 0]).all()
+    again.close()
+
+
+def test_a_moved_take_finds_its_review(tmp_path):
+    old, new = tmp_path / "old", tmp_path / "new"
+    old.mkdir()
+    new.mkdir()
+    kept = open_session(make_take(), folder=old)
+    kept.session.mark(artifact())
+    kept.save()
+    kept.close()
+    again = open_session(make_take(), folder=new)
+    assert [a.marker for a in again.session.artifacts] == ["A"]
+    assert "goes on here" in again.warning
+    # It is written at the new place at once, so that a crash loses nothing of it.
+    again._journal.close()
+    third = open_session(make_take(), folder=new)
+    assert [a.marker for a in third.session.artifacts] == ["A"]
+    third.close()
+
+
+@pytest.mark.parametrize(
+    "text", ["", "{}", "[1]", '{"format": "markermend session", "version": 9}']
+)
+def test_a_strange_session_file_is_refused_in_one_sentence(tmp_path, text):
+    kept = open_session(make_take(), folder=tmp_path)
+    kept.save()
+    path = kept.path
+    kept.close()
+    path.write_text(text)
+    with pytest.raises(FileFormatError, match=r"Markermend"):
+        open_session(make_take(), folder=tmp_path)
+    # The refused file is untouched and the lock is free again.
+    assert path.read_text() == text
+    with pytest.raises(FileFormatError):
+        open_session(make_take(), folder=tmp_path)
+
+
+def test_closing_an_unchanged_review_leaves_no_files(tmp_path):
+    open_session(make_take(), folder=tmp_path).close()
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_session_json_is_strict_json(tmp_path):
+    kept = open_session(make_take(), folder=tmp_path)
+    kept.session.mark(Artifact("A", "xyz", 1, 2, Kind.GAP))
+    kept.save()
+    json.loads(kept.path.read_text(), parse_constant=lambda c: pytest.fail(f"{c} in the file"))
+    kept.close()
+
+
+KILLED = """
+    import sys
+    from pathlib import Path
+    from tests_session_take import make_take
+    from markermend.artifact import Artifact, Kind
+    from markermend.session_file import open_session
+
+    kept = open_session(make_take(), folder=Path(sys.argv[1]))
+    i = len(kept.session.history)
+    while True:
+        kept.session.mark(Artifact("A", "xyz", i % 50, i % 50 + 1 + i % 7, Kind.PEAK))
+        i += 1
+        print(i, flush=True)
+        if i % 40 == 0:
+            kept.save()
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="kills with a POSIX signal")
+def test_kill_at_random_moments_loses_at_most_the_step_in_flight(tmp_path):
+    rounds = int(os.environ.get("MARKERMEND_KILLS", "6"))
+    script = tmp_path / "killed.py"
+    script.write_text(textwrap.dedent(KILLED))
+    (tmp_path / "tests_session_take.py").write_text(
+        "import numpy as np\nfrom markermend.take import Take\n"
+        "def make_take():\n"
+        "    p = np.random.default_rng(3).normal(0, 100, (60, 3, 3))\n"
+        "    return Take(p, ('A', 'B', 'C'), 100.0)\n"
+    )
+    folder = tmp_path / "reviews"
+    folder.mkdir()
+    rng = np.random.default_rng(0)
+    sys.path.insert(0, str(tmp_path))
+    try:
+        from tests_session_take import make_take as same_take
+    finally:
+        sys.path.remove(str(tmp_path))
+    root = Path(__file__).resolve().parents[2]
+    environment = dict(
+        os.environ,
+        PYTHONPATH=os.pathsep.join([str(tmp_path), str(root / "core")]),
+        XDG_DATA_HOME=str(tmp_path),
+    )
+    for _ in range(rounds):
+        child = subprocess.Popen(
+            [sys.executable, str(script), str(folder)],
+            stdout=subprocess.PIPE,
+            text=True,
+            env=environment,
+        )
+        first = child.stdout.readline()
+        assert first
+        time.sleep(float(rng.uniform(0.0, 0.15)))
+        child.send_signal(signal.SIGKILL)
+        rest = child.stdout.read().split()
+        child.wait()
+        told = int(rest[-1]) if rest else int(first)
+        again = open_session(same_take(), folder=folder)
+        assert told <= len(again.session.history) <= told + 1
+        again.close()
+
+
+def stored_take() -> Take:
+    """The take that the stored sessions of every version belong to."""
+    positions = np.arange(40 * 2 * 3, dtype=np.float64).reshape(40, 2, 3)
+    positions[5:9, 1] = np.nan
+    return Take(positions, ("LHEE", "RHEE"), 50.0)
+
+
+def stored(tmp_path, version):
+    """The stored review of a version, opened."""
+    text = (Path(__file__).parent / "sessions" / f"v{version}.json").read_text(encoding="utf-8")
+    (tmp_path / "take.markermend.json").write_text(text, encoding="utf-8")
+    kept = open_session(stored_take(), folder=tmp_path)
+    assert kept.warning == ""
+    return kept
+
+
+def test_a_review_of_version_1_keeps_opening(tmp_path):
+    kept = stored(tmp_path, 1)
+    statuses = [(a.marker, a.kind, a.status) for a in kept.session.artifacts]
+    assert statuses == [
+        ("RHEE", Kind.GAP, Status.REPAIRED),
+        ("LHEE", Kind.STEP, Status.REJECTED),
+        ("LHEE", Kind.SLOW, Status.ACCEPTED),
+        ("RHEE", Kind.PEAK, Status.PENDING),
+    ]
+    assert (kept.session.positions[5:9, 1] == 2.5).all()
+    assert kept.session.undone == ("Accept peak on RHEE",)
+    kept.close()
+
+
+def test_a_review_of_version_2_keeps_opening(tmp_path):
+    kept = stored(tmp_path, 2)
+    assert kept.session.take.labels == ("LHEE", "RTOE")
+    statuses = [(a.marker, a.kind, a.status, a.note) for a in kept.session.artifacts]
+    assert statuses == [
+        ("RTOE", Kind.GAP, Status.REPAIRED, ""),
+        ("LHEE", Kind.STEP, Status.PENDING, "the heel was bumped"),
+        ("LHEE", Kind.GAP, Status.PENDING, ""),
+    ]
+    assert np.isnan(kept.session.positions[30:34, 0]).all()
+    assert (kept.session.positions[5:9, 1] == 2.5).all()
+    assert kept.session.undone == ("Reject step on LHEE",)
+    kept.close()
+
+
+def full_disk(kept):
+    """Let the journal of an open review take half a line and then no more."""
+    real = kept._journal
+
+    class Full:
+        name, fileno, close = real.name, real.fileno, real.close
+        seek, read = real.seek, real.read
+        left = 40
+
+        def write(self, line):
+            if not self.left:
+                raise OSError(28, "No space left on device")
+            taken, self.left = real.write(line[: self.left]), 0
+            return taken
+
+        def truncate(self, size):
+            self.left = 1 << 20
+            return real.truncate(size)
+
+    kept._journal = Full()
+
+
+def test_a_full_disk_is_one_sentence_and_the_next_step_makes_it_good(tmp_path):
+    kept = open_session(make_take(), folder=tmp_path)
+    kept.session.mark(artifact())
+    full_disk(kept)
+    with pytest.raises(MarkermendError, match="free some space"):
+        kept.session.mark(artifact("C"))
+    kept.session.mark(artifact("C", start=5, stop=9))
+    expected = state_of(kept.session)
+    kept.close()
+    again = open_session(make_take(), folder=tmp_path)
+    assert state_of(again.session) == expected
+    again.close()
+
+
+def test_a_review_in_a_folder_that_became_read_only_goes_on_in_the_users_own(tmp_path, monkeypatch):
+    monkeypatch.setattr("platformdirs.user_data_path", lambda *_, **__: tmp_path / "own")
+    (tmp_path / "own").mkdir()
+    shared = tmp_path / "shared"
+    shared.mkdir()
+    first = open_session(make_take(), folder=shared)
+    first.session.mark(artifact())
+    first.save()
+    first.close()
+    really = session_file._open_locked
+
+    def locked(path):
+        if path.parent == shared:
+            raise PermissionError(13, "Permission denied")
+        return really(path)
+
+    monkeypatch.setattr(session_file, "_open_locked", locked)
+    again = open_session(make_take(), folder=shared)
+    assert not again.read_only
+    assert len(again.session.artifacts) == 1
+    assert again.path.parent == tmp_path / "own" / "sessions"
+    again.close()
+
+
+def test_a_review_with_a_broken_step_is_refused_in_one_sentence(tmp_path):
+    kept = open_session(make_take(), folder=tmp_path)
+    kept.session.mark(artifact())
+    kept.save()
+    kept.close()
+    document = json.loads(kept.path.read_text(encoding="utf-8"))
+    del document["done"][0]["edit"]
+    kept.path.write_text(json.dumps(document), encoding="utf-8")
+    with pytest.raises(FileFormatError, match="move it away"):
+        open_session(make_take(), folder=tmp_path)
