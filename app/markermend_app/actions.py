@@ -1,15 +1,14 @@
-"""Every action of the app, declared once: menus, toolbar and the shortcut sheet come from here."""
+"""Every action of the app, declared once.
+
+Menus, toolbar, context menus, command palette and shortcut sheet are made from this table by
+:mod:`markermend_app.menus`, :mod:`markermend_app.palette` and :mod:`markermend_app.shortcut_sheet`.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from PySide6.QtCore import QCoreApplication
-from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QWidget
-
-from markermend_app import theme
 from markermend_app.document import Document
 
 
@@ -53,8 +52,9 @@ class Action:
     ----------
     name : also the name of the verb of :class:`markermend_app.commands.Commands` that does it
     text : as menus show it
-    menu : the menu it stands in; a leading ``|`` puts a separator before it
-    keys : shortcuts, the first one is shown
+    menu : the menu it stands in, ``Menu/Submenu`` for one below; a leading ``|`` puts a separator
+        before it
+    keys : shortcuts unless the operator chose others, the first one is shown
     icon : name in ``resources/markermend_resources/icons``; empty for none
     tip : one sentence for the tooltip; the text when empty
     enabled : whether it can be used, given the document
@@ -72,6 +72,8 @@ class Action:
     checkable: bool = False
     toolbar: str = ""
 
+
+METHOD_KEYS = range(1, 10)
 
 ACTIONS: tuple[Action, ...] = (
     Action("open", "Open take…", "File", ("Ctrl+O",), "open", "Open a take", _anything, False, "+"),
@@ -99,6 +101,15 @@ ACTIONS: tuple[Action, ...] = (
         "",
         "Forget the swept range",
         _swept,
+    ),
+    Action(
+        "palette",
+        "Find a command, marker or artifact…",
+        "|Edit",
+        ("Ctrl+K",),
+        "search",
+        "Type a few letters to do anything or go anywhere",
+        _anything,
     ),
     Action(
         "detect",
@@ -151,7 +162,19 @@ ACTIONS: tuple[Action, ...] = (
         False,
         "+",
     ),
-    Action("reopen", "Reopen", "Review", ("U",), "", "Take the decision back", _current),
+    *(
+        Action(
+            f"method_{key}",
+            f"Repair method {key}",
+            "Review/Repair method",
+            (str(key),),
+            "",
+            "Preview this repair method for the artifact under review",
+            _current,
+        )
+        for key in METHOD_KEYS
+    ),
+    Action("reopen", "Reopen", "Review", ("U",), "undo", "Take the decision back", _current),
     Action("remove", "Remove from the list", "Review", ("Delete",), "delete", "", _current),
     Action(
         "repair_accepted",
@@ -232,77 +255,6 @@ ACTIONS: tuple[Action, ...] = (
     Action("theme_dark", "Dark theme", "View", enabled=_anything, checkable=True),
     Action("theme_system", "Theme of the system", "View", enabled=_anything, checkable=True),
     Action("reset_layout", "Reset the layout", "|View", enabled=_anything),
-    Action("shortcuts", "Keyboard shortcuts", "Help", ("?", "F1"), "keyboard", "", _anything),
+    Action("shortcuts", "Keyboard and mouse…", "Help", ("?", "F1"), "keyboard", "", _anything),
     Action("about", "About Markermend", "Help", (), "", "", _anything),
 )
-
-METHOD_KEYS = range(1, 10)
-
-
-def build(owner: QWidget, document: Document, run: Callable[[str], None]) -> dict[str, QAction]:
-    """Make a QAction for each entry; ``run`` gets the name of the one that was triggered."""
-    made: dict[str, QAction] = {}
-    for spec in ACTIONS:
-        action = QAction(_translated(spec.text), owner)
-        action.setObjectName(spec.name)
-        action.setShortcuts([QKeySequence(k) for k in spec.keys])
-        action.setCheckable(spec.checkable)
-        tip = _translated(spec.tip or spec.text.rstrip("…"))
-        action.setToolTip(f"{tip}  ({native(spec.keys[0])})" if spec.keys else tip)
-        action.triggered.connect(lambda _checked=False, name=spec.name: run(name))
-        owner.addAction(action)
-        made[spec.name] = action
-
-    def refresh() -> None:
-        for spec in ACTIONS:
-            made[spec.name].setEnabled(spec.enabled(document))
-
-    def recolour() -> None:
-        for spec in ACTIONS:
-            if spec.icon:
-                made[spec.name].setIcon(theme.icon(spec.icon))
-
-    for signal in (
-        document.opened,
-        document.history_changed,
-        document.current_changed,
-        document.selection_changed,
-        document.artifacts_changed,
-    ):
-        signal.connect(refresh)
-    theme.watcher.changed.connect(recolour)
-    refresh()
-    recolour()
-    return made
-
-
-def fill_menus(bar: QMenuBar, made: dict[str, QAction]) -> dict[str, QMenu]:
-    """Put the actions into menus; returns the menus by name."""
-    menus: dict[str, QMenu] = {}
-    for spec in ACTIONS:
-        name = spec.menu.lstrip("|")
-        if name not in menus:
-            menus[name] = bar.addMenu("&" + _translated(name))
-            menus[name].setToolTipsVisible(True)
-        if spec.menu.startswith("|"):
-            menus[name].addSeparator()
-        menus[name].addAction(made[spec.name])
-    return menus
-
-
-def fill_toolbar(bar: QToolBar, made: dict[str, QAction]) -> None:
-    """Put those meant for it into the toolbar."""
-    for spec in ACTIONS:
-        if spec.toolbar:
-            if spec.toolbar == "|":
-                bar.addSeparator()
-            bar.addAction(made[spec.name])
-
-
-def native(key: str) -> str:
-    """A shortcut as this desktop writes it."""
-    return QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
-
-
-def _translated(text: str) -> str:
-    return QCoreApplication.translate("actions", text)

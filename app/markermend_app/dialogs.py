@@ -5,29 +5,19 @@ from __future__ import annotations
 import traceback
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
-    QDialog,
-    QDialogButtonBox,
-    QGridLayout,
-    QLabel,
     QMessageBox,
-    QScrollArea,
-    QVBoxLayout,
     QWidget,
 )
 
 import markermend
 from markermend.errors import MarkermendError
 from markermend.take import Take
-from markermend_app.actions import ACTIONS, native
+from markermend_app.words import tr as _tr
 
 Buttons = QMessageBox.StandardButton
 Role = QMessageBox.ButtonRole
-
-
-def _tr(text: str) -> str:
-    return QCoreApplication.translate("dialogs", text)
 
 
 def show_problem(parent: QWidget, error: Exception) -> None:
@@ -114,68 +104,6 @@ def ask_replace_source(parent: QWidget, target: Path) -> bool:
     box.setDefaultButton(cancel)
     box.exec()
     return box.clickedButton() is go
-
-
-def show_shortcuts(parent: QWidget) -> None:
-    """Show every shortcut, from the table of actions."""
-    dialog = QDialog(parent)
-    dialog.setWindowTitle(_tr("Keyboard and mouse"))
-    inner = QWidget()
-    grid = QGridLayout(inner)
-    grid.setHorizontalSpacing(24)
-    grid.setVerticalSpacing(4)
-    row = 0
-    for menu in dict.fromkeys(a.menu.lstrip("|") for a in ACTIONS):
-        specs = [a for a in ACTIONS if a.menu.lstrip("|") == menu and a.keys]
-        if specs:
-            row = _section(grid, row, menu)
-        for spec in specs:
-            row = _line(grid, row, _tr("  or  ").join(map(native, spec.keys)), _tr(spec.text))
-    row = _section(grid, row, _tr("In the plots"))
-    for gesture, text in (
-        ("1 … 9", _tr("Choose a repair method")),
-        (_tr("Click on an interval"), _tr("Select it; double click repairs")),
-        (_tr("Wheel, Ctrl+wheel"), _tr("Zoom time, zoom values")),
-        (_tr("Middle or right drag"), _tr("Pan")),
-        (_tr("Shift+drag"), _tr("Select a range of frames")),
-        (_tr("Drag an edge"), _tr("Move the edge of the selected artifact")),
-    ):
-        row = _line(grid, row, gesture, text)
-    row = _section(grid, row, _tr("In the 3D view"))
-    for gesture, text in (
-        (_tr("Drag"), _tr("Orbit")),
-        (_tr("Shift+drag or middle drag"), _tr("Pan")),
-        (_tr("Wheel"), _tr("Zoom")),
-        (_tr("Ctrl+drag"), _tr("Scrub through time")),
-    ):
-        row = _line(grid, row, gesture, text)
-    scroll = QScrollArea()
-    scroll.setWidget(inner)
-    scroll.setWidgetResizable(True)
-    scroll.setFrameShape(QScrollArea.Shape.NoFrame)
-    buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-    buttons.rejected.connect(dialog.reject)
-    box = QVBoxLayout(dialog)
-    box.addWidget(scroll)
-    box.addWidget(buttons)
-    dialog.resize(520, 640)
-    dialog.exec()
-
-
-def _section(grid: QGridLayout, row: int, title: str) -> int:
-    """Add a heading."""
-    label = QLabel(f"<b>{_tr(title)}</b>")
-    label.setContentsMargins(0, 12 if row else 0, 0, 4)
-    grid.addWidget(label, row, 0, 1, 2)
-    return row + 1
-
-
-def _line(grid: QGridLayout, row: int, keys: str, text: str) -> int:
-    """Add a shortcut and what it does."""
-    grid.addWidget(QLabel(keys), row, 0, Qt.AlignmentFlag.AlignLeft)
-    grid.addWidget(QLabel(text), row, 1)
-    grid.setColumnStretch(1, 1)
-    return row + 1
 
 
 def show_about(parent: QWidget) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QSize, Qt
@@ -12,8 +13,6 @@ from PySide6.QtGui import (
     QCloseEvent,
     QDragEnterEvent,
     QDropEvent,
-    QKeySequence,
-    QShortcut,
 )
 from PySide6.QtWidgets import (
     QApplication,
@@ -27,7 +26,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from markermend_app import actions, dialogs, settings, theme
+from markermend_app import dialogs, menus, palette, settings, shortcuts, theme
+from markermend_app.actions import METHOD_KEYS
 from markermend_app.commands import Commands
 from markermend_app.document import Document
 from markermend_app.jobs import Lane
@@ -41,6 +41,7 @@ from markermend_app.panels.status import StatusLine
 from markermend_app.panels.trajectories import TrajectoryPanel
 from markermend_app.panels.transport import Transport
 from markermend_app.panels.welcome import Welcome
+from markermend_app.shortcut_sheet import ShortcutSheet
 
 LAYOUT_VERSION = 1
 ROOMY = QSize(1500, 940)
@@ -131,14 +132,14 @@ class MainWindow(QMainWindow):
 
     def _make_actions(self) -> None:
         self._own = self._own_verbs()
-        self.actions_by_name = actions.build(self, self.document, self._run)
+        self.actions_by_name = menus.build(self, self.document, self._run)
         bar = self.menuBar()
-        self.menus = actions.fill_menus(bar, self.actions_by_name)
+        self.menus = menus.fill_menus(bar, self.actions_by_name)
         toolbar = QToolBar(self.tr("Toolbar"))
         toolbar.setObjectName("toolbar")
         toolbar.setMovable(False)
         toolbar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        actions.fill_toolbar(toolbar, self.actions_by_name)
+        menus.fill_toolbar(toolbar, self.actions_by_name)
         for name in ("undo", "redo", "previous", "next"):
             button = toolbar.widgetForAction(self.actions_by_name[name])
             if isinstance(button, QToolButton):
@@ -169,9 +170,8 @@ class MainWindow(QMainWindow):
         on_open = self.actions_by_name["detect_on_open"]
         on_open.setChecked(settings.flag("detect_on_open", True))
 
-        for key in actions.METHOD_KEYS:
-            shortcut = QShortcut(QKeySequence(str(key)), self)
-            shortcut.activated.connect(lambda key=key: self._choose_method(key))
+        shortcuts.watcher.changed.connect(self._give_keys)
+        theme.watcher.changed.connect(self._give_icons)
 
     def _connect(self) -> None:
         document = self.document
@@ -225,9 +225,22 @@ class MainWindow(QMainWindow):
                 "detect_on_open", checked("detect_on_open")
             ),
             "reset_layout": lambda: self.restoreState(self._default_state, LAYOUT_VERSION),
-            "shortcuts": lambda: dialogs.show_shortcuts(self),
+            "shortcuts": lambda: ShortcutSheet(self).exec(),
+            "palette": self._open_palette,
+            **{f"method_{k}": partial(self._choose_method, k) for k in METHOD_KEYS},
             "about": lambda: dialogs.show_about(self),
         }
+
+    def _give_keys(self) -> None:
+        menus.give_keys(self.actions_by_name)
+
+    def _give_icons(self) -> None:
+        menus.give_icons(self.actions_by_name)
+
+    def _open_palette(self) -> None:
+        """Find an action, marker or artifact by a few letters."""
+        found = palette.entries(self.actions_by_name, self.document)
+        palette.Palette(found, self).open()
 
     def _choose_method(self, key: int) -> None:
         """Preview the repair method with that number key."""

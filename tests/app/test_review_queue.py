@@ -175,7 +175,7 @@ def test_says_so_when_detection_found_nothing(tmp_path, damaged, qtbot):
     queue = ReviewQueue(document)
     qtbot.addWidget(queue)
     document.open(open_session(damaged[0], folder=tmp_path), None)
-    assert "Press D" in queue._hint.text()
+    assert "D looks for artifacts" in queue._hint.text()
     document.add_detected([], "paper")
     assert "Nothing was found" in queue._hint.text()
     document.open(None, None)

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QCoreApplication
-
 from markermend.artifact import Artifact, Status
 from markermend.take import Take
 from markermend_app import theme
+from markermend_app.words import tr as _tr
 
 _STATUS = {
     Status.PENDING: "open",
@@ -27,8 +26,3 @@ def describe(take: Take, artifact: Artifact) -> str:
         status=_tr(_STATUS[artifact.status]),
     )
     return f"{text}\n{artifact.why}" if artifact.why else text
-
-
-def _tr(text: str) -> str:
-    """Translate."""
-    return QCoreApplication.translate("ArtifactText", text)

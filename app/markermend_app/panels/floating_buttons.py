@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QToolButton, QWidget
 from markermend.artifact import Status
 from markermend_app import theme
 from markermend_app.document import Document
+from markermend_app.shortcuts import KeyTip
 
 _GAP = 8
 
@@ -24,9 +25,9 @@ class FloatingButtons(QFrame):
         self._row = layout = QHBoxLayout(self)
         layout.setContentsMargins(2, 2, 2, 2)
         layout.setSpacing(2)
-        self.accept = self._add("accept", self.tr("Accept: the flag is right (A)"))
-        self.reject = self._add("reject", self.tr("Reject: a false alarm (R)"))
-        self.repair = self._add("repair", self.tr("Repair: replace the samples as shown (F)"))
+        self.accept = self._add("accept", self.tr("Accept: the flag is right"))
+        self.reject = self._add("reject", self.tr("Reject: a false alarm"))
+        self.repair = self._add("repair", self.tr("Repair: replace the samples as shown"))
         self.accept.clicked.connect(document.accept_current)
         self.reject.clicked.connect(document.reject_current)
         self.repair.clicked.connect(document.repair_current)
@@ -65,10 +66,9 @@ class FloatingButtons(QFrame):
         """One button."""
         button = QToolButton()
         button.setObjectName(name)
-        button.setToolTip(tip)
-        button.setAccessibleName(tip)
+        KeyTip(button, tip, name)
         button.setIconSize(QSize(18, 18))
-        # The keys A, R and F do the same; the focus stays with the plots.
+        # The keys do the same; the focus stays with the plots.
         button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._row.addWidget(button)
         return button

@@ -27,7 +27,7 @@ class HistoryPanel(QWidget):
         self.view.setUniformItemSizes(True)
         self.view.setAccessibleName(self.tr("History"))
         self.view.setToolTip(
-            self.tr("Click a step to go there. Ctrl+Z undoes, Ctrl+Shift+Z redoes.")
+            self.tr("Click a step to go there; it is undone and done again in order.")
         )
         self.view.clicked.connect(self._travel)
         self.view.activated.connect(self._travel)

@@ -26,6 +26,7 @@ from markermend_app.document import Document
 from markermend_app.panels.badge import kind_icon, tinted_icon
 from markermend_app.panels.inspector_methods import MethodList
 from markermend_app.panels.inspector_take import heading, plain
+from markermend_app.shortcuts import KeyTip
 
 
 class ArtifactPage(QWidget):
@@ -207,20 +208,25 @@ class Decisions(QWidget):
         self._document = document
         self.accept = self._button(
             self.tr("Accept"),
-            self.tr("The flag is right; the samples stay for now (A)"),
+            self.tr("The flag is right; the samples stay for now"),
+            "accept",
             document.accept_current,
         )
         self.reject = self._button(
-            self.tr("Reject"), self.tr("A false alarm, never touched (R)"), document.reject_current
+            self.tr("Reject"),
+            self.tr("A false alarm, never touched"),
+            "reject",
+            document.reject_current,
         )
         self.repair = self._button(
             self.tr("Repair"),
-            self.tr("Replace the samples by the repair shown (F)"),
+            self.tr("Replace the samples by the repair shown"),
+            "repair",
             document.repair_current,
         )
         self.repair.setProperty("role", "primary")
         self.reopen = self._button(
-            self.tr("Reopen"), self.tr("Take the decision back (U)"), self._reopen
+            self.tr("Reopen"), self.tr("Take the decision back"), "reopen", self._reopen
         )
         grid = QGridLayout(self)
         grid.setContentsMargins(12, 8, 12, 12)
@@ -234,9 +240,11 @@ class Decisions(QWidget):
         self._recolour()
         self._refresh()
 
-    def _button(self, text: str, tip: str, do: Callable[[], None]) -> QPushButton:
+    def _button(self, text: str, tip: str, name: str, do: Callable[[], None]) -> QPushButton:
+        """A button that does what an action does, and names its key."""
         button = QPushButton(text)
-        button.setToolTip(tip)
+        KeyTip(button, tip, name)
+        button.setAccessibleName(text)
         button.setMinimumHeight(32)
         button.clicked.connect(lambda _=False: do())
         return button

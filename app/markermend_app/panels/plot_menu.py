@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from PySide6.QtCore import QCoreApplication
-from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QWidget
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend_app import theme
 from markermend_app.document import Document
+from markermend_app.menus import entry
+from markermend_app.words import tr as _tr
 
 
 def artifact_menu(document: Document, artifact: Artifact, parent: QWidget) -> QMenu:
@@ -20,18 +20,13 @@ def artifact_menu(document: Document, artifact: Artifact, parent: QWidget) -> QM
     name = _tr(theme.KIND_NAME[artifact.kind])
     _title(menu, f"{name} · {artifact.marker}")
     status, ids = artifact.status, [artifact.id]
-    _add(menu, "accept", _tr("Accept"), "A", lambda: document.accept(ids)).setEnabled(
-        status is not Status.ACCEPTED
-    )
-    _add(menu, "reject", _tr("Reject"), "R", lambda: document.reject(ids)).setEnabled(
-        status is not Status.REJECTED
-    )
-    _add(menu, "repair", _tr("Repair"), "F", document.repair_current).setEnabled(
-        status is not Status.REPAIRED
-    )
-    _add(menu, "undo", _tr("Reopen"), "", lambda: document.reopen(ids)).setEnabled(
-        status is not Status.PENDING
-    )
+    for verb, do, done in (
+        ("accept", lambda: document.accept(ids), Status.ACCEPTED),
+        ("reject", lambda: document.reject(ids), Status.REJECTED),
+        ("repair", document.repair_current, Status.REPAIRED),
+        ("reopen", lambda: document.reopen(ids), Status.PENDING),
+    ):
+        entry(menu, verb, do).setEnabled(status is not done)
     menu.addSeparator()
     classes = menu.addMenu(theme.icon("labels"), _tr("Class"))
     for kind in Kind:
@@ -49,7 +44,7 @@ def artifact_menu(document: Document, artifact: Artifact, parent: QWidget) -> QM
             lambda _=False, a=axis: document.change(artifact.id, axes=_toggled(artifact.axes, a))
         )
     menu.addSeparator()
-    _add(menu, "delete", _tr("Remove from the list"), "", lambda: document.remove(ids))
+    entry(menu, "remove", lambda: document.remove(ids))
     if not document.editable:
         for action in menu.actions():
             action.setEnabled(False)
@@ -68,18 +63,19 @@ def sweep_menu(
         _title(menu, _tr("Selection on {marker}").format(marker=document.selection.marker))
     for kind in Kind:
         text = _tr("Mark as {kind}").format(kind=_tr(theme.KIND_NAME[kind]).lower())
-        action = _add(menu, str(kind), text, "", partial(mark, kind))
+        action = menu.addAction(theme.icon(kind), text)
+        action.triggered.connect(partial(mark, kind))
         action.setEnabled(document.editable)
     menu.addSeparator()
-    _add(menu, "repair-all", _tr("Repair the selection"), "", repair).setEnabled(document.editable)
-    _add(menu, "cancel", _tr("Clear the selection"), "Esc", lambda: document.sweep(None))
+    entry(menu, "repair_selection", repair).setEnabled(document.editable)
+    entry(menu, "clear_selection", lambda: document.sweep(None))
     return menu
 
 
 def plot_menu(fit: Callable[[], None], parent: QWidget) -> QMenu:
     """What can be done where there is nothing."""
     menu = QMenu(parent)
-    _add(menu, "overview", _tr("Show the whole take"), "", fit)
+    entry(menu, "fit", fit)
     return menu
 
 
@@ -93,15 +89,3 @@ def _toggled(axes: str, axis: str) -> str:
     """Axes with one put in or taken out."""
     chosen = set(axes) ^ {axis}
     return "".join(a for a in "xyz" if a in chosen)
-
-
-def _add(menu: QMenu, icon: str, text: str, key: str, do: Callable[[], None]) -> QAction:
-    """An entry that names its key; the key itself belongs to the window's action."""
-    action = menu.addAction(theme.icon(icon), f"{text}\t{key}" if key else text)
-    action.triggered.connect(lambda _=False: do())
-    return action
-
-
-def _tr(text: str) -> str:
-    """Translate."""
-    return QCoreApplication.translate("PlotMenu", text)

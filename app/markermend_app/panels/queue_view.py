@@ -2,8 +2,16 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QModelIndex, QPersistentModelIndex, QRectF, Qt, Signal
-from PySide6.QtGui import QFontMetrics, QKeyEvent, QPainter
+from PySide6.QtCore import (
+    QEvent,
+    QKeyCombination,
+    QModelIndex,
+    QPersistentModelIndex,
+    QRectF,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import QFontMetrics, QKeyEvent, QKeySequence, QPainter
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QApplication,
@@ -15,18 +23,12 @@ from PySide6.QtWidgets import (
 )
 
 from markermend.artifact import Artifact
-from markermend_app import theme
+from markermend_app import shortcuts, theme
 from markermend_app.panels.badge import badge_font, paint_badge
 from markermend_app.panels.queue_model import ARTIFACT, AXES, CONFIDENCE, KIND
 
 Index = QModelIndex | QPersistentModelIndex
-VERBS = {
-    Qt.Key.Key_A: "accept",
-    Qt.Key.Key_R: "reject",
-    Qt.Key.Key_F: "repair",
-    Qt.Key.Key_U: "reopen",
-    Qt.Key.Key_Delete: "remove",
-}
+VERBS = ("accept", "reject", "repair", "reopen", "remove")
 
 
 class QueueView(QTableView):
@@ -84,11 +86,12 @@ class QueueView(QTableView):
 
     def _verb_of(self, event: QKeyEvent) -> str:
         """What a key means here, or nothing."""
-        if event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier:
-            return ""
         if len(self.selectionModel().selectedRows()) < 2:
             return ""
-        return VERBS.get(Qt.Key(event.key()), "")
+        held = event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
+        pressed = QKeySequence(QKeyCombination(held, Qt.Key(event.key()))).toString()
+        keys = shortcuts.table()
+        return next((verb for verb in VERBS if pressed in keys[verb]), "")
 
 
 class _PlainDelegate(QStyledItemDelegate):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from functools import partial
 
 from PySide6.QtCore import QItemSelection, QItemSelectionModel, QModelIndex, QPoint, Qt, Signal
 from PySide6.QtGui import QResizeEvent
@@ -18,8 +19,9 @@ from PySide6.QtWidgets import (
 )
 
 from markermend.artifact import Kind, Status
-from markermend_app import theme
+from markermend_app import shortcuts, theme
 from markermend_app.document import Document
+from markermend_app.menus import entry
 from markermend_app.panels.badge import hint, kind_icon
 from markermend_app.panels.filter_line import FilterLine
 from markermend_app.panels.queue_model import (
@@ -161,24 +163,18 @@ class ReviewQueue(QWidget):
             self.model.rows[i.row()].status for i in self.view.selectionModel().selectedRows()
         }
         many = len(self.selected()) > 1
-        for verb, text, icon, usable in (
-            ("accept", self.tr("Accept"), "accept", statuses != _ACCEPTED),
-            ("reject", self.tr("Reject"), "reject", statuses != {Status.REJECTED}),
-            (
-                "repair",
-                self.tr("Repair, each by its best method") if many else self.tr("Repair"),
-                "repair",
-                statuses != {Status.REPAIRED},
-            ),
-            ("reopen", self.tr("Reopen"), "undo", statuses != _OPEN),
-            ("remove", self.tr("Remove from the list"), "delete", True),
+        each = self.tr("Repair, each by its best method") if many else ""
+        for verb, text, usable in (
+            ("accept", "", statuses != _ACCEPTED),
+            ("reject", "", statuses != {Status.REJECTED}),
+            ("repair", each, statuses != {Status.REPAIRED}),
+            ("reopen", "", statuses != _OPEN),
+            ("remove", "", True),
         ):
             if verb in ("reopen", "remove"):
                 menu.addSeparator()
-            action = menu.addAction(theme.icon(icon), text)
-            action.setObjectName(verb)
+            action = entry(menu, verb, partial(self.apply, verb), text)
             action.setEnabled(usable and bool(statuses) and self._document.editable)
-            action.triggered.connect(lambda _=False, verb=verb: self.apply(verb))
         return menu
 
     def _show_menu(self, at: QPoint) -> None:
@@ -310,10 +306,13 @@ class ReviewQueue(QWidget):
             if any(step.startswith("Detect") for step in session.history):
                 text = self.tr("Nothing was found. Sweep over a curve with Shift to mark by hand.")
             else:
-                text = self.tr("Nothing found yet. Press D to look for artifacts.")
+                text = self.tr("Nothing found yet. {0} looks for artifacts.").format(
+                    shortcuts.first("detect") or self.tr("Review: Detect artifacts")
+                )
         elif not session.with_status(Status.PENDING) and self.status.currentData() == _OPEN:
-            text = self.tr("All {0} artifacts are decided. Ctrl+S exports the repaired take.")
-            text = text.format(len(session.artifacts))
+            text = self.tr("All {0} artifacts are decided. {1} exports the repaired take.")
+            key = shortcuts.first("export") or self.tr("File: Export")
+            text = text.format(len(session.artifacts), key)
         else:
             text = self.tr("No artifact matches these filters.")
         self._hint.setText(text)

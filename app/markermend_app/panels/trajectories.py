@@ -155,12 +155,12 @@ class TrajectoryPanel(QWidget):
         if session is None:
             self.empty.say(
                 self.tr("No take is open"),
-                self.tr("Open a take (Ctrl+O) or drop one onto the window."),
+                self.tr("Open a take, or drop one onto the window."),
             )
         elif not shown:
             self.empty.say(
                 self.tr("No marker is shown"),
-                self.tr("Check markers in the tree, or step to an artifact with N."),
+                self.tr("Check markers in the tree, or go to an artifact in the review queue."),
             )
         self._stack.setCurrentIndex(int(bool(shown)))
         self.header.show_markers(shown)

@@ -16,8 +16,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from markermend_app import theme
+from markermend_app import shortcuts, theme
 from markermend_app.document import Document
+from markermend_app.shortcuts import KeyTip
 
 SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
 TICK_MS = 15
@@ -60,11 +61,11 @@ class Transport(QWidget):
         self.speed.setCurrentIndex(SPEEDS.index(1.0))
         self.speed.currentIndexChanged.connect(self._rebase)
 
-        self.first = self._button(self.tr("To the first frame (Home)"))
-        self.back = self._button(self.tr("One frame back (←, ten with Shift)"))
+        self.first = self._button(self.tr("To the first frame"), "to_start")
+        self.back = self._button(self.tr("One frame back"), "frame_back")
         self.play = self._button("")
-        self.forward = self._button(self.tr("One frame forward (→, ten with Shift)"))
-        self.last = self._button(self.tr("To the last frame (End)"))
+        self.forward = self._button(self.tr("One frame forward"), "frame_forward")
+        self.last = self._button(self.tr("To the last frame"), "to_end")
         self.loop = self._button(self.tr("Repeat what the plots show"))
         self.loop.setCheckable(True)
         self.first.clicked.connect(lambda: document.go_to(0))
@@ -83,10 +84,10 @@ class Transport(QWidget):
         self._recolour()
         self._opened()
 
-    def _button(self, tip: str) -> QToolButton:
+    def _button(self, tip: str, name: str = "") -> QToolButton:
+        """A button; with the name of an action that does the same, its tooltip names the key."""
         button = QToolButton()
-        button.setToolTip(tip)
-        button.setAccessibleName(tip)
+        KeyTip(button, tip, name)
         return button
 
     def _lay_out(self) -> None:
@@ -228,6 +229,6 @@ class Transport(QWidget):
             (self.loop, "loop"),
         ):
             button.setIcon(theme.icon(name))
-        text = self.tr("Pause (Space)") if self.playing else self.tr("Play (Space)")
-        self.play.setToolTip(text)
+        text = self.tr("Pause") if self.playing else self.tr("Play")
+        self.play.setToolTip(shortcuts.with_key(text, "play"))
         self.play.setAccessibleName(text)

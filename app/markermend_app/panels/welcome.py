@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWi
 
 from markermend_app import settings, theme
 from markermend_app.document import Document
+from markermend_app.shortcuts import KeyTip
 
 SHOWN_RECENT = 5
 
@@ -35,7 +36,7 @@ class Welcome(QWidget):
         hint = QLabel(self.tr("Drop a C3D, TRC or CSV file here, or begin with the demo take."))
         hint.setProperty("role", "muted")
         self._open = QPushButton(self.tr("Open take…"))
-        self._open.setToolTip(self.tr("Open a take  (Ctrl+O)"))
+        KeyTip(self._open, self.tr("Open a take"), "open")
         self._open.setDefault(True)
         self._open.clicked.connect(self.open_requested)
         demo = QPushButton(self.tr("Open the demo take"))

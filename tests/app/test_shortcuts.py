@@ -1,0 +1,206 @@
+"""One table of actions: keys, presets, the sheet that changes them, and the palette."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import QMenu
+
+from markermend.artifact import Status
+from markermend.mesh import infer_mesh
+from markermend.session_file import open_session
+from markermend_app import palette, shortcuts
+from markermend_app.actions import ACTIONS
+from markermend_app.shortcut_sheet import ShortcutSheet
+from markermend_app.window import MainWindow
+
+
+@pytest.fixture
+def window(qtbot, damaged, tmp_path):
+    """The window with a damaged take under review."""
+    take, truth = damaged
+    made = MainWindow()
+
+    def quiet(window):
+        if window.document.session is not None:
+            window.document.session.mark_exported()
+
+    qtbot.addWidget(made, before_close_func=quiet)
+    made.show()
+    made.activateWindow()
+    qtbot.waitExposed(made)
+    made.document.open(open_session(take, folder=tmp_path), infer_mesh(take))
+    made.document.add_detected(truth, "truth")
+    made.document.step(1)
+    return made
+
+
+def press(qtbot, window, key, held=Qt.KeyboardModifier.NoModifier):
+    qtbot.keyClick(window, key, held)
+
+
+def test_no_preset_gives_a_key_twice(qapp):
+    for name in shortcuts.PRESETS:
+        shortcuts.use_preset(name)
+        assert shortcuts.conflicts(shortcuts.table()) == {}
+
+
+def test_presets_name_actions_there_are_and_keys_qt_knows():
+    names = {spec.name for spec in ACTIONS}
+    for keys in shortcuts.PRESETS.values():
+        assert set(keys) <= names
+        for had in keys.values():
+            assert all(QKeySequence(key).toString() for key in had)
+
+
+def test_a_changed_key_works_at_once_and_the_old_one_no_longer(window, qtbot):
+    document = window.document
+    first = document.current.id
+    shortcuts.change("accept", ("Y",))
+    press(qtbot, window, Qt.Key.Key_A)
+    assert document.session.artifact(first).status is Status.PENDING
+    press(qtbot, window, Qt.Key.Key_Y)
+    assert document.session.artifact(first).status is Status.ACCEPTED
+    assert "(Y)" in window.actions_by_name["accept"].toolTip()
+    assert "(Y)" in window.trajectories.buttons.accept.toolTip()
+
+
+def test_who_had_a_key_loses_it_to_who_takes_it(qapp):
+    shortcuts.change("accept", ("R",))
+    keys = shortcuts.table()
+    assert keys["accept"] == ("R",)
+    assert keys["reject"] == ()
+    shortcuts.restore("reject")
+    assert shortcuts.table()["reject"] == ("R",)
+    assert shortcuts.table()["accept"] == ()
+
+
+def test_spoilt_settings_leave_the_table(qapp, monkeypatch):
+    monkeypatch.setattr("markermend_app.settings.text", lambda name, default: "[not json")
+    assert shortcuts.table()["accept"] == ("A",)
+
+
+def test_the_motive_hand_repairs_with_i(window, qtbot):
+    document = window.document
+    shortcuts.use_preset("motive")
+    first = document.current.id
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=20_000)
+    press(qtbot, window, Qt.Key.Key_F)
+    assert document.session.artifact(first).status is Status.PENDING
+    press(qtbot, window, Qt.Key.Key_I)
+    assert document.session.artifact(first).status is Status.REPAIRED
+
+
+def test_the_queue_takes_changed_keys_for_many_rows(window, qtbot):
+    shortcuts.change("reject", ("X",))
+    window.queue.view.selectAll()
+    window.queue.view.setFocus()
+    qtbot.keyClick(window.queue.view, Qt.Key.Key_X)
+    assert len(window.document.session.with_status(Status.REJECTED)) == 4
+
+
+def test_the_sheet_shows_every_action_and_warns_before_it_takes_a_key(qtbot, window):
+    sheet = ShortcutSheet(window)
+    qtbot.addWidget(sheet)
+    sheet.show()
+    listed = {item.data(0, Qt.ItemDataRole.UserRole) for item in sheet._items()}
+    assert {spec.name for spec in ACTIONS} <= listed
+    sheet.select("accept")
+    qtbot.keyClick(sheet.keys, Qt.Key.Key_R)
+    assert "Reject" in sheet.warning.text()
+    assert shortcuts.table()["reject"] == ("R",)
+    qtbot.mouseClick(sheet.set, Qt.MouseButton.LeftButton)
+    assert shortcuts.table()["accept"] == ("R",)
+    assert shortcuts.table()["reject"] == ()
+
+
+def test_the_sheet_finds_by_name_and_by_key(qtbot, window):
+    sheet = ShortcutSheet(window)
+    qtbot.addWidget(sheet)
+    sheet.filter.setText("ctrl+s")
+    shown = [i.data(0, Qt.ItemDataRole.UserRole) for i in sheet._items() if not i.isHidden()]
+    assert "export" in shown
+    assert "accept" not in shown
+
+
+def test_a_preset_chosen_in_the_sheet_stays(qtbot, window):
+    sheet = ShortcutSheet(window)
+    qtbot.addWidget(sheet)
+    place = sheet.preset.findData("qtm")
+    sheet.preset.setCurrentIndex(place)
+    sheet.preset.activated.emit(place)
+    assert shortcuts.preset() == "qtm"
+    assert window.actions_by_name["next"].shortcut() == QKeySequence("Alt+Right")
+
+
+def test_every_action_stands_in_a_menu_with_its_key(window):
+    def below(menu):
+        for action in menu.actions():
+            yield action
+            if action.menu():
+                yield from below(action.menu())
+
+    shown = {a.objectName() for a in below(window.menuBar())}
+    assert {spec.name for spec in ACTIONS} <= shown
+    assert all(isinstance(menu, QMenu) for menu in window.menus.values())
+
+
+@pytest.mark.parametrize(
+    ("wanted", "text", "fits"),
+    [
+        ("rep all", "Review: Repair all accepted", True),
+        ("all rep", "Review: Repair all accepted", True),
+        ("zmin", "View: Zoom in", True),
+        ("xyzzy", "View: Zoom in", False),
+        ("", "View: Zoom in", True),
+    ],
+)
+def test_what_fits_a_search(wanted, text, fits):
+    assert (palette.score(wanted, text) is not None) == fits
+
+
+def test_words_go_before_scattered_letters():
+    assert palette.score("acc", "Review: Accept") > palette.score("acc", "A crazy chance")
+    assert palette.score("in", "View: Zoom in") > palette.score("in", "Time: Rewind")
+
+
+def opened_palette(window, qtbot):
+    press(qtbot, window, Qt.Key.Key_K, Qt.KeyboardModifier.ControlModifier)
+    (found,) = window.findChildren(palette.Palette)
+    return found
+
+
+def test_the_palette_runs_an_action(window, qtbot):
+    found = opened_palette(window, qtbot)
+    first = window.document.current.id
+    qtbot.keyClicks(found.line, "reject")
+    qtbot.keyClick(found.line, Qt.Key.Key_Return)
+    assert window.document.session.artifact(first).status is Status.REJECTED
+
+
+def test_the_palette_jumps_to_markers_and_artifacts(window, qtbot):
+    found = opened_palette(window, qtbot)
+    qtbot.keyClicks(found.line, "t10")
+    qtbot.keyClick(found.line, Qt.Key.Key_Return)
+    assert window.document.shown == ("T10",)
+    qtbot.waitUntil(lambda: not window.findChildren(palette.Palette))
+    # The platform of these tests does not give the keyboard back after a popup.
+    window.actions_by_name["palette"].trigger()
+    (found,) = window.findChildren(palette.Palette)
+    qtbot.keyClicks(found.line, "step lwra")
+    qtbot.keyClick(found.line, Qt.Key.Key_Return)
+    assert window.document.current.marker == "LWRA"
+
+
+def test_the_palette_offers_every_action_and_does_nothing_that_is_disabled(window, qtbot):
+    entries = palette.entries(window.actions_by_name, window.document)
+    texts = [e.text for e in entries]
+    for spec in ACTIONS:
+        if spec.name != "palette":
+            assert any(spec.text in t for t in texts)
+    found = opened_palette(window, qtbot)
+    qtbot.keyClicks(found.line, "redo")
+    qtbot.keyClick(found.line, Qt.Key.Key_Return)
+    assert found.isVisible()
+    qtbot.keyClick(found.line, Qt.Key.Key_Escape)
