@@ -56,7 +56,7 @@ def page() -> str:
 def _sections(methods: Iterable[Method | Detector | Smoother]) -> list[str]:
     """One section a method: what it does, its source, its parameters."""
     lines: list[str] = []
-    for method in methods:
+    for method in (m for m in methods if not m.plugin):
         lines += [f"### `{method.name}` – {method.label}", "", method.summary]
         if method.source:
             lines[-1] += f" Source: {method.source}."

@@ -18,9 +18,8 @@ from markermend.take import Origin, Take
 from markermend_app import dialogs, settings
 from markermend_app.document import Document
 from markermend_app.exporting import Exporter
+from markermend_app.file_filters import open_filter
 from markermend_app.jobs import Lane
-
-OPEN_FILTER = "Takes (*.c3d *.C3D *.trc *.TRC *.csv *.CSV);;All files (*)"
 
 
 class Commands(QObject):
@@ -50,7 +49,7 @@ class Commands(QObject):
         """Ask for a take and open it."""
         start = str(self._document.path.parent) if self._document.path else ""
         name, _ = QFileDialog.getOpenFileName(
-            self._window, self.tr("Open take"), start, OPEN_FILTER
+            self._window, self.tr("Open take"), start, open_filter()
         )
         if name:
             self.open_path(Path(name))

@@ -14,9 +14,8 @@ from markermend.files import Export
 from markermend.progress import Progress
 from markermend_app import dialogs, export_dialog, settings
 from markermend_app.document import Document
+from markermend_app.file_filters import export_filter
 from markermend_app.jobs import Lane
-
-EXPORT_FILTER = "C3D (*.c3d);;TRC (*.trc);;CSV (*.csv)"
 
 
 class Exporter(QObject):
@@ -163,7 +162,7 @@ class Exporter(QObject):
         path = self._document.path
         proposal = str(path.with_name(path.stem + "_clean.c3d")) if path else "take_clean.c3d"
         name, chosen = QFileDialog.getSaveFileName(
-            self._window, self.tr("Export repaired take"), proposal, EXPORT_FILTER
+            self._window, self.tr("Export repaired take"), proposal, export_filter()
         )
         if not name:
             return None

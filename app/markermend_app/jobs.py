@@ -15,7 +15,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Qt, Signal
 
 from markermend.errors import Cancelled
-from markermend.progress import Progress
+from markermend.progress import Progress, heeded
 
 Work = Callable[[Progress], Any]
 Callbacks = tuple[Callable[[Any], None], Callable[[Exception], None], Callable[[Any], None]]
@@ -79,7 +79,8 @@ class Lane(QObject):
                 if stop.is_set():
                     raise Cancelled
                 self.started.emit(label)
-                result = work(report)
+                with heeded(report) as progress:
+                    result = work(progress)
             except Exception as caught:
                 error = caught
             self._ended.emit(number, result, error)

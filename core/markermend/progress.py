@@ -6,7 +6,9 @@ A progress function takes the share done in [0, 1] and what is being done. It ma
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 
 Progress = Callable[[float, str], None]
 
@@ -25,3 +27,33 @@ def part(progress: Progress | None, start: float, stop: float) -> Progress:
         whole(start + (stop - start) * min(max(share, 0.0), 1.0), doing)
 
     return report
+
+
+_heeded: ContextVar[Callable[[], None] | None] = ContextVar("heeded", default=None)
+
+
+@contextmanager
+def heeded(progress: Progress) -> Iterator[Progress]:
+    """Let work deep inside, which is given no progress function, be stopped by this one.
+
+    Yields the function to report to instead; :func:`heed` repeats its last report.
+    """
+    told = 0.0, ""
+
+    def report(share: float, doing: str) -> None:
+        nonlocal told
+        told = share, doing
+        progress(share, doing)
+
+    token = _heeded.set(lambda: progress(*told))
+    try:
+        yield report
+    finally:
+        _heeded.reset(token)
+
+
+def heed() -> None:
+    """Raise ``Cancelled`` when whoever waits for this work wants it stopped."""
+    look = _heeded.get()
+    if look is not None:
+        look()

@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from markermend.files import Export
 
 STDOUT = "-"
-TAKE_SUFFIXES = (".c3d", ".trc", ".csv")
 _BAR_WIDTH = 24
 _REDRAW_S = 0.1
 
@@ -136,8 +135,10 @@ def check_outputs(paths: Sequence[str | None], *, source: str | None, force: boo
 
 def check_take_output(path: str) -> None:
     """Refuse, before any work is done, a take's name that does not tell its format."""
-    if Path(path).suffix.lower() not in TAKE_SUFFIXES:
-        raise ExportError(f"“{path}” should end in .c3d, .trc or .csv, to tell what to write.")
+    from markermend.plugins.formats import writable, writable_in_words
+
+    if Path(path).suffix.lower() not in writable():
+        raise ExportError(f"“{path}” should end in {writable_in_words()}, to tell what to write.")
 
 
 def written(export: Export) -> list[str]:

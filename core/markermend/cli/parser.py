@@ -38,6 +38,7 @@ COMMANDS = {
     "convert": "write a take in another format: c3d, trc or csv",
     "diff": "what differs between two files: samples, parameters, bytes",
     "batch": "clean many takes alike, in several processes",
+    "methods": "every method there is, with its parameters",
     "simulate": "make a take of a synthetic performer, damaged, with the truth",
     "bench": "rerun an experiment and print its table",
     "train": "learn one of Markermend's own models anew",
@@ -82,6 +83,7 @@ def make_parser() -> argparse.ArgumentParser:
         "convert": _add_convert,
         "diff": _add_diff,
         "batch": _add_batch,
+        "methods": _add_methods,
         "simulate": _add_simulate,
         "bench": add_experiments,
         "train": add_training,
@@ -228,6 +230,12 @@ def _add_batch(p: argparse.ArgumentParser) -> None:
     _force(p)
 
 
+def _add_methods(p: argparse.ArgumentParser) -> None:
+    p.add_argument("name", metavar="NAME", nargs="?", help="show this one, with its parameters")
+    _json(p)
+    _force(p)
+
+
 def _add_simulate(p: argparse.ArgumentParser) -> None:
     _output(p)
     p.add_argument("--duration", metavar="S", type=_positive, default=40.0, help="seconds")
@@ -253,7 +261,7 @@ def _output(p: argparse.ArgumentParser) -> None:
         "--output",
         metavar="OUT",
         required=True,
-        help="take to write; its ending says the format: .c3d, .trc or .csv",
+        help="take to write; its ending says the format: .c3d, .trc, .csv, or a plugin's",
     )
 
 

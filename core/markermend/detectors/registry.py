@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
-from types import MappingProxyType
 from typing import Any
 
 from markermend.artifact import Artifact
 from markermend.detectors.joint import JointParams, detect_joint
 from markermend.detectors.paper import detect_paper
 from markermend.detectors.params import PaperParams
-from markermend.errors import MethodError
 from markermend.mesh import Mesh
+from markermend.plugins.discover import DETECTORS as PLUGINS
+from markermend.plugins.guards import guard_detector
 from markermend.progress import Progress
+from markermend.registry import Registry
 from markermend.take import Take
 
 DetectorFunction = Callable[[Take, Any, Mesh | None, Progress], list[Artifact]]
@@ -31,6 +32,7 @@ class Detector:
     params : frozen dataclass; each field's metadata gives ``unit``, ``min``, ``max``, ``help``
     run : ``(take, params, mesh or None, progress) -> artifacts`` of all kinds but gaps
     source : paper and section, or empty
+    plugin : the package that brings it, empty for ours
     """
 
     name: str
@@ -39,29 +41,32 @@ class Detector:
     params: type
     run: DetectorFunction
     source: str = ""
+    plugin: str = ""
 
 
-DETECTORS: Mapping[str, Detector] = MappingProxyType(
-    {
-        "paper": Detector(
-            name="paper",
-            label="As published",
-            summary="Four stages on each coordinate, from single peaks to slow changes.",
-            params=PaperParams,
-            run=detect_paper,
-            source="skurowski2022, section 3.4",
-        ),
-        "joint": Detector(
-            name="joint",
-            label="Joint",
-            summary="Jumps and jitter that neither smooth motion nor the neighbours explain, "
-            "with calibrated confidence.",
-            params=JointParams,
-            run=detect_joint,
-        ),
-    }
-)
+DETECTORS = Registry("detection method", Detector, PLUGINS, guard_detector)
 """Every detection method by name."""
+
+DETECTORS.add(
+    Detector(
+        name="paper",
+        label="As published",
+        summary="Four stages on each coordinate, from single peaks to slow changes.",
+        params=PaperParams,
+        run=detect_paper,
+        source="skurowski2022, section 3.4",
+    )
+)
+DETECTORS.add(
+    Detector(
+        name="joint",
+        label="Joint",
+        summary="Jumps and jitter that neither smooth motion nor the neighbours explain, "
+        "with calibrated confidence.",
+        params=JointParams,
+        run=detect_joint,
+    )
+)
 
 
 def find_detector(name: str) -> Detector:
@@ -72,10 +77,4 @@ def find_detector(name: str) -> Detector:
     MethodError
         when there is none of that name; the message lists those there are
     """
-    try:
-        return DETECTORS[name]
-    except KeyError:
-        known = ", ".join(DETECTORS)
-        raise MethodError(
-            f"There is no detection method “{name}”; choose one of {known}."
-        ) from None
+    return DETECTORS.find(name)

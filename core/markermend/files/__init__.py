@@ -70,6 +70,7 @@ def _reader(path: Path) -> Callable[..., Take]:
     from markermend.files.c3d import read_c3d
     from markermend.files.csv import read_csv
     from markermend.files.trc import SIGNATURE, read_trc
+    from markermend.plugins.formats import formats
 
     with path.open("rb") as file:
         head = file.read(_SNIFFED)
@@ -83,6 +84,8 @@ def _reader(path: Path) -> Callable[..., Take]:
         raise FileFormatError(f"{path.name} is empty; look for another copy of it.")
     if suffix == ".trc":
         return read_trc
+    if suffix != ".csv" and suffix in formats():
+        return formats()[suffix].run
     if binary:
         raise FileFormatError(f"{path.name} is of an unknown kind; C3D, TRC and CSV can be read.")
     return read_csv
@@ -193,7 +196,9 @@ def _writer(
     from markermend.files.c3d_restructure import copy_restructured, structure_of, to_be_floats
     from markermend.files.csv import write_csv
     from markermend.files.trc import write_trc
+    from markermend.plugins.formats import contents, formats, writable_in_words
 
+    others = {name: f for name, f in formats().items() if f.write is not None}
     present = np.asarray(np.count_nonzero(take.present, axis=0), dtype=np.int64)
 
     def new(file: IO[bytes]) -> IntArray:
@@ -202,14 +207,18 @@ def _writer(
                 write_trc(take, file, report, name=target.name)
             case ".csv":
                 write_csv(take, file, report)
+            case suffix if suffix in others:
+                file.write(contents(others[suffix], take))
             case _:
                 write_new(take, file, report, notes=_notes(take, record, mark_outputs))
         return present
 
-    if target.suffix.lower() in (".trc", ".csv"):
+    if target.suffix.lower() in (".trc", ".csv", *others):
         return new
     if target.suffix.lower() != ".c3d":
-        raise ExportError(f"{target.name} should end in .c3d, .trc or .csv, to tell what to write.")
+        raise ExportError(
+            f"{target.name} should end in {writable_in_words()}, to tell what to write."
+        )
     notes = _notes(take, record, mark_outputs)
     if patchable(take) and not notes and not (as_float and to_be_floats(take)):
         return lambda file: copy_patched(take, file, report)

@@ -9,15 +9,17 @@ the reason. "Cannot repair" is a value, not an exception.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from types import MappingProxyType
 from typing import Any
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.artifact import Artifact
-from markermend.errors import MethodError
 from markermend.mesh import Mesh
 from markermend.patch import Patch
+from markermend.plugins.discover import REPAIRS as PLUGINS
+from markermend.plugins.guards import guard_method
+from markermend.registry import Registry
 from markermend.take import Take
 
 
@@ -59,6 +61,11 @@ class Repair:
     band_mm: FloatArray | None = None
     params: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        # A read-only mapping cannot be pickled, and plugins repair in another process.
+        values = (getattr(self, f.name) for f in fields(self))
+        return Repair, tuple(dict(v) if isinstance(v, MappingProxyType) else v for v in values)
+
     def __repr__(self) -> str:
         if not self.patches:
             return f"<Repair by {self.method}: none, {self.reason}>"
@@ -83,6 +90,7 @@ class Method:
     run : ``(evidence, artifact, params) -> Repair``
     source : paper and equation, or empty
     key : the number key that picks it in a review, or None
+    plugin : the package that brings it, empty for ours
     """
 
     name: str
@@ -92,10 +100,16 @@ class Method:
     run: MethodFunction
     source: str = ""
     key: int | None = None
+    plugin: str = ""
 
 
-_methods: dict[str, Method] = {}
-REPAIRS: Mapping[str, Method] = MappingProxyType(_methods)
+REPAIRS = Registry(
+    "repair method",
+    Method,
+    PLUGINS,
+    guard_method,
+    order=lambda m: (m.key is None, m.key or 0, m.name),
+)
 """Every repair method by name, in the order operators see them (keys 1 to 9)."""
 
 
@@ -114,10 +128,7 @@ def register(
     """
 
     def add(run: MethodFunction) -> MethodFunction:
-        _methods[name] = Method(name, label, summary, params, run, source, key)
-        ordered = sorted(_methods.values(), key=lambda m: (m.key is None, m.key or 0, m.name))
-        _methods.clear()
-        _methods.update({m.name: m for m in ordered})
+        REPAIRS.add(Method(name, label, summary, params, run, source, key))
         return run
 
     return add
@@ -131,8 +142,4 @@ def find_method(name: str) -> Method:
     MethodError
         when there is none of that name; the message lists those there are
     """
-    try:
-        return REPAIRS[name]
-    except KeyError:
-        known = ", ".join(REPAIRS)
-        raise MethodError(f"There is no repair method “{name}”; choose one of {known}.") from None
+    return REPAIRS.find(name)

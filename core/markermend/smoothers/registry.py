@@ -7,15 +7,16 @@ A method is a frozen dataclass of parameters and a pure function that sees the t
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, IntArray, runs
-from markermend.errors import MethodError
+from markermend.plugins.discover import SMOOTHERS as PLUGINS
+from markermend.plugins.guards import guard_smoother
+from markermend.registry import Registry
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,6 +92,7 @@ class Smoother:
     params : frozen dataclass; each field's metadata may give ``unit``, ``min``, ``max``, ``help``
     run : ``(signals, params) -> (frames, markers, 3)``
     source : paper and equation, or empty
+    plugin : the package that brings it, empty for ours
     """
 
     name: str
@@ -99,10 +101,10 @@ class Smoother:
     params: type
     run: SmootherFunction
     source: str = ""
+    plugin: str = ""
 
 
-_smoothers: dict[str, Smoother] = {}
-SMOOTHERS: Mapping[str, Smoother] = MappingProxyType(_smoothers)
+SMOOTHERS = Registry("smoother", Smoother, PLUGINS, guard_smoother)
 """Every smoothing method by name."""
 
 
@@ -112,7 +114,7 @@ def register(
     """Add a method to :data:`SMOOTHERS`; used as a decorator."""
 
     def add(run: SmootherFunction) -> SmootherFunction:
-        _smoothers[name] = Smoother(name, label, summary, params, run, source)
+        SMOOTHERS.add(Smoother(name, label, summary, params, run, source))
         return run
 
     return add
@@ -126,8 +128,4 @@ def find_smoother(name: str) -> Smoother:
     MethodError
         when there is none of that name; the message lists those there are
     """
-    try:
-        return SMOOTHERS[name]
-    except KeyError:
-        known = ", ".join(SMOOTHERS)
-        raise MethodError(f"There is no smoother “{name}”; choose one of {known}.") from None
+    return SMOOTHERS.find(name)

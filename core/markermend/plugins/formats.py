@@ -1,0 +1,70 @@
+"""File formats that other packages bring."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from markermend.errors import FileFormatError
+from markermend.plugins.discover import FORMATS, loaded
+from markermend.plugins.worker import Worker
+from markermend.take import Take
+
+OURS = ("c3d", "trc", "csv")
+
+
+@dataclass(frozen=True)
+class Format:
+    """A file format.
+
+    Attributes
+    ----------
+    name : the ending of its files without the dot, in small letters: ``"tsv"``
+    label : name for people
+    run : ``(path) -> Take``, reads a file
+    write : ``(take) -> bytes``, the contents of a file, or None where it can only be read
+    """
+
+    name: str
+    label: str
+    run: Callable[[Path], Take]
+    write: Callable[[Take], bytes] | None = None
+    plugin: str = ""
+
+
+@lru_cache(maxsize=1)
+def formats() -> Mapping[str, Format]:
+    """Formats that plugins bring, by ending with the dot."""
+    return {f".{f.name}": f for f in loaded(FORMATS, Format, OURS, _guard)}
+
+
+def contents(chosen: Format, take: Take) -> bytes:
+    """What a file of a take holds, made by a plugin in another process."""
+    return bytes(Worker(FORMATS, chosen.name).call(take, member="write"))
+
+
+def _guard(chosen: Format) -> Callable[[Path], Take]:
+    """Read in another process."""
+    worker = Worker(FORMATS, chosen.name)
+
+    def read(path: Path, *, progress: Any = None) -> Take:
+        take = worker.call(path)
+        if not isinstance(take, Take):
+            raise FileFormatError(f"The plugin for .{chosen.name} files did not return a take.")
+        return take
+
+    return read
+
+
+def writable() -> tuple[str, ...]:
+    """Endings of the files that can be written, with the dot."""
+    return (*(f".{o}" for o in OURS), *(e for e, f in formats().items() if f.write is not None))
+
+
+def writable_in_words() -> str:
+    """Endings of the files that can be written, as a list for people."""
+    *first, last = writable()
+    return f"{', '.join(first)} or {last}"

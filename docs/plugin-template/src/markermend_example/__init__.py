@@ -1,0 +1,1 @@
+"""One example of everything that can be added to Markermend."""

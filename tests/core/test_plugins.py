@@ -1,0 +1,237 @@
+"""Plugins beside our own methods: those that work, and those that do harm."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import markermend as mm
+from markermend.take import Take
+
+ROOT = Path(__file__).resolve().parents[2]
+TEMPLATE = ROOT / "docs" / "plugin-template"
+
+HARMFUL = """
+import os, time
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from markermend.artifact import Artifact, Kind
+from markermend.detectors.registry import Detector
+from markermend.patch import Patch
+from markermend.repairs.registry import Method, Repair
+from markermend.smoothers.registry import Smoother
+
+
+@dataclass(frozen=True)
+class Nothing:
+    pass
+
+
+def dies(*arguments):
+    os._exit(3)
+
+
+def raises(*arguments):
+    raise ValueError("out of luck")
+
+
+def greedy(evidence, artifact, params):
+    values = np.zeros((artifact.length + 1, 3))
+    stop = artifact.stop + 1
+    return Repair("greedy", (Patch(artifact.marker, "xyz", artifact.start, stop, values),))
+
+
+def hangs(take, params, mesh, progress):
+    progress(0.5, "hanging")
+    time.sleep(600)
+
+
+def dawdles(evidence, artifact, params):
+    time.sleep(600)
+
+
+def invents(signals, params):
+    return np.nan_to_num(signals.values)
+
+
+def outside(take, params, mesh, progress):
+    return [Artifact("NOBODY", "x", 0, 1, Kind.PEAK)]
+
+
+def method(name, run):
+    return Method(name, name, name, Nothing, run)
+
+
+dying, raising, greed = method("dying", dies), method("raising", raises), method("greed", greedy)
+linear, dawdling = method("linear", raises), method("dawdling", dawdles)
+hanging = Detector("hanging", "", "", Nothing, hangs)
+outsider = Detector("outsider", "", "", Nothing, outside)
+inventor = Smoother("inventor", "", "", Nothing, invents)
+wrong = 3
+"""
+HARMFUL_POINTS = {
+    "markermend.repairs": {
+        "dying": "harmful:dying",
+        "raising": "harmful:raising",
+        "greed": "harmful:greed",
+        "linear": "harmful:linear",
+        "dawdling": "harmful:dawdling",
+        "wrong": "harmful:wrong",
+        "absent": "nowhere:absent",
+    },
+    "markermend.detectors": {"hanging": "harmful:hanging", "outsider": "harmful:outsider"},
+    "markermend.smoothers": {"inventor": "harmful:inventor"},
+}
+
+
+def installed(folder: Path, name: str, points: dict[str, dict[str, str]]) -> None:
+    """Write what an installer would leave of a package: its name and entry points."""
+    info = folder / f"{name}-0.1.0.dist-info"
+    info.mkdir(parents=True)
+    (info / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}\nVersion: 0.1.0\n")
+    lines = [f"[{g}]\n" + "\n".join(f"{k} = {v}" for k, v in p.items()) for g, p in points.items()]
+    (info / "entry_points.txt").write_text("\n".join(lines) + "\n")
+
+
+def python(*arguments: str, paths: list[Path]) -> subprocess.CompletedProcess[str]:
+    """Run Python with packages on its path."""
+    rooms = [ROOT / room for room in ("core", "app", "resources")]
+    env = os.environ | {"PYTHONPATH": os.pathsep.join(str(p) for p in [*paths, *rooms])}
+    return subprocess.run(
+        [sys.executable, *arguments], env=env, capture_output=True, text=True, timeout=120
+    )
+
+
+@pytest.fixture
+def template(tmp_path: Path) -> list[Path]:
+    """The template package, as an installer would leave it."""
+    project = tomllib.loads((TEMPLATE / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    installed(tmp_path / "site", "markermend_example", project["entry-points"])
+    return [tmp_path / "site", TEMPLATE / "src"]
+
+
+@pytest.fixture
+def harmful(tmp_path: Path) -> list[Path]:
+    """A package of plugins that do what they should not."""
+    (tmp_path / "bad").mkdir()
+    (tmp_path / "bad" / "harmful.py").write_text(HARMFUL)
+    installed(tmp_path / "bad", "harmful", HARMFUL_POINTS)
+    return [tmp_path / "bad"]
+
+
+@pytest.fixture
+def gappy(tmp_path: Path) -> Path:
+    """A take with one gap and one standstill."""
+    positions = np.random.default_rng(0).normal(0, 1, (200, 6, 3)).cumsum(axis=0)
+    positions[50:60, 2] = np.nan
+    positions[100:150, 4] = positions[100, 4]
+    path = tmp_path / "take.csv"
+    mm.write(Take(positions, tuple("ABCDEF"), 100.0), path)
+    return path
+
+
+def test_every_plugin_of_the_template_works(
+    template: list[Path], gappy: Path, tmp_path: Path
+) -> None:
+    script = f"""
+import markermend as mm
+from markermend.cli import main
+take, out = {str(gappy)!r}, {str(tmp_path)!r}
+assert main(["fill", take, "-o", out + "/filled.csv", "--method", "hold"]) == 0
+assert main(["smooth", take, "-o", out + "/smooth.csv", "--method", "median"]) == 0
+assert main(["detect", take, "--method", "still", "--json", out + "/found.json"]) == 0
+assert main(["convert", take, "-o", out + "/take.npz"]) == 0
+assert main(["convert", out + "/take.npz", "-o", out + "/again.csv"]) == 0
+assert main(["methods", "--json", out + "/methods.json"]) == 0
+"""
+    (tmp_path / "drive.py").write_text(
+        "if __name__ == '__main__':\n" + script.replace("\n", "\n    ")
+    )
+    done = python(str(tmp_path / "drive.py"), paths=template)
+    assert done.returncode == 0, done.stderr
+
+    filled = mm.read(tmp_path / "filled.csv")
+    assert (filled.positions[50:60, 2] == filled.positions[49, 2]).all()
+    found = json.loads((tmp_path / "found.json").read_text())["artifacts"]
+    still = [a for a in found if a["kind"] == "slow"]
+    assert [(a["marker"], a["start"], a["stop"]) for a in still] == [("E", 101, 150)]
+    again, original = mm.read(tmp_path / "again.csv"), mm.read(gappy)
+    np.testing.assert_array_equal(again.positions, original.positions)
+    smooth = mm.read(tmp_path / "smooth.csv")
+    assert smooth.present.sum() == original.present.sum()
+    assert not np.allclose(smooth.positions[:40], original.positions[:40])
+    told = json.loads((tmp_path / "methods.json").read_text())
+    hold = next(m for m in told["repair"] if m["name"] == "hold")
+    assert hold["plugin"] == "markermend_example"
+    assert hold["parameters"][0]["unit"] == "frames"
+
+
+def test_plugins_that_do_harm_harm_nobody(harmful: list[Path], gappy: Path, tmp_path: Path) -> None:
+    script = f"""
+import time
+import markermend as mm
+from markermend.plugins import faults
+from markermend.progress import heeded
+from markermend.repairs import REPAIRS, repair_all, find_gaps
+
+def told(work):
+    try:
+        work()
+    except mm.MarkermendError as error:
+        return str(error)
+    return "nothing"
+
+def stop(share, doing):
+    if doing == "hanging":
+        raise mm.Cancelled
+
+if __name__ == "__main__":
+    take = mm.read({str(gappy)!r})
+    gap = find_gaps(take)
+    for name in ("dying", "raising", "greed"):
+        (_, done), = repair_all(take, gap, method=name)
+        assert not done.patches
+        print(name, done.reason)
+    assert repair_all(take, gap, method="linear")[0][1].patches
+    print(told(lambda: mm.detect(take, method="outsider")))
+    print(told(lambda: mm.smooth(take, method="inventor")))
+    began = time.monotonic()
+    try:
+        mm.detect(take, method="hanging", progress=stop)
+    except mm.Cancelled:
+        print("cancelled", time.monotonic() - began < 60)
+    began, gone = time.monotonic(), lambda share, doing: stop(share, "hanging")
+    try:
+        with heeded(gone):
+            repair_all(take, gap, method="dawdling")
+    except mm.Cancelled:
+        print("stopped", time.monotonic() - began < 60)
+    for fault in faults():
+        print(fault.plugin, fault.package, fault.why)
+"""
+    (tmp_path / "drive.py").write_text(script)
+    done = python(str(tmp_path / "drive.py"), paths=harmful)
+
+    assert done.returncode == 0, done.stderr
+    for sentence in (
+        "dying The plugin “dying” broke off: its process died.",
+        "raising The plugin “raising” failed (ValueError: out of luck).",
+        "greed the plugin wanted to change samples that are not the artifact's",
+        "The plugin “outsider” found damage outside the take, on NOBODY.",
+        "The plugin “inventor” invented or lost samples; nothing was smoothed.",
+        "cancelled True",
+        "stopped True",
+        "linear harmful there is a method “linear” already",
+        "wrong harmful it is a int, not a Method",
+        "absent harmful it cannot be loaded (ModuleNotFoundError: No module named 'nowhere')",
+    ):
+        assert sentence in done.stdout
