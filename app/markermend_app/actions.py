@@ -188,6 +188,33 @@ ACTIONS: tuple[Action, ...] = (
         "+",
     ),
     Action(
+        "repair_alike",
+        "Repair all like this…",
+        "Review",
+        ("Ctrl+Shift+R",),
+        "repair-all",
+        "List the open artifacts of its class, and repair them in one step",
+        _current,
+    ),
+    Action(
+        "reject_alike",
+        "Reject all like this…",
+        "Review",
+        ("Shift+R",),
+        "reject",
+        "List the open artifacts of its class, and reject them in one step",
+        _current,
+    ),
+    Action(
+        "lower_doubted",
+        "Lower what was rejected several times",
+        "Review",
+        ("Y",),
+        "",
+        "Answer yes when asked whether the rest of a sort is to come last",
+        _editable,
+    ),
+    Action(
         "previous",
         "Previous artifact",
         "|Review",
@@ -201,6 +228,7 @@ ACTIONS: tuple[Action, ...] = (
     Action(
         "next", "Next artifact", "Review", ("N", "Ctrl+Right"), "next", "", _artifacts, False, "+"
     ),
+    Action("note", "Write a note", "|Review", ("T",), "", "Say something about it", _current),
     Action(
         "mark_selection",
         "Mark selection",

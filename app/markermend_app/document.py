@@ -7,7 +7,7 @@ signals; none of them changes samples or artifacts by itself.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +19,11 @@ from markermend.errors import DataError, MarkermendError
 from markermend.mesh import Mesh
 from markermend.session import Session
 from markermend.session_file import SessionFile
-from markermend_app.proposals import Proposals
+from markermend_app.preview import Preview
+from markermend_app.walk import open_after
+
+AHEAD = 3
+"""Artifacts after the current one whose repairs are proposed ahead of time."""
 
 
 @dataclass(frozen=True)
@@ -68,11 +72,11 @@ class Document(QObject):
         self.shown: tuple[str, ...] = ()
         self.frame = 0
         self.selection: Selection | None = None
-        self.method = "auto"
         self.queue: tuple[str, ...] = ()
         self._current: str | None = None
-        self.proposals = Proposals(self)
-        self.proposals.ready.connect(self._proposal_came)
+        self.preview = Preview(self)
+        self.preview.ready.connect(self._proposal_came)
+        self.proposals = self.preview.proposals
         self._repair_when_ready: str | None = None
 
     # What is open
@@ -101,7 +105,8 @@ class Document(QObject):
             self.file.close()
         self.file, self.mesh = file, mesh
         self.shown, self.queue, self._current = (), (), None
-        self.frame, self.selection, self.method = 0, None, "auto"
+        self.frame, self.selection = 0, None
+        self.preview.reset()
         self._repair_when_ready = None
         self.opened.emit()
         self.artifacts_changed.emit()
@@ -130,7 +135,7 @@ class Document(QObject):
         self._current = artifact_id
         artifact = self.current
         if artifact is not None:
-            self.method = "auto"
+            self.preview.reset()
             names = [artifact.marker]
             if artifact.counterpart:
                 names.append(artifact.counterpart)
@@ -183,31 +188,33 @@ class Document(QObject):
     @property
     def proposal(self) -> Any:
         """The previewed :class:`markermend.repairs.registry.Repair`, or None while it is made."""
-        artifact = self.current
-        if artifact is None:
-            return None
-        return self.proposals.get(artifact, self.method)
+        return None if self.current is None else self.preview.get(self.current)
+
+    @property
+    def method(self) -> str:
+        """The method previewed: ``"auto"`` or a name."""
+        return self.preview.method
 
     def choose_method(self, name: str) -> None:
         """Preview another repair method for the current artifact (``"auto"`` or a name)."""
-        if self.current is None or name == self.method:
-            return
-        self.method = name
-        self._propose()
+        if self.current is not None and name != self.method:
+            self.preview.method = name
+            self._propose()
+
+    def follow(self, references: Sequence[str]) -> None:
+        """Preview a repair that follows these markers only; with none the method chooses."""
+        if self.current is not None and tuple(references) != self.preview.references:
+            self.preview.references = tuple(references)
+            self._propose()
 
     def _propose(self) -> None:
-        """Ask for the current artifact's proposal and, ahead of time, the next one's."""
+        """Ask for the current artifact's proposal and, ahead of time, those of the next ones."""
         self.proposal_changed.emit()
         artifact, session = self.current, self.session
         if artifact is None or session is None or self.mesh is None:
             return
-        if artifact.status is Status.REPAIRED:
-            return
-        wanted = [(artifact, self.method)]
-        following = self._following(artifact.id)
-        if following is not None:
-            wanted.append((session.artifact(following), "auto"))
-        self.proposals.want(session, self.mesh, wanted)
+        ahead = (session.artifact(i) for i in open_after(session, self.queue, artifact.id)[:AHEAD])
+        self.preview.want(session, self.mesh, artifact, tuple(ahead))
 
     def _proposal_came(self, artifact_id: str) -> None:
         """Show a proposal that was waited for, or use it when F was pressed already."""
@@ -237,7 +244,7 @@ class Document(QObject):
 
     def reopen(self, ids: Sequence[str]) -> None:
         """Take a decision back; a repaired one gets its source samples again."""
-        self._do(lambda s: s.set_status(ids, Status.PENDING))
+        self.do(lambda s: s.set_status(ids, Status.PENDING))
 
     def accept_current(self) -> None:
         """Accept the current artifact and move on."""
@@ -263,19 +270,19 @@ class Document(QObject):
             return
         self._repair_when_ready = None
         following = self._following(artifact.id)
-        if self._do(lambda s: s.repair([(artifact.id, proposal)])):
+        if self.do(lambda s: s.repair([(artifact.id, proposal)])):
             self._move_on(following)
 
     def repair_many(self, repairs: Sequence[tuple[str, Any]], label: str) -> None:
         """Apply many proposals as one step."""
         ids = [i for i, _ in repairs]
         following = self._following(self._current, besides=ids)
-        if self._do(lambda s: s.repair(repairs, label)) and self._current in ids:
+        if self.do(lambda s: s.repair(repairs, label)) and self._current in ids:
             self._move_on(following)
 
     def add_detected(self, found: Iterable[Artifact], method: str) -> None:
         """Take over what a detector found."""
-        self._do(lambda s: s.add_detected(found, method))
+        self.do(lambda s: s.add_detected(found, method))
 
     def mark(self, artifact: Artifact) -> None:
         """Add an artifact by hand and put it under review."""
@@ -283,13 +290,13 @@ class Document(QObject):
         if session is None:
             return
         before = {a.id for a in session.artifacts}
-        if self._do(lambda s: s.mark(artifact)):
+        if self.do(lambda s: s.mark(artifact)):
             new = [a.id for a in session.artifacts if a.id not in before]
             self.select(new[0], frame=False)
 
     def remove(self, ids: Sequence[str]) -> None:
         """Take artifacts off the list."""
-        self._do(lambda s: s.remove(ids))
+        self.do(lambda s: s.remove(ids))
 
     def change(
         self,
@@ -301,19 +308,19 @@ class Document(QObject):
         stop: int | None = None,
     ) -> None:
         """Give an artifact another class, axes or edges."""
-        self._do(lambda s: s.change(artifact_id, kind=kind, axes=axes, start=start, stop=stop))
+        self.do(lambda s: s.change(artifact_id, kind=kind, axes=axes, start=start, stop=stop))
 
     def undo(self) -> None:
         """Take the last step back."""
-        self._do(lambda s: s.undo())
+        self.do(lambda s: s.undo())
 
     def redo(self) -> None:
         """Bring the last undone step back."""
-        self._do(lambda s: s.redo())
+        self.do(lambda s: s.redo())
 
     def travel(self, steps_done: int) -> None:
         """Undo or redo until so many steps are done."""
-        self._do(lambda s: s.travel(steps_done))
+        self.do(lambda s: s.travel(steps_done))
 
     # Inner workings
 
@@ -321,21 +328,14 @@ class Document(QObject):
         """Set a status; when the current artifact is among them, move on."""
         following = self._following(self._current, besides=ids)
         moving = self._current in ids
-        if self._do(lambda s: s.set_status(ids, status)) and moving:
+        if self.do(lambda s: s.set_status(ids, status)) and moving:
             self._move_on(following)
 
     def _following(self, artifact_id: str | None, besides: Sequence[str] = ()) -> str | None:
         """The next undecided artifact in the queue after this one, else the first one left."""
-        session = self.session
-        if session is None or artifact_id is None:
+        if self.session is None:
             return None
-        pending = {a.id for a in session.with_status(Status.PENDING)} - {artifact_id, *besides}
-        if artifact_id in self.queue:
-            i = self.queue.index(artifact_id)
-            order = self.queue[i + 1 :] + self.queue[:i]
-        else:
-            order = self.queue
-        return next((i for i in order if i in pending), None)
+        return next(iter(open_after(self.session, self.queue, artifact_id, besides)), None)
 
     def _move_on(self, artifact_id: str | None) -> None:
         """Select the next artifact, or stay when all are decided."""
@@ -345,8 +345,8 @@ class Document(QObject):
             self.current_changed.emit()
             self._propose()
 
-    def _do(self, verb: Callable[[Session], Change]) -> bool:
-        """Run a verb of the session and tell everyone what changed."""
+    def do(self, verb: Callable[[Session], Change]) -> bool:
+        """Run a verb of the session and tell everyone what changed; whether it could be done."""
         session = self.session
         if session is None:
             return False
@@ -355,7 +355,7 @@ class Document(QObject):
                 MarkermendError("This take is open in another window; close it there to edit here.")
             )
             return False
-        revision = session.revision
+        revision, labels = session.revision, session.original.labels
         problem: MarkermendError | None = None
         change = Change()
         try:
@@ -366,10 +366,27 @@ class Document(QObject):
             if problem is not None:
                 # The step was made but could not be journalled: show everything anew.
                 change = Change(session.original.labels, 0, session.original.frames, True)
+            if change.names:
+                self._rename(dict(zip(labels, session.original.labels, strict=True)))
             self._announce(change)
         if problem is not None:
             self.failed.emit(problem)
         return problem is None
+
+    def _rename(self, names: dict[str, str]) -> None:
+        """Follow markers to their new names; what lists them starts over."""
+        assert self.session is not None
+        self.proposals.forget()
+        self.preview.reset()
+        if self.mesh is not None:
+            self.mesh = replace(self.mesh, labels=self.session.original.labels)
+        shown = tuple(names[s] for s in self.shown)
+        self.shown, self.selection = (), None
+        self.opened.emit()
+        self.show(shown)
+        self.artifacts_changed.emit()
+        if self.current is not None:
+            self.frame_requested.emit(self.current.start, self.current.stop)
 
     def _announce(self, change: Change) -> None:
         """Emit the signals of a change."""

@@ -7,7 +7,7 @@ any change of them spoils it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -21,7 +21,8 @@ from markermend.session import Session
 from markermend.take import Take
 from markermend_app.jobs import Lane
 
-Key = tuple[Artifact, str]
+Key = tuple[Artifact, str, tuple[str, ...]]
+"""Artifact, method, and the markers to follow where they were chosen by hand."""
 
 
 class Proposals(QObject):
@@ -44,9 +45,13 @@ class Proposals(QObject):
         # that the answer to the old one is not taken for the new.
         self._asked: dict[Key, object] = {}
 
-    def get(self, artifact: Artifact, method: str) -> Any:
+    def get(self, artifact: Artifact, method: str, references: tuple[str, ...] = ()) -> Any:
         """The proposal, or None while it is not there."""
-        return self._known.get((artifact, method))
+        return self._known.get((artifact, method, references))
+
+    def keep(self, made: Mapping[Key, Any]) -> None:
+        """Take over proposals that were made elsewhere."""
+        self._known.update(made)
 
     def want(self, session: Session, mesh: Mesh, wanted: Sequence[Key]) -> None:
         """Make these proposals, in this order, unless they are there or under way.
@@ -74,7 +79,7 @@ class Proposals(QObject):
         touched = set(markers)
         if touched:
             self._asked.clear()
-        for key in [k for k in self._known if touched & {k[0].marker, k[0].counterpart}]:
+        for key in [k for k in self._known if touched & {k[0].marker, k[0].counterpart, *k[2]}]:
             del self._known[key]
 
     def forget(self) -> None:
@@ -114,5 +119,5 @@ class Proposals(QObject):
             raise Cancelled
         from markermend.repairs import propose
 
-        artifact, method = key
-        return propose(take, artifact, artifacts, method=method, mesh=mesh)
+        artifact, method, references = key
+        return propose(take, artifact, artifacts, method=method, mesh=mesh, references=references)

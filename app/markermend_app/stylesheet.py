@@ -218,6 +218,7 @@ QStatusBar { background: $window; border-top: 1px solid $border; color: $muted;
 QStatusBar::item { border: none; }
 
 QFrame#floatingButtons { background: $raised; border: 1px solid $border; border-radius: 4px; }
+QFrame#notice { background: $raised; border-bottom: 1px solid $border; }
 QLabel#readout { background: $raised; border: 1px solid $border; border-radius: 4px;
     padding: 2px 8px; font-size: ${small}pt; }
 """)

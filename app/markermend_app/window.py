@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QByteArray, QSize, Qt
+from PySide6.QtCore import QByteArray, QObject, QSize, Qt
 from PySide6.QtGui import (
     QAction,
     QActionGroup,
@@ -28,12 +28,15 @@ from PySide6.QtWidgets import (
 
 from markermend_app import dialogs, menus, palette, settings, shortcuts, theme
 from markermend_app.actions import METHOD_KEYS
+from markermend_app.attention import Attention
+from markermend_app.bulk import Bulk
 from markermend_app.commands import Commands
 from markermend_app.document import Document
 from markermend_app.jobs import Lane
 from markermend_app.panels.history import HistoryPanel
 from markermend_app.panels.inspector import Inspector
 from markermend_app.panels.marker_tree import MarkerTree
+from markermend_app.panels.notice import Notice
 from markermend_app.panels.overview import Overview
 from markermend_app.panels.review_queue import ReviewQueue
 from markermend_app.panels.scene import Scene
@@ -56,6 +59,8 @@ class MainWindow(QMainWindow):
         self.document = Document(self)
         self.lane = Lane("engine", self)
         self.commands = Commands(self.document, self.lane, self)
+        self.bulk = Bulk(self.document, self)
+        self.attention = Attention(self.document, self)
         self.setWindowIcon(theme.app_icon())
         self.setAcceptDrops(True)
         self.setDockNestingEnabled(True)
@@ -98,7 +103,13 @@ class MainWindow(QMainWindow):
         plots.setChildrenCollapsible(False)
         self.centre = QStackedWidget()
         self.centre.addWidget(self.welcome)
-        self.centre.addWidget(plots)
+        middle = QWidget()
+        column = QVBoxLayout(middle)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(Notice(self.bulk))
+        column.addWidget(plots, 1)
+        self.centre.addWidget(middle)
         self.setCentralWidget(self.centre)
 
         view = QWidget()
@@ -176,6 +187,7 @@ class MainWindow(QMainWindow):
     def _connect(self) -> None:
         document = self.document
         self.commands.said.connect(self.status.say)
+        self.bulk.said.connect(self.status.say)
         self.welcome.open_requested.connect(self.commands.open)
         self.welcome.demo_requested.connect(self.commands.open_demo)
         self.welcome.path_requested.connect(self.commands.open_path)
@@ -192,12 +204,19 @@ class MainWindow(QMainWindow):
 
     def can(self, name: str) -> bool:
         """Whether an action of that name has a verb."""
-        return name in self._own or hasattr(self.commands, name)
+        return name in self._own or any(hasattr(verbs, name) for verbs in self._verbs)
 
     def _run(self, name: str) -> None:
-        """Do what an action names: a verb of the window, else of the commands."""
-        verb = self._own.get(name) or getattr(self.commands, name)
+        """Do what an action names: a verb of the window, else of those that have it."""
+        verb = self._own.get(name)
+        if verb is None:
+            verb = next(getattr(verbs, name) for verbs in self._verbs if hasattr(verbs, name))
         verb()
+
+    @property
+    def _verbs(self) -> tuple[QObject, ...]:
+        """What has verbs that actions name."""
+        return (self.commands, self.bulk)
 
     def _own_verbs(self) -> dict[str, Callable[[], object]]:
         """Actions about what is seen, not about the review."""
@@ -213,6 +232,7 @@ class MainWindow(QMainWindow):
             "frames_back": lambda: self.transport.step(-10),
             "to_start": lambda: self.document.go_to(0),
             "to_end": lambda: self.document.go_to(1 << 40),
+            "note": self._write_note,
             "fit": self.trajectories.fit_all,
             "zoom_in": lambda: self.trajectories.zoom(0.5),
             "zoom_out": lambda: self.trajectories.zoom(2.0),
@@ -230,6 +250,11 @@ class MainWindow(QMainWindow):
             **{f"method_{k}": partial(self._choose_method, k) for k in METHOD_KEYS},
             "about": lambda: dialogs.show_about(self),
         }
+
+    def _write_note(self) -> None:
+        self.docks["inspector"].show()
+        self.docks["inspector"].raise_()
+        self.inspector.artifact.note.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def _give_keys(self) -> None:
         menus.give_keys(self.actions_by_name)

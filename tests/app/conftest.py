@@ -59,3 +59,28 @@ def damaged_box() -> tuple[Take, tuple[Artifact, ...]]:
 def damaged():
     """A small damaged take and the artifacts in it."""
     return damaged_box()
+
+
+@pytest.fixture
+def review(qtbot, tmp_path):
+    """Open the real window on a take with these artifacts, the first one under review."""
+    from markermend.mesh import infer_mesh
+    from markermend.session_file import open_session
+    from markermend_app.window import MainWindow
+
+    def let_close(window):
+        if window.document.session is not None:
+            window.document.session.mark_exported()
+
+    def start(take, artifacts):
+        window = MainWindow()
+        qtbot.addWidget(window, before_close_func=let_close)
+        window.show()
+        window.activateWindow()
+        qtbot.waitExposed(window)
+        window.document.open(open_session(take, folder=tmp_path), infer_mesh(take))
+        window.document.add_detected(artifacts, "truth")
+        window.document.step(1)
+        return window
+
+    return start

@@ -22,7 +22,7 @@ def slow(qapp, damaged, monkeypatch):
     session.add_detected(truth, "truth")
     begun, entered, go_on = [], threading.Event(), threading.Event()
 
-    def propose(take, artifact, artifacts, *, method, mesh):
+    def propose(take, artifact, artifacts, *, method, mesh, references):
         begun.append(artifact.marker)
         entered.set()
         assert go_on.wait(10)
@@ -32,7 +32,7 @@ def slow(qapp, damaged, monkeypatch):
     proposals = Proposals()
 
     def ask(*artifacts):
-        proposals.want(session, mesh, [(a, "auto") for a in artifacts])
+        proposals.want(session, mesh, [(a, "auto", ()) for a in artifacts])
 
     yield proposals, ask, session.artifacts, begun, entered, go_on
     go_on.set()

@@ -26,6 +26,7 @@ from markermend_app.document import Document
 from markermend_app.panels.badge import kind_icon, tinted_icon
 from markermend_app.panels.inspector_methods import MethodList
 from markermend_app.panels.inspector_take import heading, plain
+from markermend_app.panels.note_line import NoteLine
 from markermend_app.shortcuts import KeyTip
 
 
@@ -90,6 +91,7 @@ class ArtifactPage(QWidget):
         sure.addWidget(self.sureness)
         sure.addStretch(1)
         self.why = plain()
+        self.note = NoteLine(document)
         self.methods = MethodList(document)
 
         form = QFormLayout()
@@ -101,6 +103,7 @@ class ArtifactPage(QWidget):
         form.addRow(self.tr("Size"), self.extent)
         form.addRow(self.tr("Sure"), sure)
         form.addRow(self.tr("Why"), self.why)
+        form.addRow(self.tr("Note"), self.note)
         column = QVBoxLayout(self)
         column.setContentsMargins(12, 8, 12, 8)
         column.setSpacing(8)

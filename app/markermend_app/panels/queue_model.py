@@ -237,7 +237,7 @@ class QueueModel(QAbstractTableModel):
             SIZE: lambda: f"{a.amplitude_mm:.1f} mm" if math.isfinite(a.amplitude_mm) else "–",
             CONFIDENCE: lambda: f"{100 * a.confidence:.0f} %",
             REPAIR: lambda: self._repair_text(a),
-            WHY: lambda: a.why,
+            WHY: lambda: f"✎ {a.note} – {a.why}" if a.note else a.why,
         }[column]()
 
     def _marker_text(self, a: Artifact) -> str:

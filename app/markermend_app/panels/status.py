@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QLabel, QProgressBar, QSizePolicy, QStatusBar, QToolButton, QWidget
 
-from markermend.artifact import Status
 from markermend_app import theme
 from markermend_app.document import Document
 from markermend_app.jobs import Lane
@@ -38,6 +37,9 @@ class StatusLine(QStatusBar):
         self._cancel.setAccessibleName(self.tr("Cancel"))
         self._cancel.clicked.connect(self._stop)
         self._counts = QLabel()
+        self._counts.setToolTip(
+            self.tr("Artifacts decided, time for each, and time spent on the take without pauses")
+        )
         self.addWidget(self._said, 1)
         for widget in (self._doing, self._bar, self._cancel, self._counts):
             self.addPermanentWidget(widget)
@@ -85,11 +87,16 @@ class StatusLine(QStatusBar):
         if session is None:
             self._counts.clear()
             return
-        total = len(session.artifacts)
-        left = len(session.with_status(Status.PENDING))
-        self._counts.setText(
-            self.tr("{0} of {1} decided").format(total - left, total) if total else ""
-        )
+        pace = session.pace
+        if not pace.total:
+            self._counts.clear()
+            return
+        text = self.tr("{0} of {1} decided").format(pace.decided, pace.total)
+        if pace.seconds_each is not None and pace.spent_s:
+            text += self.tr(" · {0:.1f} s each · {1:.1f} min").format(
+                pace.seconds_each, pace.minutes
+            )
+        self._counts.setText(text)
 
     def _recolour(self) -> None:
         self._cancel.setIcon(theme.icon("cancel"))

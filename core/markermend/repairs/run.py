@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 from threadpoolctl import threadpool_limits
 
 from markermend.arrays import runs
@@ -65,6 +66,7 @@ def propose(
     method: str = AUTO,
     params: Mapping[str, Any] | object | None = None,
     mesh: Mesh | None = None,
+    references: Sequence[str] = (),
 ) -> Repair:
     """Propose a repair for one artifact, changing nothing.
 
@@ -76,6 +78,8 @@ def propose(
     method : name in the registry, or ``"auto"`` for :func:`choose` with fallbacks
     params : parameters of a named method, as a mapping or its dataclass; None for the defaults
     mesh : the body's structure, if it was worked out before
+    references : the only other markers to be believed; none leaves the choice to the method.
+        With ``"auto"`` three or more are followed by the local regression, fewer by the pattern
 
     Returns
     -------
@@ -92,6 +96,13 @@ def propose(
     others = tuple(artifacts)
     # It may stand among the others with an older status or interval.
     known = (*(a for a in others if a.id != artifact.id), artifact)
+    if references:
+        evidence = _only(evidence_for(take, known, mesh), artifact.marker, references)
+        if method == AUTO:
+            method = "local_regression" if len(references) > 2 else "pattern"
+        if method == "pattern" and params is None:
+            params = {"donor": references[0]}
+        return propose_from(evidence, artifact, method=method, params=params)
     evidence = evidence_for(take, known, mesh)
     twin = _mirror(artifact, (a for a in others if a.status is Status.REPAIRED))
     if twin is not None and method in (AUTO, "swap"):
@@ -327,6 +338,15 @@ def _if_good(proposed: Repair) -> Repair:
         return proposed
     reason = f"The result would be about {proposed.error_mm:.0f} mm off; too far to be used."
     return replace(proposed, patches=(), reason=reason)
+
+
+def _only(evidence: Evidence, marker: str, references: Sequence[str]) -> Evidence:
+    """Evidence that believes these markers, and the marker's own samples, only."""
+    take = evidence.take
+    believed = [take.index(label) for label in {marker, *references}]
+    trusted = np.zeros_like(evidence.trusted)
+    trusted[:, believed] = evidence.trusted[:, believed]
+    return replace(evidence, trusted=trusted)
 
 
 def _mirror(artifact: Artifact, done: Iterable[Artifact]) -> Artifact | None:

@@ -1,0 +1,247 @@
+"""What will happen to all artifacts like the current one, before it happens."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFormLayout,
+    QHeaderView,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QSpinBox,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from markermend.alike import alike
+from markermend.artifact import Artifact
+from markermend_app import theme
+from markermend_app.document import Document
+
+MARKER, FRAMES, SURE, OUTCOME = range(4)
+SURE_ENOUGH = 50
+"""Percent; below it repairs are not offered to begin with, as on the command line."""
+
+
+@dataclass(frozen=True)
+class Scope:
+    """Where to look for others.
+
+    Attributes
+    ----------
+    text : for people
+    markers : labels, or None for the whole take
+    """
+
+    text: str
+    markers: frozenset[str] | None
+
+
+class AlikeDialog(QDialog):
+    """Lists artifacts of one class, with what is to become of each.
+
+    Parameters
+    ----------
+    document : whose open artifacts are listed
+    like : class and marker to begin with
+    scopes : where to look, narrowest first
+    repairing : repair them, else reject them
+    parent : the window
+
+    Signals
+    -------
+    wanted(tuple) : repairs have to be worked out for these artifacts
+
+    Attributes
+    ----------
+    repairs : worked-out repair by artifact id, as far as :meth:`tell` was told of them
+    """
+
+    wanted = Signal(tuple)
+
+    def __init__(
+        self,
+        document: Document,
+        like: Artifact,
+        scopes: Sequence[Scope],
+        repairing: bool,
+        parent: QWidget,
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._like, self._repairing = document, like, repairing
+        self.repairs: dict[str, Any] = {}
+        self._listed: tuple[Artifact, ...] = ()
+        kind = theme.KIND_NAME[like.kind].lower()
+        if repairing:
+            self.setWindowTitle(self.tr("Repair all like this: {0}").format(kind))
+        else:
+            self.setWindowTitle(self.tr("Reject all like this: {0}").format(kind))
+        self.scope = QComboBox()
+        for scope in scopes:
+            self.scope.addItem(scope.text, scope)
+        self.least = QSpinBox()
+        self.least.setRange(0, 100)
+        self.least.setSuffix(" %")
+        self.least.setValue(SURE_ENOUGH if repairing else 0)
+        self.table = self._make_table()
+        self.bar = QProgressBar()
+        self.bar.setRange(0, 1000)
+        self.bar.setTextVisible(False)
+        self.said = QLabel()
+        self.said.setProperty("role", "muted")
+        self.said.setWordWrap(True)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
+        self.go = QPushButton()
+        buttons.addButton(self.go, QDialogButtonBox.ButtonRole.AcceptRole)
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        form = QFormLayout()
+        form.addRow(self.tr("Where"), self.scope)
+        form.addRow(self.tr("At least this sure"), self.least)
+        column = QVBoxLayout(self)
+        column.addLayout(form)
+        column.addWidget(self.table, 1)
+        column.addWidget(self.bar)
+        column.addWidget(self.said)
+        column.addWidget(buttons)
+        self.scope.currentIndexChanged.connect(self._list)
+        self.least.valueChanged.connect(self._list)
+        self.table.itemChanged.connect(self._count)
+        self.resize(640, 480)
+
+    def _make_table(self) -> QTableWidget:
+        """The list, empty."""
+        table = QTableWidget(0, 4)
+        table.setHorizontalHeaderLabels(
+            [self.tr("Marker"), self.tr("Frames"), self.tr("Sure"), self.tr("What will happen")]
+        )
+        table.setAccessibleName(self.tr("What will happen"))
+        table.verticalHeader().hide()
+        table.setShowGrid(False)
+        table.setWordWrap(False)
+        table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        table.setTabKeyNavigation(False)
+        head = table.horizontalHeader()
+        head.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        head.setStretchLastSection(True)
+        return table
+
+    def open(self) -> None:
+        """Show it, over the window only."""
+        self._list()
+        super().open()
+        self.go.setDefault(True)
+        self.go.setFocus()
+
+    # What is listed
+
+    def chosen(self) -> list[str]:
+        """Ids of the checked artifacts to which something can be done, in order."""
+        found = []
+        for row, a in enumerate(self._listed):
+            item = self.table.item(row, MARKER)
+            if item is not None and item.checkState() == Qt.CheckState.Checked and self._able(a):
+                found.append(a.id)
+        return found
+
+    def tell(self, repairs: dict[str, Any]) -> None:
+        """Take over what was worked out for the artifacts listed."""
+        self.repairs |= repairs
+        with QSignalBlocker(self.table):
+            for row, a in enumerate(self._listed):
+                self.table.setItem(row, OUTCOME, QTableWidgetItem(self._outcome(a)))
+        self._count()
+
+    def _able(self, a: Artifact) -> bool:
+        return not self._repairing or (a.id in self.repairs and bool(self.repairs[a.id].patches))
+
+    def _list(self) -> None:
+        """List the artifacts that are meant, and ask for their repairs."""
+        session = self._document.session
+        scope: Scope = self.scope.currentData()
+        if session is None:
+            return
+        self._listed = alike(
+            session.artifacts,
+            self._like.kind,
+            markers=scope.markers,
+            min_confidence=self.least.value() / 100,
+        )
+        take = session.original
+        with QSignalBlocker(self.table):
+            self.table.setRowCount(len(self._listed))
+            for row, a in enumerate(self._listed):
+                first, last = take.frame_number(a.start), take.frame_number(a.stop - 1)
+                for column, text in (
+                    (MARKER, a.marker),
+                    (FRAMES, f"{first}–{last}"),
+                    (SURE, f"{100 * a.confidence:.0f} %"),
+                    (OUTCOME, self._outcome(a)),
+                ):
+                    self.table.setItem(row, column, QTableWidgetItem(text))
+                box = self.table.item(row, MARKER)
+                if box is not None:
+                    box.setCheckState(Qt.CheckState.Checked)
+        self._count()
+        missing = tuple(a for a in self._listed if a.id not in self.repairs)
+        if self._repairing and missing:
+            self.wanted.emit(missing)
+
+    def _outcome(self, a: Artifact) -> str:
+        """What will become of an artifact."""
+        if not self._repairing:
+            return self.tr("rejected as a false alarm, left as it is")
+        repair = self.repairs.get(a.id)
+        if repair is None:
+            return self.tr("working it out…")
+        if not repair.patches:
+            return self.tr("left as it is: {0}").format(repair.reason)
+        from markermend.repairs import REPAIRS
+
+        label = REPAIRS[repair.method].label
+        return label if repair.error_mm is None else f"{label}, ± {repair.error_mm:.1f} mm"
+
+    def _count(self) -> None:
+        """Say how many it will be."""
+        waiting = self._repairing and any(a.id not in self.repairs for a in self._listed)
+        count = len(self.chosen())
+        verb = self.tr("Repair {0}") if self._repairing else self.tr("Reject {0}")
+        self.go.setText(verb.format(count))
+        self.go.setEnabled(count > 0 and not waiting)
+        self.bar.setVisible(waiting)
+        left = len(self._listed) - count
+        if not self._listed:
+            text = self.tr("No open artifact is like this; look further or be less strict.")
+        elif waiting:
+            text = self.tr("Working out {0} repairs…").format(len(self._listed))
+        else:
+            text = self.tr("One step, undone by one Ctrl+Z.")
+            if left:
+                text = self.tr("{0} are left as they are.").format(left) + " " + text
+        self.said.setText(text)
+
+
+def scopes(document: Document, like: Artifact, say: Callable[[str], str]) -> tuple[Scope, ...]:
+    """Marker, group and take of an artifact; those that are there, narrowest first."""
+    session, mesh = document.session, document.mesh
+    marker = Scope(say("On {0}").format(like.marker), frozenset({like.marker}))
+    take = Scope(say("In the whole take"), None)
+    if session is None or mesh is None:
+        return marker, take
+    group = mesh.group_of(session.original.index(like.marker))
+    if group is None or len(mesh.groups[group].markers) < 2:
+        return marker, take
+    names = frozenset(session.original.labels[i] for i in mesh.groups[group].markers)
+    return marker, Scope(say("In the group {0}").format(mesh.groups[group].name), names), take

@@ -1,0 +1,65 @@
+"""A question asked once, in the window and not over it: the review goes on meanwhile."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QWidget
+
+from markermend_app import shortcuts, theme
+from markermend_app.bulk import Bulk
+
+
+class Notice(QFrame):
+    """Says that a sort of artifact was rejected several times, and offers to lower the rest."""
+
+    def __init__(self, bulk: Bulk, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._bulk = bulk
+        self.setObjectName("notice")
+        self.sign, self.text = QLabel(), QLabel()
+        self.text.setWordWrap(True)
+        self.agree = QPushButton()
+        self.agree.clicked.connect(bulk.lower_doubted)
+        self.keep = QPushButton(self.tr("Leave them"))
+        self.keep.clicked.connect(bulk.keep_doubted)
+        for button in (self.agree, self.keep):
+            # The review keys go on working; the answer has a key of its own.
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(12, 4, 8, 4)
+        row.setSpacing(8)
+        row.addWidget(self.sign)
+        row.addWidget(self.text, 1)
+        row.addWidget(self.agree)
+        row.addWidget(self.keep)
+        bulk.doubt_changed.connect(self._refresh)
+        theme.watcher.changed.connect(self._recolour)
+        shortcuts.watcher.changed.connect(self._refresh)
+        self._recolour()
+        self._refresh()
+
+    def _refresh(self) -> None:
+        """Ask what is to be asked, or nothing."""
+        doubt = self._bulk.doubt
+        self.setVisible(doubt is not None)
+        if doubt is None:
+            return
+        kind = theme.KIND_NAME[doubt.kind].lower()
+        self.text.setText(
+            self.tr(
+                "You rejected {0} of {1} decided as {2} on {3}. Make the other {4} less sure, so "
+                "that they come last?"
+            ).format(
+                doubt.rejected,
+                doubt.rejected + doubt.upheld,
+                kind,
+                doubt.marker,
+                len(doubt.rest),
+            )
+        )
+        self.agree.setText(
+            self.tr("Lower them ({0})").format(shortcuts.native(shortcuts.first("lower_doubted")))
+        )
+
+    def _recolour(self) -> None:
+        self.sign.setPixmap(theme.icon("help").pixmap(16, 16))
