@@ -1,0 +1,161 @@
+"""The 17 joints of Nuitrack, which speaks for Kinect, RealSense and other depth sensors."""
+
+from __future__ import annotations
+
+import re
+from types import MappingProxyType
+
+import numpy as np
+
+from markermend.errors import DataError
+from markermend.poses.pose import Pose
+
+_SIDES = ("left", "right")
+_ARM, _LEG = ("shoulder", "elbow", "wrist"), ("hip", "knee", "ankle")
+WAIST = "waist"
+
+
+def _tree() -> dict[str, str]:
+    """Parent of each joint, parents first."""
+    tree = {WAIST: "", "torso": WAIST, "collar": "torso", "neck": "collar", "head": "neck"}
+    for limb, start in ((_ARM, "collar"), (_LEG, WAIST)):
+        for side in _SIDES:
+            above = start
+            for joint in limb:
+                tree[f"{side}_{joint}"] = above
+                above = f"{side}_{joint}"
+    return tree
+
+
+PARENT_OF = MappingProxyType(_tree())
+JOINTS = tuple(PARENT_OF)
+PARENTS = tuple(JOINTS.index(parent) if parent else -1 for parent in PARENT_OF.values())
+LIMBS = tuple(
+    tuple(JOINTS.index(f"{side}_{joint}") for joint in limb)
+    for limb in (_ARM, _LEG)
+    for side in _SIDES
+)
+"""Joints of each arm and leg."""
+
+
+def aligned_axis(joint: str) -> tuple[int, int]:
+    """Axis and sign that a joint's bone lies along (goncalves2024, 3.2.2).
+
+    The right arm along x, the left arm along -x, waist to head along y, the legs along -y.
+    """
+    side, _, name = joint.rpartition("_")
+    if name in _ARM:
+        return (0, 1) if side == "right" else (0, -1)
+    return (1, -1) if name in _LEG else (1, 1)
+
+
+# Where each joint is (the end of a segment) and how it is turned (with the segment that follows).
+_TRUNK = {
+    WAIST: ("root", "root"),
+    "torso": ("lowerback", "upperback"),
+    "collar": ("thorax", "lowerneck"),
+    "neck": ("lowerneck", "upperneck"),
+    "head": ("upperneck", "head"),
+}
+_LIMB = {
+    "shoulder": ("clavicle", "humerus"),
+    "elbow": ("humerus", "radius"),
+    "wrist": ("wrist", "hand"),
+    "hip": ("hipjoint", "femur"),
+    "knee": ("femur", "tibia"),
+    "ankle": ("tibia", "foot"),
+}
+CMU_SEGMENTS = MappingProxyType(
+    _TRUNK
+    | {
+        f"{side}_{joint}": (side[0] + at, side[0] + turned)
+        for side in _SIDES
+        for joint, (at, turned) in _LIMB.items()
+    }
+)
+"""Segments of the CMU skeleton that say where each joint is, and how it is turned."""
+
+_OTHER_NAMES = {
+    "hips": WAIST,
+    "pelvis": WAIST,
+    "root": WAIST,
+    "spinebase": WAIST,
+    "spine": "torso",
+    "spinemid": "torso",
+    "spinenaval": "torso",
+    "chest": "collar",
+    "spinechest": "collar",
+    "spineshoulder": "collar",
+}
+
+
+def usual_name(name: str) -> str:
+    """Nuitrack's name of a joint as other systems write it; the name itself where it is unknown.
+
+    ``JOINT_LEFT_SHOULDER``, ``ShoulderLeft``, ``LeftShoulder`` and ``l_shoulder`` are
+    ``left_shoulder``.
+    """
+    words = re.findall(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])|\d+", name)
+    parts = [w.lower() for w in words if w.lower() != "joint"]
+    side = ""
+    for word, meant in (("left", "left"), ("right", "right"), ("l", "left"), ("r", "right")):
+        if word in parts:
+            side = meant
+            parts.remove(word)
+            break
+    plain = "".join(parts)
+    plain = _OTHER_NAMES.get(plain, plain)
+    found = f"{side}_{plain}" if side else plain
+    return found if found in PARENT_OF else name
+
+
+def to_nuitrack(pose: Pose) -> Pose:
+    """Reduce a recording to the 17 joints.
+
+    Parameters
+    ----------
+    pose : of the CMU skeleton (31 segments), or with Nuitrack's joints under any usual name
+
+    Returns
+    -------
+    Pose
+        with :data:`JOINTS`, in the same axes (goncalves2024, 3.2.1)
+
+    Raises
+    ------
+    DataError
+        when a joint is missing
+    """
+    columns = {name: i for i, name in enumerate(pose.joints)}
+    if all(name in columns for pair in CMU_SEGMENTS.values() for name in pair):
+        at = [columns[CMU_SEGMENTS[joint][0]] for joint in JOINTS]
+        turned = [columns[CMU_SEGMENTS[joint][1]] for joint in JOINTS]
+    else:
+        columns = {usual_name(name): i for i, name in enumerate(pose.joints)}
+        missing = [joint for joint in JOINTS if joint not in columns]
+        if missing:
+            raise DataError(f"The recording has no joint called “{missing[0]}”.")
+        at = turned = [columns[joint] for joint in JOINTS]
+    confidence = np.minimum(pose.confidence[:, at], pose.confidence[:, turned])
+    return Pose(
+        pose.positions[:, at],
+        pose.rotations[:, turned],
+        JOINTS,
+        PARENTS,
+        pose.rate,
+        confidence,
+        warnings=pose.warnings,
+    )
+
+
+def mirrored(pose: Pose) -> Pose:
+    """Turn right-handed axes into the left-handed ones of Kinect and Unity, or back.
+
+    Positions become (-x, y, z), rotations (x, -y, -z, w): the inversion of y and z that
+    goncalves2024 (3.2.1) describes is a mirror of x.
+    """
+    return pose.with_samples(
+        pose.positions * [-1.0, 1.0, 1.0],
+        pose.rotations * [1.0, -1.0, -1.0, 1.0],
+        pose.confidence,
+    )

@@ -1,0 +1,77 @@
+"""Unit quaternions x, y, z, w as arrays ``(…, 4)``; NaN goes through."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from markermend.arrays import FloatArray
+
+
+def multiply(a: FloatArray, b: FloatArray) -> FloatArray:
+    """Return the rotation that applies b first, then a."""
+    ax, ay, az, aw = (a[..., i] for i in range(4))
+    bx, by, bz, bw = (b[..., i] for i in range(4))
+    return np.stack(
+        [
+            aw * bx + ax * bw + ay * bz - az * by,
+            aw * by - ax * bz + ay * bw + az * bx,
+            aw * bz + ax * by - ay * bx + az * bw,
+            aw * bw - ax * bx - ay * by - az * bz,
+        ],
+        axis=-1,
+    )
+
+
+def inverse(q: FloatArray) -> FloatArray:
+    """Turn back."""
+    return np.asarray(q * [-1.0, -1.0, -1.0, 1.0])
+
+
+def turn(q: FloatArray, vectors: FloatArray) -> FloatArray:
+    """Rotate vectors ``(…, 3)``."""
+    axis, w = q[..., :3], q[..., 3:]
+    across = 2.0 * np.cross(axis, vectors)
+    return np.asarray(vectors + w * across + np.cross(axis, across))
+
+
+def upright(q: FloatArray) -> FloatArray:
+    """Choose of q and -q, which are one rotation, the one with w at least 0."""
+    return np.where(q[..., 3:] < 0, -q, q)
+
+
+def unrolled(q: FloatArray) -> FloatArray:
+    """Choose signs along the first axis so that nothing jumps; NaN frames are passed over.
+
+    Parameters
+    ----------
+    q : (frames, joints, 4)
+    """
+    out = q.copy()
+    for joint in range(q.shape[1]):
+        known = np.flatnonzero(~np.isnan(q[:, joint, 3]))
+        if not len(known):
+            continue
+        path = upright(q[known, joint])
+        steps = np.sign(np.einsum("ij,ij->i", path[1:], path[:-1]))
+        steps[steps == 0] = 1.0
+        out[known, joint] = path * np.concatenate([[1.0], np.cumprod(steps)])[:, None]
+    return out
+
+
+def unit(q: FloatArray) -> FloatArray:
+    """Scale to length one."""
+    length = np.sqrt(np.sum(q**2, axis=-1, keepdims=True))
+    return np.asarray(q / np.where(length > 0, length, 1.0))
+
+
+def between(a: FloatArray, b: FloatArray) -> FloatArray:
+    """Return the shortest rotation that turns the direction of a into that of b.
+
+    Parameters
+    ----------
+    a, b : (…, 3) vectors, not zero
+    """
+    a = a / np.sqrt(np.sum(a**2, axis=-1, keepdims=True))
+    b = b / np.sqrt(np.sum(b**2, axis=-1, keepdims=True))
+    w = 1.0 + np.sum(a * b, axis=-1, keepdims=True)
+    return unit(np.concatenate([np.cross(a, b), np.maximum(w, 1e-12)], axis=-1))
