@@ -279,6 +279,7 @@ ACTIONS: tuple[Action, ...] = (
         True,
         "+",
     ),
+    Action("plots", "Choose plots…", "View", ("Shift+P",), "curves", "Choose what the plots show"),
     Action("theme_light", "Light theme", "|View", enabled=_anything, checkable=True),
     Action("theme_dark", "Dark theme", "View", enabled=_anything, checkable=True),
     Action("theme_system", "Theme of the system", "View", enabled=_anything, checkable=True),

@@ -47,6 +47,7 @@ class Document(QObject):
     current_changed() : another artifact is under review, or it was changed
     proposal_changed() : the previewed repair of the current artifact came, went or was replaced
     shown_changed() : other markers are shown in the plots
+    beside_changed() : other channels that are no markers are shown below the plots
     selection_changed() : the swept range changed
     frame_changed(int) : the cursor moved
     frame_requested(int, int) : bring these frames into view (start, stop)
@@ -60,6 +61,7 @@ class Document(QObject):
     current_changed = Signal()
     proposal_changed = Signal()
     shown_changed = Signal()
+    beside_changed = Signal()
     selection_changed = Signal()
     frame_changed = Signal(int)
     frame_requested = Signal(int, int)
@@ -70,6 +72,7 @@ class Document(QObject):
         self.file: SessionFile | None = None
         self.mesh: Mesh | None = None
         self.shown: tuple[str, ...] = ()
+        self.beside: tuple[str, ...] = ()
         self.frame = 0
         self.selection: Selection | None = None
         self.queue: tuple[str, ...] = ()
@@ -104,7 +107,7 @@ class Document(QObject):
         if self.file is not None:
             self.file.close()
         self.file, self.mesh = file, mesh
-        self.shown, self.queue, self._current = (), (), None
+        self.shown, self.beside, self.queue, self._current = (), (), (), None
         self.frame, self.selection = 0, None
         self.preview.reset()
         self._repair_when_ready = None
@@ -115,6 +118,7 @@ class Document(QObject):
         self.selection_changed.emit()
         self.proposal_changed.emit()
         self.shown_changed.emit()
+        self.beside_changed.emit()
 
     # What is looked at
 
@@ -167,6 +171,13 @@ class Document(QObject):
         if shown != self.shown:
             self.shown = shown
             self.shown_changed.emit()
+
+    def show_beside(self, keys: Iterable[str]) -> None:
+        """Show these channels that are no markers below the plots; for context only."""
+        beside = tuple(dict.fromkeys(keys))
+        if beside != self.beside:
+            self.beside = beside
+            self.beside_changed.emit()
 
     def go_to(self, frame: int) -> None:
         """Move the cursor to a frame; clipped to the take."""

@@ -52,6 +52,7 @@ class Theme:
     selection : what the operator has swept over
     original : samples as they were opened
     warning : what needs attention
+    flag : events of the file
     axes : by axis name, x red, y green, z blue
     kinds : by class of artifact, told apart by colour-blind people too (after Okabe and Ito)
     markers : curves of shown markers, in the order they are shown
@@ -72,6 +73,7 @@ class Theme:
     selection: QColor
     original: QColor
     warning: QColor
+    flag: QColor
     axes: Mapping[str, QColor]
     kinds: Mapping[Kind, QColor]
     markers: tuple[QColor, ...]
@@ -104,6 +106,7 @@ LIGHT = Theme(
     selection=QColor("#7a8299"),
     original=QColor("#a2a9b4"),
     warning=QColor("#a8570a"),
+    flag=QColor("#6a4fb3"),
     axes=_axes("#c62f2f", "#22802f", "#2563c9"),
     kinds=_kinds("#2f8fd0", "#cb4512", "#c79200", "#009e73", "#b8569a"),
     markers=tuple(
@@ -128,6 +131,7 @@ DARK = Theme(
     selection=QColor("#98a2b8"),
     original=QColor("#6b7380"),
     warning=QColor("#f0b45a"),
+    flag=QColor("#b9a5f5"),
     axes=_axes("#ff7070", "#62c972", "#6fa8ff"),
     kinds=_kinds("#56b4e9", "#f2683a", "#f5c542", "#2cc295", "#dd8fc0"),
     markers=tuple(

@@ -137,3 +137,14 @@ def damage_mask(take: Take, artifacts: Iterable[Artifact]) -> BoolArray:
             for axis in axis_columns(a.axes):
                 mask[a.start : a.stop, take.index(a.marker), axis] = True
     return mask
+
+
+def trusted_samples(take: Take, artifacts: Iterable[Artifact]) -> BoolArray:
+    """(frames, markers) bool: samples that are there and that no artifact names.
+
+    Parameters
+    ----------
+    take : the recording
+    artifacts : known damage; rejected ones are false alarms and count as sound
+    """
+    return take.present & ~damage_mask(take, artifacts).any(axis=2)

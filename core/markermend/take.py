@@ -276,6 +276,10 @@ class Take:
         """The number people read for a frame index: ``first_frame + index``."""
         return self.first_frame + index
 
+    def frame_at(self, event: Event) -> float:
+        """Frame index at which an event happened, not rounded; it may lie outside the take."""
+        return event.time_s * self.rate + 1 - self.first_frame
+
     def with_positions(self, positions: FloatArray, origin: ByteArray) -> Take:
         """Return the same recording with other samples; everything else is kept."""
         return replace(self, positions=positions, origin=origin)

@@ -168,3 +168,27 @@ def test_subjects_unlabelled_and_other_points_stand_apart(tmp_path, qtbot):
     assert names[-4:] == ["Angle", "LHipAngles", "Analog channels (1)", "Fz1 (N)"]
     document.open(None, None)
     document.proposals.close()
+
+
+def test_channels_are_checked_into_rows_of_their_own(tmp_path, damaged, qtbot):
+    take, _ = damaged
+    analog = Analog(np.zeros((800, 2), np.float32), ("Fz1", "EMG"), ("N", "V"), 200.0)
+    take = Take(take.positions, take.labels, take.rate, analog=analog)
+    document = Document()
+    document.open(open_session(take, folder=tmp_path), MESH)
+    tree = MarkerTree(document)
+    qtbot.addWidget(tree)
+    model = tree._model
+    section = model.index(model.rowCount() - 1, NAME)
+    channel = model.index(1, NAME, section)
+    assert model.data(channel) == "EMG (V)"
+    assert model.flags(channel) & Qt.ItemFlag.ItemIsUserCheckable
+    shown = document.shown
+    model.setData(channel, Qt.CheckState.Checked.value, Qt.ItemDataRole.CheckStateRole)
+    assert document.beside == ("analog 1",)
+    assert document.shown == shown
+    assert model.data(channel, Qt.ItemDataRole.CheckStateRole) == Qt.CheckState.Checked
+    model.setData(channel, Qt.CheckState.Unchecked.value, Qt.ItemDataRole.CheckStateRole)
+    assert document.beside == ()
+    document.open(None, None)
+    document.proposals.close()

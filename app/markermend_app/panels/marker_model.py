@@ -17,6 +17,7 @@ from markermend.mesh import Mesh
 from markermend.take import Take, is_unlabelled
 from markermend_app import theme
 from markermend_app.panels.badge import dot_icon
+from markermend_app.panels.plot_beside import analog_key, point_key
 
 Index = QModelIndex | QPersistentModelIndex
 NAME, OPEN, MISSING = range(3)
@@ -28,11 +29,12 @@ SORT = Qt.ItemDataRole.UserRole + 2
 
 @dataclass(eq=False)
 class Node:
-    """A row: a marker when it has a label, else something that holds rows."""
+    """A row: a marker when it has a label, a channel when it has a key, else it holds rows."""
 
     name: str
     icon: str = ""
     label: str = ""
+    key: str = ""
     selects: bool = False
     note: str = ""
     parent: Node | None = None
@@ -101,14 +103,17 @@ def _add_others(root: Node, take: Take, tr: Callable[[str], str]) -> None:
     if take.points is not None and take.points.labels:
         section = root.add(Node(f"{tr('Other points')} ({len(take.points.labels)})", "point"))
         by_kind: dict[str, Node] = {}
-        for label, kind in zip(take.points.labels, take.points.kinds, strict=True):
+        for i, (label, kind) in enumerate(zip(take.points.labels, take.points.kinds, strict=True)):
             if kind not in by_kind:
                 by_kind[kind] = section.add(Node(kind.capitalize()))
-            by_kind[kind].add(Node(label, note=tr("Kept as it is; not a marker")))
+            note = tr("Kept as it is; not a marker")
+            by_kind[kind].add(Node(label, key=point_key(i), note=note))
     if take.analog is not None and take.analog.labels:
         section = root.add(Node(f"{tr('Analog channels')} ({len(take.analog.labels)})", "curves"))
-        for label, unit in zip(take.analog.labels, take.analog.units, strict=True):
-            section.add(Node(f"{label} ({unit})" if unit else label, note=tr("Kept as it is")))
+        channels = zip(take.analog.labels, take.analog.units, strict=True)
+        for i, (label, unit) in enumerate(channels):
+            name = f"{label} ({unit})" if unit else label
+            section.add(Node(name, key=analog_key(i), note=tr("Kept as it is")))
 
 
 def flatten(root: Node) -> Node:
@@ -120,18 +125,23 @@ def flatten(root: Node) -> Node:
 
 
 class MarkerModel(QAbstractItemModel):
-    """Rows of :class:`Node`; check marks say which markers are shown in the plots.
+    """Rows of :class:`Node`; check marks say what is shown in the plots, and beside them.
 
     Parameters
     ----------
     show : called with the labels to show when a check mark was set or taken away
+    show_beside : the same for the keys of channels that are no markers
     """
 
     def __init__(
-        self, show: Callable[[Iterable[str]], None], parent: QObject | None = None
+        self,
+        show: Callable[[Iterable[str]], None],
+        show_beside: Callable[[Iterable[str]], None],
+        parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
-        self._show = show
+        self._show, self._show_beside = show, show_beside
+        self._beside: tuple[str, ...] = ()
         self._root = Node("")
         self._by_label: dict[str, Node] = {}
         self._shown: tuple[str, ...] = ()
@@ -179,6 +189,12 @@ class MarkerModel(QAbstractItemModel):
         changed |= {b for a, b in zip_longest(self._shown, shown) if a != b}
         self._shown = shown
         self._announce(NAME, (self._by_label[c] for c in changed if c in self._by_label))
+
+    def set_beside(self, keys: tuple[str, ...]) -> None:
+        """Set the check marks of channels."""
+        changed = set(self._beside) ^ set(keys)
+        self._beside = keys
+        self._announce(NAME, (n for n in _walk(self._root) if n.key in changed))
 
     def recolour(self) -> None:
         """Draw icons and colours anew."""
@@ -239,8 +255,8 @@ class MarkerModel(QAbstractItemModel):
         flags = Qt.ItemFlag.ItemIsEnabled
         if node.label or node.selects:
             flags |= Qt.ItemFlag.ItemIsSelectable
-            if index.column() == NAME and node.label:
-                flags |= Qt.ItemFlag.ItemIsUserCheckable
+        if index.column() == NAME and (node.label or node.key):
+            flags |= Qt.ItemFlag.ItemIsUserCheckable
         return flags
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:  # noqa: D102
@@ -261,19 +277,21 @@ class MarkerModel(QAbstractItemModel):
     def setData(self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole) -> bool:  # noqa: D102
         if role != Qt.ItemDataRole.CheckStateRole:
             return False
-        label = self.node(index).label
+        node = self.node(index)
+        shown, show = (self._beside, self._show_beside) if node.key else (self._shown, self._show)
+        name = node.key or node.label
         if Qt.CheckState(value) == Qt.CheckState.Checked:
-            self._show([*self._shown, label])
+            show([*shown, name])
         else:
-            self._show([s for s in self._shown if s != label])
+            show([s for s in shown if s != name])
         return True
 
     def _name_data(self, node: Node, role: int) -> Any:
         """Name column."""
         if role == Qt.ItemDataRole.DisplayRole:
             return node.name
-        if role == Qt.ItemDataRole.CheckStateRole and node.label:
-            shown = node.label in self._shown
+        if role == Qt.ItemDataRole.CheckStateRole and (node.label or node.key):
+            shown = node.key in self._beside if node.key else node.label in self._shown
             return Qt.CheckState.Checked if shown else Qt.CheckState.Unchecked
         if role == Qt.ItemDataRole.DecorationRole:
             if node.label in self._shown and node.label:

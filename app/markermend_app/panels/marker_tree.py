@@ -54,6 +54,7 @@ class MarkerTree(QWidget):
     """Markers in body hierarchy, or flat with the worst on top.
 
     A click shows a marker alone in the plots; a check mark, Ctrl or Shift shows it beside others.
+    A check mark at what is no marker shows it in a row of its own below the plots.
     """
 
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
@@ -61,7 +62,7 @@ class MarkerTree(QWidget):
         self._document = document
         self.setMinimumWidth(250)
         self._syncing = False
-        self._model = MarkerModel(document.show, self)
+        self._model = MarkerModel(document.show, document.show_beside, self)
         self._proxy = _Filter(self)
         self._proxy.setSourceModel(self._model)
 
@@ -117,6 +118,7 @@ class MarkerTree(QWidget):
         document.artifacts_changed.connect(self._count)
         document.data_changed.connect(self._samples_changed)
         document.shown_changed.connect(self._follow_shown)
+        document.beside_changed.connect(lambda: self._model.set_beside(document.beside))
         theme.watcher.changed.connect(self._recolour)
         self._recolour()
         self._rebuild()

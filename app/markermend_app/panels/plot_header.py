@@ -4,19 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QWidget
 
-from markermend.take import AXES, Take
 from markermend_app import theme
 
 _MOST = 6
 
 
 class PlotHeader(QWidget):
-    """Legend on the left, readout on the right.
+    """Menu of plots and legend on the left, readout on the right.
 
     Signals
     -------
@@ -33,28 +31,26 @@ class PlotHeader(QWidget):
         self.readout = QLabel()
         self.readout.setObjectName("readout")
         self.readout.setAccessibleName(self.tr("Readout"))
+        # Else the longest readout would be the least width of the window.
+        self.readout.setMinimumWidth(60)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(8, 4, 8, 4)
+        self.plots = QToolButton()
+        self.plots.setText(self.tr("Plots"))
+        self.plots.setIconSize(QSize(14, 14))
+        self.plots.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.plots.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.plots.setToolTip(self.tr("Choose what the plots show"))
+        layout.addWidget(self.plots)
         layout.addLayout(self._legend)
         layout.addStretch()
         layout.addWidget(self.readout)
         theme.watcher.changed.connect(self._restyle)
+        self._restyle()
 
-    def read_out(self, take: Take, marker: str, frame: int, axis: str = "") -> None:
-        """Say frame, time and a marker's value: on one axis, or on all of them."""
-        frame = max(0, min(frame, take.frames - 1))
-        position = take.positions[frame, take.index(marker)]
-        if np.isnan(position[0]):
-            value = self.tr("missing")
-        elif axis:
-            value = f"{axis.upper()} {position[AXES.index(axis)]:.1f} mm"
-        else:
-            value = ", ".join(f"{v:.1f}" for v in position) + " mm"
-        self.readout.setText(
-            self.tr("Frame {frame} · {time:.3f} s · {marker} {value}").format(
-                frame=take.frame_number(frame), time=frame / take.rate, marker=marker, value=value
-            )
-        )
+    def read_out(self, text: str) -> None:
+        """Say what lies under mouse or cursor."""
+        self.readout.setText(text)
         self.readout.show()
 
     def clear(self) -> None:
@@ -87,6 +83,7 @@ class PlotHeader(QWidget):
 
     def _restyle(self) -> None:
         """Take over the theme's colours."""
+        self.plots.setIcon(theme.icon("curves"))
         self.show_markers(self._markers)
 
 

@@ -73,11 +73,11 @@ def _work(session: Session, name: str) -> Work:
     take, artifacts = session.take, session.artifacts
 
     def run(progress: Progress) -> FloatArray:
-        from markermend.artifact import damage_mask
+        from markermend.artifact import trusted_samples
         from markermend.predictors.local import predict_local
 
         progress(0.0, f"Predicting {name}")
-        trusted = take.present & ~damage_mask(take, artifacts).any(axis=2)
+        trusted = trusted_samples(take, artifacts)
         return predict_local(take.positions, take.index(name), trusted=trusted)
 
     return run

@@ -9,13 +9,18 @@ import numpy as np
 from markermend.arrays import FloatArray
 
 # A trajectory that stands still gets at least this much room, in mm.
-_LEAST_MM = 8.0
+LEAST_MM = 8.0
 _MOST_SAMPLES = 40_000
 _LEAST_FRAMES = 6.0
 
 
 def value_range(
-    curves: Sequence[FloatArray], important: Sequence[FloatArray] = (), bottom: float = 0.0
+    curves: Sequence[FloatArray],
+    important: Sequence[FloatArray] = (),
+    bottom: float = 0.0,
+    *,
+    least: float = LEAST_MM,
+    least_at: float | None = None,
 ) -> tuple[float, float] | None:
     """Range of values to show.
 
@@ -25,31 +30,34 @@ def value_range(
 
     Parameters
     ----------
-    curves : (n,) arrays in mm, NaN = missing
-    important : (n,) arrays in mm
+    curves : (n,) arrays, NaN = missing
+    important : (n,) arrays
     bottom : share of the height to be kept free below, for the strip of artifacts
+    least : extent shown at least
+    least_at : where the range begins, for values that cannot lie below it
 
     Returns
     -------
-    low, high in mm with margins, or None where there are no samples at all
+    low, high with margins, or None where there are no samples at all
     """
-    known = _finite(curves)
-    special = _finite(important)
+    known = _sample(curves)
+    special = _sample(important)
     if known.size == 0:
-        known = special
+        curves, known = important, special
     if known.size == 0:
         return None
-    sample = known[:: max(1, known.size // _MOST_SAMPLES)]
-    low, high = (float(v) for v in np.percentile(sample, (0.5, 99.5)))
-    spread = max(high - low, _LEAST_MM)
-    bounds = [_clip(known, low - spread, high + spread)]
+    low, high = (float(v) for v in np.percentile(known, (0.5, 99.5)))
+    spread = max(high - low, least)
+    bounds = [_clip(curves, low - spread, high + spread)]
     if special.size:
-        bounds.append(_clip(special, low - 6 * spread, high + 6 * spread))
+        bounds.append(_clip(important, low - 6 * spread, high + 6 * spread))
     low = min(low, *(b[0] for b in bounds))
     high = max(high, *(b[1] for b in bounds))
-    if high - low < _LEAST_MM:
+    if least_at is not None:
+        low, high = least_at, max(high, least_at + least)
+    if high - low < least:
         middle = (low + high) / 2
-        low, high = middle - _LEAST_MM / 2, middle + _LEAST_MM / 2
+        low, high = middle - least / 2, middle + least / 2
     span = (high - low) * 1.16
     margin = (high - low) * 0.08
     return low - margin - span * bottom / (1 - bottom), high + margin
@@ -70,14 +78,19 @@ def whole_frames(start: float, stop: float, frames: int) -> tuple[int, int]:
     return first, int(np.clip(round(stop), first + 1, frames))
 
 
-def _finite(arrays: Sequence[FloatArray]) -> FloatArray:
-    """All samples that are there."""
-    if not arrays:
-        return np.zeros(0)
-    joined = np.concatenate([np.ravel(a) for a in arrays])
-    return joined[np.isfinite(joined)]
+def _sample(arrays: Sequence[FloatArray]) -> FloatArray:
+    """Samples that are there, evenly from all where they are many."""
+    step = max(1, sum(len(a) for a in arrays) // _MOST_SAMPLES)
+    joined = np.concatenate([np.zeros(0), *(a[::step] for a in arrays)])
+    joined = joined[np.isfinite(joined)]
+    if joined.size == 0 and step > 1:
+        joined = np.concatenate([a[np.isfinite(a)] for a in arrays])
+    return joined
 
 
-def _clip(values: FloatArray, low: float, high: float) -> tuple[float, float]:
-    """Extremes, within bounds."""
-    return max(low, float(values.min())), min(high, float(values.max()))
+def _clip(arrays: Sequence[FloatArray], low: float, high: float) -> tuple[float, float]:
+    """Extremes, within bounds; every sample counts, since a spike is a single one."""
+    known = [a for a in arrays if len(a)]
+    lowest = float(np.fmin.reduce([np.fmin.reduce(a) for a in known]))
+    highest = float(np.fmax.reduce([np.fmax.reduce(a) for a in known]))
+    return max(low, lowest), min(high, highest)

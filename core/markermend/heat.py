@@ -1,0 +1,102 @@
+"""Markers over time, shrunk to the columns of a picture without losing what is short."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from markermend.arrays import ByteArray, Float32Array, FloatArray, IntArray
+from markermend.artifact import Artifact, trusted_samples
+from markermend.measures import distance
+from markermend.progress import Progress, quiet
+from markermend.take import Origin, Take
+
+LEAST_SHARE = 1 / 3
+
+
+def missing_share(
+    origin: ByteArray, columns: int, start: float = 0.0, stop: float | None = None
+) -> FloatArray:
+    """Share of missing samples behind each column of a picture.
+
+    Parameters
+    ----------
+    origin : (frames, markers) uint8, see :class:`markermend.take.Origin`
+    columns : of the picture
+    start, stop : frames it reaches over; by default all
+
+    Returns
+    -------
+    (markers, columns) float64 in [0, 1]; where a column holds any missing sample, at least a
+    third, so that short gaps stay visible
+    """
+    first, low, high = _bins(len(origin), columns, start, stop)
+    lost = (origin[low:high] == Origin.MISSING).view(np.uint8)
+    count = np.maximum(np.diff(np.append(first, high - low)), 1)
+    # A sum of 8-bit numbers overflows, hence the wider type.
+    share = np.add.reduceat(lost, first, axis=0, dtype=np.int32) / count[:, None]
+    share = np.where(share > 0, np.maximum(share, LEAST_SHARE), 0.0)
+    return np.asarray(share.T, dtype=np.float64)
+
+
+def worst(
+    values: Float32Array, columns: int, start: float = 0.0, stop: float | None = None
+) -> Float32Array:
+    """Largest value behind each column of a picture.
+
+    Parameters
+    ----------
+    values : (markers, frames) float32; NaN = unknown
+    columns : of the picture
+    start, stop : frames it reaches over; by default all
+
+    Returns
+    -------
+    (markers, columns) float32; NaN where nothing is known
+    """
+    first, low, high = _bins(values.shape[1], columns, start, stop)
+    return np.asarray(np.fmax.reduceat(values[:, low:high], first, axis=1))
+
+
+def _bins(frames: int, columns: int, start: float, stop: float | None) -> tuple[IntArray, int, int]:
+    """First frame of each column, counted from the first frame that is needed; and the frames."""
+    edges = np.linspace(start, frames if stop is None else stop, columns + 1)
+    first = np.clip(np.floor(edges[:-1]).astype(np.int64), 0, frames - 1)
+    low = int(first[0])
+    high = int(np.clip(np.ceil(edges[-1]), first[-1] + 1, frames))
+    return first - low, low, high
+
+
+def body_residuals(
+    take: Take,
+    artifacts: Iterable[Artifact] = (),
+    markers: Iterable[str] | None = None,
+    *,
+    progress: Progress | None = None,
+) -> Float32Array:
+    """How far each sample is from where the rest of the body says it should be.
+
+    Parameters
+    ----------
+    take : the recording
+    artifacts : known damage, which nothing is learned from
+    markers : those to be worked out; by default all
+    progress : told the share of markers done; may raise ``Cancelled``
+
+    Returns
+    -------
+    (markers asked for, frames) float32, mm; NaN where a sample is missing or cannot be predicted
+    """
+    from markermend.predictors.local import predict_local
+
+    report, trusted = progress or quiet, trusted_samples(take, artifacts)
+    names = take.labels if markers is None else tuple(markers)
+    result = np.empty((len(names), take.frames), dtype=np.float32)
+    for row, name in enumerate(names):
+        report(row / len(names), f"residual of {name}")
+        column = take.index(name)
+        predicted = predict_local(take.positions, column, trusted=trusted)
+        result[row] = distance(take.positions[:, column], predicted)
+    report(1.0, "residuals")
+    return result

@@ -1,0 +1,57 @@
+"""How a review stands, counted by hand."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from markermend.artifact import Artifact, Kind, Status
+from markermend.patch import Patch
+from markermend.repairs import Repair
+from markermend.session import Session
+from markermend.standing import standings
+from markermend.take import Take
+
+
+def review() -> Session:
+    """Two markers and an unlabelled one; a gap repaired, a peak rejected, a step open."""
+    positions = np.zeros((100, 3, 3))
+    positions[10:30, 0] = np.nan
+    positions[:, 2] = np.nan
+    session = Session(Take(positions, ("A", "B", "*3"), 100.0))
+    found = (
+        Artifact("A", "xyz", 10, 20, Kind.GAP, 1.0),
+        Artifact("A", "xyz", 20, 30, Kind.GAP, 1.0),
+        Artifact("B", "x", 50, 51, Kind.PEAK, 0.9),
+        Artifact("B", "x", 60, 70, Kind.STEP, 0.9),
+    )
+    session.add_detected(found, "test")
+    patch = Patch("A", "xyz", 10, 20, np.ones((10, 3)))
+    session.repair([(found[0].id, Repair("linear", (patch,), error_mm=2.5))])
+    session.set_status([found[2].id], Status.REJECTED)
+    return session
+
+
+def test_everything_is_counted() -> None:
+    s = review()
+    whole, a, b, other = standings(s.original, s.take, s.artifacts, s.notes)
+    assert (whole.marker, a.marker, b.marker, other.marker) == ("", "A", "B", "*3")
+    assert (a.gap_before, a.gap_now, a.mended) == (0.2, 0.1, 0.1)
+    assert (whole.gap_before, whole.gap_now, whole.mended) == (0.1, 0.05, 0.05)
+    assert other.gap_now == 1.0
+    assert (dict(a.open), dict(a.decided)) == ({Kind.GAP: 1}, {Kind.GAP: 1})
+    assert (dict(b.open), dict(b.decided)) == ({Kind.STEP: 1}, {Kind.PEAK: 1})
+    assert sum(whole.open.values()) == 2
+    assert (a.mean_mm, a.worst_mm, b.mean_mm) == (2.5, 2.5, None)
+
+
+def test_undo_takes_it_back() -> None:
+    s = review()
+    s.travel(1)
+    a = standings(s.original, s.take, s.artifacts, s.notes)[1]
+    assert (a.gap_now, a.mended, a.mean_mm) == (0.2, 0.0, None)
+
+
+def test_a_take_of_unlabelled_markers_only() -> None:
+    s = Session(Take(np.full((5, 1, 3), np.nan), ("*1",), 100.0))
+    whole, only = standings(s.original, s.take, (), {})
+    assert (whole.gap_now, only.gap_now) == (0.0, 1.0)
