@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 
 import markermend as mm
+from markermend.cli.bench_e2 import run_e2
 from markermend.cli.bench_e3 import run_e3
 from markermend.cli.bench_predictors import run_predictors
 from markermend.cli.bench_smooth import run_smooth
@@ -82,6 +83,7 @@ def _run_gaps(options: argparse.Namespace) -> int:
 
 RUN = {
     "e1": _run_e1,
+    "e2": run_e2,
     "e3": run_e3,
     "gaps": _run_gaps,
     "predictors": run_predictors,

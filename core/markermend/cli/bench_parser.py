@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import argparse
 
+from markermend.cli.bench_e2 import SUMMARY as E2
+from markermend.cli.bench_e2 import add_e2
 from markermend.cli.bench_e3 import SUMMARY as E3
 from markermend.cli.bench_e3 import add_e3
 from markermend.cli.bench_predictors import SUMMARY as PREDICTORS
@@ -13,6 +15,7 @@ from markermend.cli.bench_smooth import add_smooth
 
 EXPERIMENTS = {
     "e1": "contaminate clean takes, detect, compare by sample and by event",
+    "e2": E2,
     "e3": E3,
     "gaps": "hide pieces of takes, fill them, compare with what was hidden",
     "predictors": PREDICTORS,
@@ -24,6 +27,7 @@ def add_experiments(parser: argparse.ArgumentParser) -> None:
     """Give ``bench`` a command for each experiment."""
     adders = {
         "e1": _add_e1,
+        "e2": add_e2,
         "e3": add_e3,
         "gaps": _add_gaps,
         "predictors": add_predictors,
