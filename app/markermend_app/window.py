@@ -238,6 +238,7 @@ class MainWindow(QMainWindow):
             "zoom_out": lambda: self.trajectories.zoom(2.0),
             "before_after": lambda: self.trajectories.set_before_after(checked("before_after")),
             "prediction": lambda: self.trajectories.set_prediction_shown(checked("prediction")),
+            "overview_mode": self.overview.mode.choose_next,
             "plots": self.trajectories.open_menu,
             "theme_light": lambda: self._set_theme("light"),
             "theme_dark": lambda: self._set_theme("dark"),

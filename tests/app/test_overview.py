@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend.mesh import Group, Mesh
@@ -14,7 +16,7 @@ from markermend.take import Take
 from markermend_app import theme
 from markermend_app.document import Document
 from markermend_app.panels.overview import Overview
-from markermend_app.panels.overview_picture import arrange, missing_share, row_edges
+from markermend_app.panels.overview_picture import arrange, heat, residual_levels, row_edges
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -35,11 +37,12 @@ def make(qtbot, tmp_path):
         panel.resize(692, 182)
         panel.show()
         qtbot.waitExposed(panel)
-        made.append(document)
+        made.append((document, panel))
         return panel
 
     yield build
-    for document in made:
+    for document, panel in made:
+        panel.residuals.close()
         document.open(None, None)
         document.proposals.close()
 
@@ -73,17 +76,6 @@ def test_rows_follow_the_body():
     assert arrange(3, None).columns == (0, 1, 2)
 
 
-@pytest.mark.parametrize(("frames", "width"), [(1, 50), (7, 50), (1000, 50), (144_000, 600)])
-def test_short_gaps_stay_visible(frames: int, width: int):
-    origin = np.ones((frames, 2), dtype=np.uint8)
-    origin[frames // 2, 1] = 0
-    share = missing_share(origin, width)
-    assert share.shape == (2, width)
-    assert not share[0].any()
-    assert share[1].max() >= 1 / 3
-    assert missing_share(np.zeros((frames, 1), dtype=np.uint8), width).min() == 1.0
-
-
 def test_rows_are_at_least_a_pixel_high():
     assert all(b > a for a, b in row_edges(300, 100))
     assert row_edges(2, 10) == [(0, 5), (5, 10)]
@@ -99,8 +91,126 @@ def test_artifacts_are_painted_by_class_and_faint_once_rejected(overview):
     faint = _color(overview, at)
     assert faint != kinds[Kind.GAP]
     # The samples are still missing, so the place is still shaded.
-    assert faint != theme.LIGHT.plot
-    assert _color(overview, _point(overview, 130, 4)) == theme.LIGHT.plot
+    assert faint not in (theme.LIGHT.plot, _color(overview, _point(overview, 130, 4)))
+
+
+def test_every_other_group_lies_on_a_band(overview):
+    arm, trunk = (
+        _color(overview, _point(overview, 130, 2)),
+        _color(overview, _point(overview, 130, 6)),
+    )
+    assert arm == theme.LIGHT.plot
+    assert trunk != arm
+    assert abs(trunk.lightness() - arm.lightness()) < 30
+
+
+def test_gaps_alone(overview):
+    overview.mode.choose("gaps")
+    assert _color(overview, _point(overview, 75, 4)) == theme.LIGHT.kinds[Kind.GAP]
+    # The step on LWRA is no gap.
+    assert _color(overview, _point(overview, 300, 2)) == theme.LIGHT.plot
+    assert overview.mode.text().startswith("Gaps")
+
+
+def test_the_mode_is_chosen_by_mouse_and_remembered(overview, qtbot):
+    menu = overview.mode.menu()
+    menu.popup(QPoint(10, 10))
+    action = next(a for a in menu.actions() if a.text() == "Gaps")
+    QTest.mouseClick(menu, LEFT, pos=menu.actionGeometry(action).center())
+    assert overview.mode.mode == "gaps"
+    other = Overview(overview.document)
+    qtbot.addWidget(other)
+    assert other.mode.mode == "gaps"
+    other.mode.choose_next()
+    assert other.mode.mode == "residual"
+    other.mode.choose_next()
+    assert other.mode.mode == "damage"
+
+
+def test_residuals_come_from_a_thread_and_follow_repairs(overview, qtbot):
+    document = overview.document
+    overview.mode.choose("residual")
+    overview.grab()
+    qtbot.waitUntil(lambda: overview.residuals.values is not None, timeout=30_000)
+    step, calm = (
+        _color(overview, _point(overview, 305, 2)),
+        _color(overview, _point(overview, 30, 2)),
+    )
+    most, least = heat("residual")[-1], heat("residual")[0]
+
+    def apart(a, b):
+        return sum(abs(x - y) for x, y in zip(a.toTuple(), b.toTuple(), strict=True))
+
+    assert apart(step, most) < apart(step, least)
+    assert apart(calm, least) < apart(calm, most)
+    assert "mm off its body" in overview.describe(_point(overview, 350, 7))
+    artifact = next(a for a in document.session.artifacts if a.kind is Kind.STEP)
+    before = overview.residuals.values[6, 285:325].copy()
+    document.select(artifact.id)
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=20_000)
+    document.repair_current()
+
+    def mended():
+        overview.grab()
+        return np.nanmedian(overview.residuals.values[6, 285:325]) < 0.3 * np.median(before)
+
+    qtbot.waitUntil(mended, timeout=30_000)
+
+
+def test_unknown_residuals_are_grey_and_levels_stay_in_range():
+    levels = residual_levels(np.array([0, 5, 20, 900, np.nan], dtype=np.float32))
+    np.testing.assert_allclose(levels[:4], [0, 0.5, 1, 1])
+    assert np.isnan(levels[4])
+
+
+def _wheel(panel: Overview, at: QPoint, notches: int) -> None:
+    event = QWheelEvent(
+        QPointF(at),
+        QPointF(panel.mapToGlobal(at)),
+        QPoint(),
+        QPoint(0, 120 * notches),
+        Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    QApplication.sendEvent(panel, event)
+
+
+def test_wheel_zooms_to_the_frame_and_double_click_shows_all(overview):
+    at = _point(overview, 75, 4)
+    for _ in range(30):
+        _wheel(overview, at, 1)
+    low, high = overview._span
+    assert high - low <= 8
+    assert low <= 75 <= high
+    # A click goes to the very frame under the mouse.
+    overview.document.select(None)
+    middle = QPoint(round(80 + (72.5 - low) / (high - low) * 600), 160)
+    QTest.mouseClick(overview, LEFT, pos=middle)
+    assert overview.document.frame == 72
+    QTest.mouseDClick(overview, LEFT, pos=at)
+    assert overview._span == (0, 400)
+
+
+def test_a_zoomed_overview_pans_and_follows_the_plots(overview):
+    overview.set_span(100, 200)
+    QTest.mousePress(overview, Qt.MouseButton.RightButton, pos=QPoint(380, 80))
+    event = QMouseEvent(
+        QEvent.Type.MouseMove,
+        QPointF(440, 80),
+        QPointF(overview.mapToGlobal(QPoint(440, 80))),
+        Qt.MouseButton.NoButton,
+        Qt.MouseButton.RightButton,
+        Qt.KeyboardModifier.NoModifier,
+    )
+    QApplication.sendEvent(overview, event)
+    QTest.mouseRelease(overview, Qt.MouseButton.RightButton, pos=QPoint(440, 80))
+    assert overview._span == pytest.approx((90, 190))
+    overview.set_view(300, 340)
+    low, high = overview._span
+    assert low < 300 < 340 < high
+    assert high - low == pytest.approx(100)
 
 
 def test_click_on_an_artifact_selects_it(overview):
@@ -136,10 +246,10 @@ def test_a_repair_takes_the_shade_away(overview):
 
     gap = next(a for a in overview.document.session.artifacts if a.kind is Kind.GAP)
     overview.grab()
-    assert overview._missing[0].any()
+    assert overview._levels(overview._take, 600)[0].any()
     patch = Patch("CLAV", "xyz", 60, 90, np.zeros((30, 3)))
     overview.document.repair_many([(gap.id, Repair("test", (patch,)))], "")
-    assert not overview._missing[0].any()
+    assert not overview._levels(overview._take, 600)[0].any()
 
 
 def test_the_part_in_view_is_framed(overview):

@@ -1,4 +1,4 @@
-"""The whole take at a glance: every marker over all of time, coloured by class."""
+"""The whole take at a glance: every marker over time, as damage, gaps or residuals."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import numpy as np
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QFont,
-    QFontMetrics,
     QHelpEvent,
     QImage,
     QMouseEvent,
@@ -14,44 +13,62 @@ from PySide6.QtGui import (
     QPaintEvent,
     QPen,
     QResizeEvent,
+    QWheelEvent,
 )
 from PySide6.QtWidgets import QToolTip, QWidget
 
+from markermend.arrays import FloatArray
 from markermend.artifact import Artifact
 from markermend.edits import Change
+from markermend.heat import missing_share, worst
 from markermend.take import Take
 from markermend_app import theme
 from markermend_app.document import Document
 from markermend_app.panels.artifact_text import describe
+from markermend_app.panels.overview_marks import paint_groups, paint_scale, paint_time
+from markermend_app.panels.overview_mode import ModeButton
 from markermend_app.panels.overview_picture import (
+    MOST_MM,
     Rows,
     arrange,
-    draw,
-    missing_share,
+    heat,
+    paint_artifacts,
+    paint_levels,
+    residual_levels,
     row_edges,
 )
+from markermend_app.panels.overview_residual import Residuals
+from markermend_app.panels.plot_range import time_range
 
 # Aligned with the plots above: their values stand left, their margin right.
 _LEFT, _RIGHT, _TOP, _BOTTOM = 80, 12, 4, 18
 _REACH_PX = 4.0
-_TICK_PX = 90
+_STEP = 1.25
 
 
 class Overview(QWidget):
-    """A strip of markers over time; click to go there, drag to scrub."""
+    """A strip of markers over time; click to go there, drag to scrub.
+
+    The wheel zooms time at the mouse, middle or right drag pans, a double click shows everything.
+    """
 
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.document = document
         self._view = (0.0, 0.0)
+        self._span = (0.0, 1.0)
+        self.residuals = Residuals(self)
+        self.residuals.changed.connect(self._repaint)
+        self._held: tuple[float, tuple[float, float]] | None = None
         self._rows: Rows | None = None
         self._artifacts: tuple[Artifact, ...] = ()
-        self._missing = np.zeros((0, 0))
         self._image: QImage | None = None
         self._column_of: dict[str, int] = {}
         self._place = np.zeros((0, 3), dtype=np.int64)
         self.setAccessibleName(self.tr("Overview of the whole take"))
         self.setMinimumHeight(72)
+        self.mode = ModeButton(self)
+        self.mode.chosen.connect(self._repaint)
         document.opened.connect(self._opened)
         document.artifacts_changed.connect(self._reread)
         document.data_changed.connect(self._refresh)
@@ -61,9 +78,25 @@ class Overview(QWidget):
         theme.watcher.changed.connect(self._repaint)
         self._opened()
 
+    def set_span(self, start: float, stop: float) -> None:
+        """Show these frames, as far as the take reaches."""
+        take = self._take
+        if take is None:
+            return
+        low, high = time_range(start, stop, take.frames)
+        span = min(high - low, float(take.frames))
+        low = float(np.clip(low, 0.0, take.frames - span))
+        if (low, low + span) != self._span:
+            self._span = (low, low + span)
+            self._repaint()
+
     def set_view(self, start: float, stop: float) -> None:
-        """Frame the part of time that the plots show."""
+        """Frame the part of time that the plots show; what is zoomed in follows it."""
         self._view = (start, stop)
+        low, high = self._span
+        if stop < low or start > high:
+            middle = (start + stop - (high - low)) / 2
+            self.set_span(middle, middle + high - low)
         self.update()
 
     def sizeHint(self) -> QSize:
@@ -82,8 +115,10 @@ class Overview(QWidget):
         take = self._take
         self._rows = None if take is None else arrange(take.markers, self.document.mesh)
         self._column_of = {} if take is None else {m: i for i, m in enumerate(take.labels)}
-        self._missing = np.zeros((0, 0))
-        self._view = (0.0, 0.0 if take is None else float(take.frames))
+        self._span = (0.0, 1.0 if take is None else max(1.0, float(take.frames)))
+        self._view = self._span
+        self.residuals.forget()
+        self.mode.setVisible(take is not None)
         self.setCursor(
             Qt.CursorShape.ArrowCursor if take is None else Qt.CursorShape.PointingHandCursor
         )
@@ -106,19 +141,15 @@ class Overview(QWidget):
         self._repaint()
 
     def _refresh(self, change: Change) -> None:
-        """Look for missing samples again where samples changed."""
-        take = self._take
-        if take is not None and self._missing.size:
-            columns = [take.index(name) for name in change.markers]
-            width = self._missing.shape[1]
-            self._missing[columns] = missing_share(take.origin[:, columns], width)
+        """Paint changed samples anew."""
+        self.residuals.note(change)
         self._repaint()
 
     def _move_cursor(self, frame: int) -> None:
         """Draw the cursor elsewhere."""
         self.update()
 
-    def _repaint(self) -> None:
+    def _repaint(self, *_: object) -> None:
         """Paint the picture anew when it is next needed."""
         self._image = None
         self.update()
@@ -136,15 +167,14 @@ class Overview(QWidget):
 
     def _x(self, frame: float) -> float:
         """Pixel at which a frame begins."""
-        take, area = self._take, self._area()
-        frames = 1 if take is None else max(1, take.frames)
-        return area.left() + frame * area.width() / frames
+        area, (start, stop) = self._area(), self._span
+        return area.left() + (frame - start) * area.width() / (stop - start)
 
     def _frame_at(self, x: float) -> int:
         """Frame under a pixel."""
-        take, area = self._take, self._area()
-        frames = 1 if take is None else take.frames
-        return int(np.clip((x - area.left()) * frames / area.width(), 0, max(0, frames - 1)))
+        take, area, (start, stop) = self._take, self._area(), self._span
+        frame = np.floor(start + (x - area.left()) * (stop - start) / area.width())
+        return int(np.clip(frame, 0, 0 if take is None else max(0, take.frames - 1)))
 
     def _marker_at(self, y: float) -> str | None:
         """Marker under a pixel."""
@@ -176,7 +206,10 @@ class Overview(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Go to what was clicked: an artifact, else a marker and a frame."""
-        if event.button() != Qt.MouseButton.LeftButton or self._take is None:
+        if event.button() != Qt.MouseButton.LeftButton and self._take is not None:
+            self._held = (event.position().x(), self._span)
+            return
+        if self._take is None:
             super().mousePressEvent(event)
             return
         at = event.position()
@@ -190,9 +223,34 @@ class Overview(QWidget):
         self.document.go_to(self._frame_at(at.x()))
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Scrub."""
+        """Scrub with the left button, pan with another one."""
         if event.buttons() & Qt.MouseButton.LeftButton and self._take is not None:
             self.document.go_to(self._frame_at(event.position().x()))
+        elif self._held is not None:
+            x, (low, high) = self._held
+            by = (x - event.position().x()) * (high - low) / self._area().width()
+            self.set_span(low + by, high + by)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """End a pan."""
+        self._held = None
+        super().mouseReleaseEvent(event)
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        """Show the whole take."""
+        if self._take is not None and event.button() == Qt.MouseButton.LeftButton:
+            self.set_span(0.0, float(self._take.frames))
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Zoom time at the mouse; a sideways wheel moves through it."""
+        area, (low, high) = self._area(), self._span
+        notches = event.angleDelta().y() / 120.0
+        at = low + (event.position().x() - area.left()) * (high - low) / area.width()
+        at = min(max(at, low), high)
+        factor = _STEP**-notches
+        by = -event.angleDelta().x() / 120.0 * 0.1 * (high - low)
+        self.set_span(at - (at - low) * factor + by, at + (high - at) * factor + by)
+        event.accept()
 
     def event(self, event: QEvent) -> bool:
         """Say what lies under the mouse."""
@@ -213,13 +271,18 @@ class Overview(QWidget):
         text = self.tr("Frame {frame} · {time:.2f} s").format(
             frame=take.frame_number(frame), time=frame / take.rate
         )
+        residuals = self.residuals.values
+        if self.mode.mode == "residual" and marker is not None and residuals is not None:
+            off = residuals[take.index(marker), frame]
+            if np.isfinite(off):
+                text += " · " + self.tr("{0:.1f} mm off its body").format(off)
         return text if marker is None else f"{marker} · {text}"
 
     # Painting
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Draw at the new size."""
-        self._missing = np.zeros((0, 0))
+        self.mode.setGeometry(2, self.height() - _BOTTOM, _LEFT - 10, _BOTTOM)
         self._repaint()
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -240,62 +303,58 @@ class Overview(QWidget):
             )
             return
         painter.drawImage(area, self._picture(take, rows))
-        self._paint_groups(painter, rows, area)
-        self._paint_time(painter, take, area)
+        paint_groups(painter, rows, area)
+        room = 0.0
+        if self.mode.mode == "residual":
+            room = paint_scale(painter, area, heat(self.mode.mode), "0", f"{MOST_MM:g} mm")
+        paint_time(painter, area, self._span, take.rate, room)
+        painter.setClipRect(area.adjusted(-8, -4, 2, 4))
         self._paint_marks(painter, rows, area)
+        share = self.residuals.share
+        if self.mode.mode == "residual" and share is not None:
+            self._say(painter, area, self.tr("Working out residuals… {0:.0%}").format(share))
 
     def _picture(self, take: Take, rows: Rows) -> QImage:
         """The picture at the screen's own resolution, painted when it is out of date."""
         if self._image is None:
             area, ratio = self._area(), self.devicePixelRatioF()
             size = max(1, round(area.width() * ratio)), max(1, round(area.height() * ratio))
-            if self._missing.shape != (take.markers, size[0]):
-                self._missing = missing_share(take.origin, size[0])
-            self._image = draw(
-                size, rows, self._missing, self._artifacts, self._column_of, take.frames
-            )
+            mode = self.mode.mode
+            self._image = paint_levels(size, rows, self._levels(take, size[0]), heat(mode))
+            if mode == "damage":
+                paint_artifacts(self._image, rows, self._artifacts, self._column_of, self._span)
         return self._image
 
-    def _paint_groups(self, painter: QPainter, rows: Rows, area: QRectF) -> None:
-        """Names of the groups, where there is room, and which markers are shown."""
+    def _levels(self, take: Take, width: int) -> FloatArray:
+        """(markers, width) in [0, 1]: what the picture shows behind each pixel."""
+        if self.mode.mode != "residual":
+            return missing_share(take.origin, width, *self._span)
+        session = self.document.session
+        if session is not None:
+            self.residuals.want(session)
+        if self.residuals.values is None:
+            return np.full((take.markers, width), np.nan)
+        return residual_levels(worst(self.residuals.values, width, *self._span))
+
+    def _say(self, painter: QPainter, area: QRectF, text: str) -> None:
+        """Write a line over the middle of the picture."""
         look = theme.current()
-        metrics = QFontMetrics(painter.font())
-        height = area.height() / len(rows.columns)
-        free_from = 0.0
-        for name, first, last in rows.groups:
-            middle = area.top() + (first + last) / 2 * height
-            top = middle - metrics.height() / 2
-            if top >= free_from:
-                text = metrics.elidedText(name, Qt.TextElideMode.ElideRight, _LEFT - 16)
-                box = QRectF(4, top, _LEFT - 14, metrics.height())
-                painter.setPen(look.muted)
-                painter.drawText(
-                    box, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, text
-                )
-                free_from = top + metrics.height()
+        box = QRectF(0, 0, painter.fontMetrics().horizontalAdvance(text) + 20, 22)
+        box.moveCenter(area.center())
+        painter.setPen(look.border)
+        painter.setBrush(theme.faded(look.raised, 0.9))
+        painter.drawRoundedRect(box, 4, 4)
+        painter.setPen(look.text)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
+
+    def _paint_marks(self, painter: QPainter, rows: Rows, area: QRectF) -> None:
+        """Which markers are shown, the current artifact, the part in view, and the cursor."""
+        look, current = theme.current(), self.document.current
         edges = row_edges(len(rows.columns), round(area.height()))
         for name in self.document.shown:
             top, bottom = edges[rows.row_of[self._column_of[name]]]
-            tick = QRectF(area.left() - 6, area.top() + top, 4, max(2, bottom - top))
+            tick = QRectF(area.left() - 7, area.top() + top, 6, max(2, bottom - top))
             painter.fillRect(tick, look.accent)
-
-    def _paint_time(self, painter: QPainter, take: Take, area: QRectF) -> None:
-        """Seconds below."""
-        look, metrics = theme.current(), QFontMetrics(painter.font())
-        step = _round_step(take.frames / take.rate / max(1.0, area.width() / _TICK_PX))
-        for i in range(int(take.frames / take.rate / step) + 1):
-            x = self._x(i * step * take.rate)
-            painter.setPen(look.border)
-            painter.drawLine(QPointF(x, area.bottom()), QPointF(x, area.bottom() + 3))
-            painter.setPen(look.muted)
-            width = min(_TICK_PX, 2.0 * (self.width() - x))
-            box = QRectF(x - width / 2, area.bottom() + 2, width, _BOTTOM - 2)
-            if width > metrics.horizontalAdvance(text := f"{i * step:g} s"):
-                painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
-
-    def _paint_marks(self, painter: QPainter, rows: Rows, area: QRectF) -> None:
-        """The current artifact, the part in view, and the cursor."""
-        look, current = theme.current(), self.document.current
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(QPen(look.border, 1))
         painter.drawRect(area.adjusted(-0.5, -0.5, 0.5, 0.5))
@@ -310,9 +369,7 @@ class Overview(QWidget):
             painter.setPen(QPen(look.accent, 1.5))
             painter.drawRect(QRectF(left, area.top(), max(2.0, right - left), area.height()))
         if current is not None:
-            top, bottom = row_edges(len(rows.columns), round(area.height()))[
-                rows.row_of[self._column_of[current.marker]]
-            ]
+            top, bottom = edges[rows.row_of[self._column_of[current.marker]]]
             x0, x1 = self._x(current.start), self._x(current.stop)
             box = QRectF(x0, area.top() + top, max(3.0, x1 - x0), max(3, bottom - top))
             painter.setPen(QPen(look.text, 1))
@@ -320,9 +377,3 @@ class Overview(QWidget):
         x = self._x(self.document.frame + 0.5)
         painter.setPen(QPen(look.text, 1))
         painter.drawLine(QPointF(x, area.top() - 2), QPointF(x, area.bottom() + 2))
-
-
-def _round_step(seconds: float) -> float:
-    """The next larger of 1, 2, 5 times a power of ten."""
-    power = 10.0 ** np.floor(np.log10(max(seconds, 1e-6)))
-    return float(next(m * power for m in (1, 2, 5, 10) if m * power >= seconds * 0.999))

@@ -1,4 +1,4 @@
-"""The picture of a whole take: one row a marker, time from left to right, artifacts by class."""
+"""The picture of a whole take: one row a marker, time from left to right."""
 
 from __future__ import annotations
 
@@ -7,14 +7,21 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QImage, QPainter
 
-from markermend.arrays import ByteArray, FloatArray
-from markermend.artifact import Artifact, Status
+from markermend.arrays import FloatArray
+from markermend.artifact import Artifact, Kind, Status
 from markermend.mesh import Mesh
-from markermend.take import Origin
 from markermend_app import theme
+
+MODES = ("damage", "gaps", "residual")
+MOST_MM = 20.0
+"""Residual at which the colours of the heat end."""
+_STEPS = 255
+
+Colors = NDArray[np.uint32]
 
 
 @dataclass(frozen=True)
@@ -47,76 +54,84 @@ def arrange(markers: int, mesh: Mesh | None) -> Rows:
     return Rows(tuple(columns), tuple(row_of.tolist()), tuple(groups))
 
 
-def missing_share(origin: ByteArray, width: int) -> FloatArray:
-    """Share of missing samples behind each pixel.
-
-    Parameters
-    ----------
-    origin : (frames, markers) uint8, see :class:`markermend.take.Origin`
-    width : pixels
-
-    Returns
-    -------
-    (markers, width) float64 in [0, 1]; where a pixel holds any missing sample, at least a third,
-    so that short gaps stay visible
-    """
-    frames = len(origin)
-    edges = np.linspace(0, frames, width + 1)
-    first = np.minimum(edges[:-1].astype(np.int64), frames - 1)
-    count = np.maximum(np.diff(np.append(first, frames)), 1)
-    lost = (origin == Origin.MISSING).view(np.uint8)
-    # A sum of 8-bit numbers overflows, hence the wider type.
-    share = np.add.reduceat(lost, first, axis=0, dtype=np.int32) / count[:, None]
-    share = np.where(share > 0, np.maximum(share, 1 / 3), 0.0)
-    return np.asarray(share.T, dtype=np.float64)
-
-
 def row_edges(rows: int, height: int) -> list[tuple[int, int]]:
     """Top and bottom pixel of each row, every one at least a pixel high."""
     edges = np.floor(np.arange(rows + 1) * (height / max(1, rows))).astype(int).tolist()
     return [(a, max(b, a + 1)) for a, b in pairwise(edges)]
 
 
-def draw(
-    size: tuple[int, int],
-    rows: Rows,
-    missing: FloatArray,
-    artifacts: Sequence[Artifact],
-    column_of: dict[str, int],
-    frames: int,
+def heat(mode: str) -> tuple[QColor, ...]:
+    """Colours from nothing to the most, for a mode."""
+    look = theme.current()
+    if mode == "gaps":
+        return look.plot, look.kinds[Kind.GAP]
+    if mode == "residual":
+        return look.plot, look.kinds[Kind.NOISE], look.kinds[Kind.PEAK], look.text
+    return look.plot, theme.blend(look.plot, look.muted, 0.5)
+
+
+def residual_levels(residuals: NDArray[np.float32]) -> FloatArray:
+    """Residuals in mm as shares of the heat: small ones need most of the colours."""
+    return np.asarray(np.sqrt(np.clip(residuals / MOST_MM, 0.0, 1.0)), dtype=np.float64)
+
+
+def paint_levels(
+    size: tuple[int, int], rows: Rows, levels: FloatArray, colors: Sequence[QColor]
 ) -> QImage:
-    """Paint the picture.
+    """Paint rows of levels.
 
     Parameters
     ----------
     size : width and height in device pixels
     rows : order of the markers
-    missing : (markers, width) share of missing samples
-    artifacts : what is to be shown
-    column_of : column of the take by marker
-    frames : length of the take
+    levels : (markers, width) in [0, 1]; NaN where nothing is known, which is painted grey
+    colors : from level 0 to level 1
+
+    Returns
+    -------
+    The picture; the markers of every other group lie on a tinted band
     """
     width, height = size
     look = theme.current()
-    image = QImage(width, height, QImage.Format.Format_RGB32)
-    image.fill(look.plot)
     edges = row_edges(len(rows.columns), height)
-    _draw_missing(image, missing[list(rows.columns)], edges, look)
-    painter = QPainter(image)
-    painter.setPen(look.grid)
-    for _, first, last in rows.groups:
-        for row in (first, last):
-            if 0 < row < len(edges):
-                painter.drawLine(0, edges[row][0], width, edges[row][0])
-    scale = width / frames
-    for a in sorted(artifacts, key=lambda a: a.status is not Status.REJECTED):
-        top, bottom = edges[rows.row_of[column_of[a.marker]]]
-        left = a.start * scale
-        right = max(a.stop * scale, left + 1.5)
-        box = QRectF(left, top, right - left, bottom - top)
-        painter.fillRect(box, _ink(a, look))
-    painter.end()
+    row_at = np.zeros(height, dtype=np.int64)
+    for row, (top, bottom) in enumerate(edges):
+        row_at[top:bottom] = row
+    ramp = _ramp(colors)
+    band = _ramp((theme.blend(colors[0], look.grid, 0.6), *colors[1:]))
+    unknown = np.isnan(levels)
+    index = np.where(unknown, 0, levels * _STEPS).astype(np.intp)[list(rows.columns)]
+    pixels_of = ramp[index]
+    odd = np.zeros(len(rows.columns), dtype=bool)
+    for _, first, last in rows.groups[1::2]:
+        odd[first:last] = True
+    pixels_of[odd] = band[index[odd]]
+    pixels_of[unknown[list(rows.columns)]] = _argb(theme.blend(look.plot, look.muted, 0.18))
+    image = QImage(width, height, QImage.Format.Format_RGB32)
+    pixels = np.frombuffer(image.bits(), dtype=np.uint32).reshape(height, -1)
+    pixels[:, :width] = pixels_of[row_at]
     return image
+
+
+def paint_artifacts(
+    image: QImage,
+    rows: Rows,
+    artifacts: Sequence[Artifact],
+    column_of: dict[str, int],
+    span: tuple[float, float],
+) -> None:
+    """Paint artifacts by class over a picture that reaches over these frames."""
+    look, (start, stop) = theme.current(), span
+    scale = image.width() / (stop - start)
+    edges = row_edges(len(rows.columns), image.height())
+    painter = QPainter(image)
+    for a in sorted(artifacts, key=lambda a: a.status is not Status.REJECTED):
+        if a.stop > start and a.start < stop:
+            top, bottom = edges[rows.row_of[column_of[a.marker]]]
+            left = (a.start - start) * scale
+            right = max((a.stop - start) * scale, left + 1.5)
+            painter.fillRect(QRectF(left, top, right - left, bottom - top), _ink(a, look))
+    painter.end()
 
 
 def _ink(artifact: Artifact, look: theme.Theme) -> QColor:
@@ -129,22 +144,16 @@ def _ink(artifact: Artifact, look: theme.Theme) -> QColor:
     return theme.faded(look.kinds[artifact.kind], strength)
 
 
-def _rgb(color: QColor) -> FloatArray:
-    """Red, green and blue of a colour, 0 to 255."""
-    return np.array([color.red(), color.green(), color.blue()], dtype=np.float64)
+def _argb(color: QColor) -> int:
+    """A colour as a picture holds it."""
+    return int(color.rgb()) & 0xFFFFFFFF
 
 
-def _draw_missing(
-    image: QImage, missing: FloatArray, edges: list[tuple[int, int]], look: theme.Theme
-) -> None:
-    """Shade missing samples; (rows, width) shares."""
-    width, height = image.width(), image.height()
-    plain = _rgb(look.plot)
-    shade = _rgb(theme.blend(look.plot, look.muted, 0.5))
-    row_at = np.zeros(height, dtype=np.int64)
-    for row, (top, bottom) in enumerate(edges):
-        row_at[top:bottom] = row
-    mixed = plain + missing[row_at][:, :, None] * (shade - plain)
-    rgb = mixed.astype(np.uint32)
-    pixels = np.frombuffer(image.bits(), dtype=np.uint32).reshape(height, -1)
-    pixels[:, :width] = 0xFF000000 | rgb[..., 0] << 16 | rgb[..., 1] << 8 | rgb[..., 2]
+def _ramp(colors: Sequence[QColor]) -> Colors:
+    """(256,) colours, evenly mixed from the first to the last."""
+    at = np.linspace(0.0, len(colors) - 1, _STEPS + 1)
+    mixed = []
+    for place in at.tolist():
+        i = min(int(place), len(colors) - 2)
+        mixed.append(_argb(theme.blend(colors[i], colors[i + 1], place - i)))
+    return np.array(mixed, dtype=np.uint32)
