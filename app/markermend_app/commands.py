@@ -9,12 +9,12 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from markermend.artifact import Artifact, Kind, Status
+from markermend.artifact import Artifact, Status
 from markermend.errors import DataError, MarkermendError
 from markermend.mesh import Mesh
 from markermend.progress import Progress, part
 from markermend.session_file import SessionFile, open_session
-from markermend.take import Origin, Take
+from markermend.take import Take
 from markermend_app import dialogs, settings
 from markermend_app.document import Document
 from markermend_app.exporting import Exporter
@@ -157,6 +157,9 @@ class Commands(QObject):
         def done(found: Sequence[Artifact]) -> None:
             if self._document.session is not session:
                 return
+            if session.original is not take:
+                self.said.emit(self.tr("Markers were renamed meanwhile; detect again."))
+                return
             self._document.add_detected(found, self.tr("all kinds") if slow else self.tr("sudden"))
             one, many = self.tr("1 artifact found."), self.tr("{0} artifacts found.")
             text = one if len(found) == 1 else many.format(len(found))
@@ -242,39 +245,6 @@ class Commands(QObject):
             self.said.emit(text)
 
         self._lane.submit(self.tr("Repairing"), work, done, failed)
-
-    # Hand work
-
-    def mark_selection(self, kind: Kind | None = None) -> None:
-        """Make an artifact of the swept range; by default a gap if nothing is seen, else noise."""
-        artifact = self._swept_artifact(kind)
-        if artifact is not None:
-            self._document.sweep(None)
-            self._document.mark(artifact)
-
-    def repair_selection(self) -> None:
-        """Make an artifact of the swept range and repair it as soon as the repair is there."""
-        artifact = self._swept_artifact(None)
-        if artifact is not None:
-            self._document.sweep(None)
-            self._document.mark(artifact)
-            self._document.repair_current()
-
-    def clear_selection(self) -> None:
-        """Forget the swept range."""
-        self._document.sweep(None)
-
-    def _swept_artifact(self, kind: Kind | None) -> Artifact | None:
-        """Describe the swept range as an artifact."""
-        swept, session = self._document.selection, self._document.session
-        if swept is None or session is None:
-            return None
-        if kind is None:
-            column = session.original.index(swept.marker)
-            origin = session.origin[swept.start : swept.stop, column]
-            kind = Kind.GAP if (origin == Origin.MISSING).all() else Kind.NOISE
-        why = self.tr("marked by hand")
-        return Artifact(swept.marker, "xyz", swept.start, swept.stop, kind, 1.0, why=why)
 
     # Walking
 

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import traceback
+from collections.abc import Sequence
 from pathlib import Path
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import (
-    QMessageBox,
-    QWidget,
-)
+from PySide6.QtWidgets import QInputDialog, QMessageBox, QWidget
 
 import markermend
 from markermend.errors import MarkermendError
@@ -104,6 +102,18 @@ def ask_replace_source(parent: QWidget, target: Path) -> bool:
     box.setDefaultButton(cancel)
     box.exec()
     return box.clickedButton() is go
+
+
+def ask_choice(parent: QWidget, question: str, offered: Sequence[str]) -> str | None:
+    """Ask for one of several, the first one proposed; None when nothing was chosen."""
+    text, chosen = QInputDialog.getItem(parent, question, question, list(offered), 0, False)
+    return text if chosen else None
+
+
+def ask_text(parent: QWidget, question: str, proposed: str) -> str | None:
+    """Ask for a word; None when nothing was given."""
+    text, given = QInputDialog.getText(parent, question, question, text=proposed)
+    return text if given else None
 
 
 def show_about(parent: QWidget) -> None:

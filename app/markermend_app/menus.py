@@ -55,10 +55,16 @@ def give_keys(made: dict[str, QAction]) -> None:
     """Give the actions the keys in effect, and name them in their tooltips."""
     keys = shortcuts.table()
     for spec in ACTIONS:
-        action, had = made[spec.name], keys[spec.name]
-        action.setShortcuts([QKeySequence(key) for key in had])
-        tip = tr(spec.tip or spec.text.rstrip("…"))
-        action.setToolTip(f"{tip}  ({shortcuts.native(had[0])})" if had else tip)
+        action = made[spec.name]
+        action.setShortcuts([QKeySequence(key) for key in keys[spec.name]])
+        action.setToolTip(hint_of(spec.name))
+
+
+def hint_of(name: str) -> str:
+    """What an action does, in one sentence, and its key."""
+    spec, key = _SPEC[name], shortcuts.first(name)
+    tip = tr(spec.tip or spec.text.rstrip("…"))
+    return f"{tip}  ({key})" if key else tip
 
 
 def fill_menus(bar: QMenuBar, made: dict[str, QAction]) -> dict[str, QMenu]:

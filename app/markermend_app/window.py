@@ -26,12 +26,14 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from markermend.artifact import Kind
 from markermend_app import dialogs, menus, palette, settings, shortcuts, theme
 from markermend_app.actions import METHOD_KEYS
 from markermend_app.attention import Attention
 from markermend_app.bulk import Bulk
 from markermend_app.commands import Commands
 from markermend_app.document import Document
+from markermend_app.handwork import HandWork
 from markermend_app.jobs import Lane
 from markermend_app.panels.history import HistoryPanel
 from markermend_app.panels.inspector import Inspector
@@ -44,6 +46,7 @@ from markermend_app.panels.status import StatusLine
 from markermend_app.panels.trajectories import TrajectoryPanel
 from markermend_app.panels.transport import Transport
 from markermend_app.panels.welcome import Welcome
+from markermend_app.references import References
 from markermend_app.shortcut_sheet import ShortcutSheet
 
 LAYOUT_VERSION = 1
@@ -65,6 +68,9 @@ class MainWindow(QMainWindow):
         self.setAcceptDrops(True)
         self.setDockNestingEnabled(True)
         self._make_panels()
+        self.references = References(self.document, self)
+        self.scene.pick = self.references.toggle
+        self.hand = HandWork(self.document, self.lane, self, self.queue.selected)
         self._make_actions()
         self._connect()
         self.lay_out(ROOMY.boundedTo(self.screen().availableSize() * 0.94))
@@ -188,13 +194,18 @@ class MainWindow(QMainWindow):
         document = self.document
         self.commands.said.connect(self.status.say)
         self.bulk.said.connect(self.status.say)
+        self.hand.said.connect(self.status.say)
+        self.references.said.connect(self.status.say)
+        choosing = self.actions_by_name["choose_references"]
+        self.references.ended.connect(lambda: choosing.setChecked(False))
         self.welcome.open_requested.connect(self.commands.open)
         self.welcome.demo_requested.connect(self.commands.open_demo)
         self.welcome.path_requested.connect(self.commands.open_path)
         self.queue.repair_requested.connect(self.commands.repair_many)
-        self.trajectories.mark_requested.connect(self.commands.mark_selection)
-        self.trajectories.repair_selection_requested.connect(self.commands.repair_selection)
-        self.inspector.mark_requested.connect(self.commands.mark_selection)
+        self.trajectories.mark_requested.connect(self.hand.mark_selection)
+        self.trajectories.verb_requested.connect(self._run)
+        self.inspector.mark_requested.connect(self.hand.mark_selection)
+        self.inspector.verb_requested.connect(self._run)
         self.trajectories.view_changed.connect(self.overview.set_view)
         self.trajectories.view_changed.connect(self.transport.set_view)
         document.opened.connect(self._take_opened)
@@ -216,7 +227,7 @@ class MainWindow(QMainWindow):
     @property
     def _verbs(self) -> tuple[QObject, ...]:
         """What has verbs that actions name."""
-        return (self.commands, self.bulk)
+        return (self.commands, self.bulk, self.hand)
 
     def _own_verbs(self) -> dict[str, Callable[[], object]]:
         """Actions about what is seen, not about the review."""
@@ -233,6 +244,12 @@ class MainWindow(QMainWindow):
             "to_start": lambda: self.document.go_to(0),
             "to_end": lambda: self.document.go_to(1 << 40),
             "note": self._write_note,
+            "choose_references": lambda: self.references.choose(checked("choose_references")),
+            "start_earlier": lambda: self.hand.nudge(-1, 0),
+            "start_later": lambda: self.hand.nudge(1, 0),
+            "end_earlier": lambda: self.hand.nudge(0, -1),
+            "end_later": lambda: self.hand.nudge(0, 1),
+            **{f"class_{kind}": partial(self.hand.call, kind) for kind in Kind},
             "fit": self.trajectories.fit_all,
             "zoom_in": lambda: self.trajectories.zoom(0.5),
             "zoom_out": lambda: self.trajectories.zoom(2.0),

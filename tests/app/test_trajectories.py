@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QWheelEvent
+from plots import LEFT, RIGHT, SHIFT, Bench
+from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu
+from PySide6.QtWidgets import QMenu
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend.mesh import infer_mesh
@@ -16,80 +16,6 @@ from markermend.take import Take
 from markermend_app import theme
 from markermend_app.document import Document, Selection
 from markermend_app.panels.trajectories import TrajectoryPanel
-
-LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
-NONE, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
-
-
-class Bench:
-    """A panel on a document, and gestures in frames and plots instead of pixels."""
-
-    def __init__(self, panel: TrajectoryPanel, document: Document):
-        self.panel, self.document = panel, document
-        self.port = panel.canvas.viewport()
-
-    def at(self, frame: float, axis: str = "x", up: float = 0.7) -> QPoint:
-        """Pixel of a frame in an axis' plot, at a share of its height."""
-        view = self.panel.rows["xyz".index(axis)].view
-        box = view.sceneBoundingRect()
-        x = view.mapViewToScene(QPointF(frame, 0)).x()
-        return self.panel.canvas.mapFromScene(QPointF(x, box.bottom() - up * box.height()))
-
-    def click(self, frame: float, axis: str = "x", button=LEFT) -> None:
-        QTest.mouseMove(self.port, self.at(frame, axis))
-        QTest.mouseClick(self.port, button, NONE, self.at(frame, axis))
-
-    def double_click(self, frame: float) -> None:
-        """Click twice in the same place, whatever the first click brings there."""
-        point = self.at(frame)
-        QTest.mouseClick(self.port, LEFT, NONE, point)
-        QTest.mouseDClick(self.port, LEFT, NONE, point)
-        QTest.mouseRelease(self.port, LEFT, NONE, point)
-
-    def drag(self, start: float, stop: float, axis="x", button=LEFT, keys=NONE, up=0.7) -> None:
-        """Press, move in steps, release."""
-        a, b = self.at(start, axis, up), self.at(stop, axis, up)
-        QTest.mouseMove(self.port, a)
-        QTest.mousePress(self.port, button, keys, a)
-        for share in (0.25, 0.5, 0.75, 1.0):
-            point = QPoint(round(a.x() + (b.x() - a.x()) * share), b.y())
-            self._move(point, button, keys)
-        QTest.mouseRelease(self.port, button, keys, b)
-
-    def _move(self, point: QPoint, button, keys) -> None:
-        """Move with a button held: what QTest.mouseMove cannot."""
-        from PySide6.QtCore import QEvent
-        from PySide6.QtGui import QMouseEvent
-
-        QTest.qWait(12)
-        event = QMouseEvent(
-            QEvent.Type.MouseMove,
-            QPointF(point),
-            QPointF(self.port.mapToGlobal(point)),
-            Qt.MouseButton.NoButton,
-            button,
-            keys,
-        )
-        QApplication.sendEvent(self.port, event)
-
-    def wheel(self, frame: float, notches: int, keys=NONE, axis="x") -> None:
-        point = self.at(frame, axis)
-        event = QWheelEvent(
-            QPointF(point),
-            QPointF(self.port.mapToGlobal(point)),
-            QPoint(),
-            QPoint(0, 120 * notches),
-            Qt.MouseButton.NoButton,
-            keys,
-            Qt.ScrollPhase.NoScrollPhase,
-            False,
-        )
-        QApplication.sendEvent(self.port, event)
-
-    @property
-    def time(self) -> tuple[float, float]:
-        low, high = self.panel.rows[0].view.viewRange()[0]
-        return low, high
 
 
 @pytest.fixture
@@ -307,8 +233,9 @@ def test_menu_of_a_sweep_asks_the_window(bench, monkeypatch, qtbot):
     with qtbot.waitSignal(bench.panel.mark_requested) as marked:
         actions["Mark as noise"].trigger()
     assert marked.args == [Kind.NOISE]
-    with qtbot.waitSignal(bench.panel.repair_selection_requested):
-        actions["Repair selection"].trigger()
+    with qtbot.waitSignal(bench.panel.verb_requested) as asked:
+        actions["Cut selection"].trigger()
+    assert asked.args == ["cut_selection"]
 
 
 def test_gaps_stay_holes_and_originals_lie_beneath(bench):

@@ -17,9 +17,11 @@ class Inspector(QWidget):
     Signals
     -------
     mark_requested(Kind) : make an artifact of this class of the swept range
+    verb_requested(str) : name of the action to be done to the swept range
     """
 
     mark_requested = Signal(object)
+    verb_requested = Signal(str)
 
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -29,6 +31,7 @@ class Inspector(QWidget):
         self.take = TakePage(document)
         self.decisions = Decisions(document)
         self.selection.mark_requested.connect(self.mark_requested)
+        self.selection.verb_requested.connect(self.verb_requested)
         self._pages = QStackedWidget()
         self._nothing = hint(self.tr("Open a take to see what there is to say about it."))
         self._holders = {page: _scrolled(page) for page in self._all()}

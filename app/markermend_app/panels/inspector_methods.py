@@ -55,7 +55,6 @@ class MethodList(QWidget):
         column.addWidget(self.more)
         document.current_changed.connect(self._refresh)
         document.proposal_changed.connect(self._refresh)
-        document.proposals.progressed.connect(self._tell)
 
     def _fill(self) -> None:
         """List the methods, once an artifact is looked at: the engine's repairs load late."""
@@ -111,11 +110,6 @@ class MethodList(QWidget):
             self.outcome.setProperty("role", role)
             self.outcome.style().polish(self.outcome)
 
-    def _tell(self, doing: str) -> None:
-        """Say how far a method is that takes seconds."""
-        if self._document.current is not None and self._document.proposal is None:
-            self.outcome.setText(self.tr("Working out the repair… {0}").format(doing))
-
     def _promise(self) -> str:
         """What the preview is expected to achieve, or why there is none."""
         a, proposal = self._document.current, self._document.proposal
@@ -131,4 +125,7 @@ class MethodList(QWidget):
         text = REPAIRS[method].label if method in REPAIRS else method
         if proposal.error_mm is not None:
             text += self.tr(", expected error {0:.1f} mm").format(proposal.error_mm)
+        followed = self._document.preview.references
+        if followed:
+            text += self.tr(", following {0}").format(", ".join(followed))
         return f"{text}. {proposal.reason}" if proposal.reason else text

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 from markermend.artifact import Kind
 from markermend_app import theme
 from markermend_app.document import Document
+from markermend_app.menus import hint_of
 from markermend_app.panels.badge import kind_icon
 
 _KNOWN = ("subject", "subjects", "x_screen", "y_screen")
@@ -49,9 +50,11 @@ class SelectionPage(QWidget):
     Signals
     -------
     mark_requested(Kind) : a class was chosen
+    verb_requested(str) : name of the action to be done to the range
     """
 
     mark_requested = Signal(object)
+    verb_requested = Signal(str)
 
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -67,8 +70,23 @@ class SelectionPage(QWidget):
             button.clicked.connect(lambda _=False, kind=kind: self.mark_requested.emit(kind))
             self.buttons[kind] = button
             grid.addWidget(button, i // 2, i % 2)
-        tip = plain("small")
-        tip.setText(self.tr("M marks it, Shift+F repairs it at once, Esc forgets it."))
+        self.verbs: dict[str, QPushButton] = {}
+        work = QGridLayout()
+        work.setSpacing(8)
+        for i, (name, text) in enumerate(
+            (
+                ("repair_selection", self.tr("Repair")),
+                ("smooth_selection", self.tr("Smooth")),
+                ("cut_selection", self.tr("Cut")),
+                ("swap_selection", self.tr("Swap…")),
+                ("move_selection", self.tr("Give away…")),
+            )
+        ):
+            button = QPushButton(text)
+            button.setToolTip(hint_of(name))
+            button.clicked.connect(lambda _=False, name=name: self.verb_requested.emit(name))
+            self.verbs[name] = button
+            work.addWidget(button, i // 2, i % 2)
         column = QVBoxLayout(self)
         column.setContentsMargins(12, 12, 12, 12)
         column.setSpacing(8)
@@ -77,7 +95,9 @@ class SelectionPage(QWidget):
         column.addSpacing(4)
         column.addWidget(QLabel(self.tr("Mark the selection as")))
         column.addLayout(grid)
-        column.addWidget(tip)
+        column.addSpacing(4)
+        column.addWidget(QLabel(self.tr("Do something to it")))
+        column.addLayout(work)
         column.addStretch(1)
         document.selection_changed.connect(self._refresh)
         theme.watcher.changed.connect(self._recolour)
@@ -97,7 +117,7 @@ class SelectionPage(QWidget):
                 first, last, n, n / take.rate
             )
         )
-        for button in self.buttons.values():
+        for button in (*self.buttons.values(), *self.verbs.values()):
             button.setEnabled(self._document.editable)
 
     def _recolour(self) -> None:

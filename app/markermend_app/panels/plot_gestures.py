@@ -6,16 +6,21 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPointF, Qt
 
+from markermend.artifact import Artifact
 from markermend_app import theme
 from markermend_app.document import Selection
 from markermend_app.panels.plot_frame import PlotFrame
 from markermend_app.panels.plot_menu import artifact_menu, plot_menu, sweep_menu
-from markermend_app.panels.plot_range import whole_frames
+from markermend_app.panels.plot_range import snapped, whole_frames
 from markermend_app.panels.plot_row import PlotRow
 from markermend_app.panels.plot_rows_menu import fill_rows_menu
 
 if TYPE_CHECKING:
     from markermend_app.panels.trajectories import TrajectoryPanel
+
+
+SNAP_PX = 6.0
+"""Nearer than this to an edge, a swept range or a dragged edge ends there."""
 
 
 class Gestures:
@@ -69,14 +74,17 @@ class Gestures:
             menu = sweep_menu(
                 self._document,
                 self._panel.mark_requested.emit,
-                self._panel.repair_selection_requested.emit,
+                self._panel.verb_requested.emit,
                 self._panel,
             )
         elif hit is not None and self._document.session is not None:
             self._document.select(hit, frame=False)
-            menu = artifact_menu(self._document, self._document.session.artifact(hit), self._panel)
+            artifact = self._document.session.artifact(hit)
+            menu = artifact_menu(
+                self._document, artifact, self._panel.verb_requested.emit, self._panel
+            )
         else:
-            menu = plot_menu(self._panel.fit_all, self._panel)
+            menu = plot_menu(self._panel.verb_requested.emit, self._document, self._panel)
             fill_rows_menu(menu.addMenu(theme.icon("curves"), self._panel.tr("Plots")), self._panel)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         menu.popup(screen.toPoint())
@@ -86,7 +94,7 @@ class Gestures:
         take = self._panel.take
         if take is None or not self._document.shown:
             return
-        low, high = whole_frames(min(start, stop), max(start, stop) + 1, take.frames)
+        low, high = self._whole(min(start, stop), max(start, stop) + 1, take.frames)
         for row in self._panel.canvas.frames:
             row.show_sweep(low, high)
         if last:
@@ -103,10 +111,26 @@ class Gestures:
         current, take = self._document.current, self._panel.take
         if current is None or take is None:
             return
-        start, stop = whole_frames(*row.edges.frames, take.frames)
+        start, stop = self._whole(*row.edges.frames, take.frames, besides=current)
         if (start, stop) != (current.start, current.stop):
             self._document.change(current.id, start=start, stop=stop)
         self._panel.show_current()
+
+    def _whole(
+        self, start: float, stop: float, frames: int, besides: Artifact | None = None
+    ) -> tuple[int, int]:
+        """Whole frames, at the edge of another artifact on the foremost marker where it is near."""
+        session = self._document.session
+        edges = [
+            edge
+            for a in (() if session is None else session.artifacts)
+            if a.marker == self._document.shown[0] and a != besides
+            for edge in (a.start, a.stop)
+        ]
+        view = self._panel.canvas.frames[0].view
+        low, high = view.viewRange()[0]
+        reach = SNAP_PX * (high - low) / max(1.0, view.width())
+        return whole_frames(snapped(start, edges, reach), snapped(stop, edges, reach), frames)
 
 
 def _hit(row: PlotFrame, at: QPointF) -> str | None:

@@ -14,19 +14,21 @@ from markermend_app.menus import entry
 from markermend_app.words import tr as _tr
 
 
-def artifact_menu(document: Document, artifact: Artifact, parent: QWidget) -> QMenu:
-    """Decide about an artifact, change it, or take it off the list."""
+def artifact_menu(
+    document: Document, artifact: Artifact, do: Callable[[str], None], parent: QWidget
+) -> QMenu:
+    """Decide about the current artifact and its like, change it, or take it off the list."""
     menu = QMenu(parent)
     name = _tr(theme.KIND_NAME[artifact.kind])
     _title(menu, f"{name} · {artifact.marker}")
     status, ids = artifact.status, [artifact.id]
-    for verb, do, done in (
+    for verb, decide, done in (
         ("accept", lambda: document.accept(ids), Status.ACCEPTED),
         ("reject", lambda: document.reject(ids), Status.REJECTED),
         ("repair", document.repair_current, Status.REPAIRED),
         ("reopen", lambda: document.reopen(ids), Status.PENDING),
     ):
-        entry(menu, verb, do).setEnabled(status is not done)
+        entry(menu, verb, decide).setEnabled(status is not done)
     menu.addSeparator()
     classes = menu.addMenu(theme.icon("labels"), _tr("Class"))
     for kind in Kind:
@@ -44,6 +46,9 @@ def artifact_menu(document: Document, artifact: Artifact, parent: QWidget) -> QM
             lambda _=False, a=axis: document.change(artifact.id, axes=_toggled(artifact.axes, a))
         )
     menu.addSeparator()
+    for name in ("repair_alike", "reject_alike", "split_artifact", "join_artifacts", "note"):
+        entry(menu, name, partial(do, name))
+    menu.addSeparator()
     entry(menu, "remove", lambda: document.remove(ids))
     if not document.editable:
         for action in menu.actions():
@@ -54,10 +59,10 @@ def artifact_menu(document: Document, artifact: Artifact, parent: QWidget) -> QM
 def sweep_menu(
     document: Document,
     mark: Callable[[Kind], None],
-    repair: Callable[[], None],
+    do: Callable[[str], None],
     parent: QWidget,
 ) -> QMenu:
-    """Mark the swept range as an artifact, or repair what lies in it."""
+    """Mark the swept range as an artifact, or do what an action of that name does to it."""
     menu = QMenu(parent)
     if document.selection is not None:
         _title(menu, _tr("Selection on {marker}").format(marker=document.selection.marker))
@@ -67,15 +72,28 @@ def sweep_menu(
         action.triggered.connect(partial(mark, kind))
         action.setEnabled(document.editable)
     menu.addSeparator()
-    entry(menu, "repair_selection", repair).setEnabled(document.editable)
-    entry(menu, "clear_selection", lambda: document.sweep(None))
+    for name in (
+        "repair_selection",
+        "smooth_selection",
+        "cut_selection",
+        "swap_selection",
+        "move_selection",
+    ):
+        entry(menu, name, partial(do, name)).setEnabled(document.editable)
+    menu.addSeparator()
+    entry(menu, "clear_selection", partial(do, "clear_selection"))
     return menu
 
 
-def plot_menu(fit: Callable[[], None], parent: QWidget) -> QMenu:
-    """What can be done where there is nothing."""
+def plot_menu(do: Callable[[str], None], document: Document, parent: QWidget) -> QMenu:
+    """What can be done where there is nothing: to the view, and to the foremost marker."""
     menu = QMenu(parent)
-    entry(menu, "fit", fit)
+    entry(menu, "fit", partial(do, "fit"))
+    if document.shown:
+        menu.addSeparator()
+        _title(menu, document.shown[0])
+        for name in ("rename_marker", "merge_marker"):
+            entry(menu, name, partial(do, name)).setEnabled(document.editable)
     return menu
 
 

@@ -72,6 +72,12 @@ def time_range(start: float, stop: float, frames: int) -> tuple[float, float]:
     return low, low + span
 
 
+def snapped(frame: float, edges: Sequence[int], reach: float) -> float:
+    """Move a frame to the nearest of some edges, if it is within reach; both in frames."""
+    near = min(edges, key=lambda edge: abs(edge - frame), default=None)
+    return frame if near is None or abs(near - frame) > reach else float(near)
+
+
 def whole_frames(start: float, stop: float, frames: int) -> tuple[int, int]:
     """Round a range to whole frames of a take: half-open, at least one frame long."""
     first = int(np.clip(round(start), 0, frames - 1))

@@ -33,14 +33,15 @@ class Scene(QWidget):
     """Markers of the current frame in perspective.
 
     Left drag turns, middle, right or Shift drag moves, the wheel zooms, Ctrl drag runs through
-    time. A click shows the nearest marker in the plots, with Ctrl beside the others; a double
-    click beside the markers shows everything.
+    time. A click shows the nearest marker in the plots, with Ctrl beside the others, unless
+    ``pick`` takes it for something else; a double click beside the markers shows everything.
     """
 
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._document = document
         self.camera = Camera()
+        self.pick: Callable[[str], bool] = lambda marker: False
         self.stage: Stage | None = None
         self._vertical: int | None = None
         self._links: IntArray = np.zeros((0, 2), dtype=np.int64)
@@ -203,9 +204,11 @@ class Scene(QWidget):
         discs = paint.Discs(now, self._radius, shown, self.rings(), plain)
         self._at = paint.paint_discs(sight, discs)
         spots = self._paint_ghost(sight, now)
-        named = list(shown)[:MANY_LABELS]
+        followed = [take.index(s) for s in self._document.preview.references]
+        paint.paint_followed(sight, spots[followed])
+        named = list(dict.fromkeys([*list(shown)[:MANY_LABELS], *followed]))
         if self.labels.isChecked():
-            named += [i for i in range(take.markers) if i not in shown]
+            named += [i for i in range(take.markers) if i not in named]
         names = [(i, self._names[take.labels[i]]) for i in named]
         paint.paint_labels(sight, spots, names)
         paint.paint_triad(sight)
@@ -296,7 +299,7 @@ class Scene(QWidget):
         if not clicked or event.button() != Qt.MouseButton.LeftButton:
             return
         marker = self.marker_at(event.position())
-        if marker is None:
+        if marker is None or self.pick(marker):
             return
         shown = self._document.shown
         if not event.modifiers() & Qt.KeyboardModifier.ControlModifier:

@@ -153,6 +153,14 @@ def paint_ghost(sight: Sight, proposed: FloatArray, now: FloatArray) -> FloatArr
     return at[0]
 
 
+def paint_followed(sight: Sight, at: FloatArray) -> None:
+    """Ring the markers that a repair was told to follow; at is (n, 2) in pixels."""
+    sight.painter.setBrush(Qt.BrushStyle.NoBrush)
+    sight.painter.setPen(_pen(theme.current().accent, 2.0))
+    for x, y in at[np.isfinite(at).all(axis=1)].tolist():
+        sight.painter.drawEllipse(QPointF(x, y), 9.0, 9.0)
+
+
 def paint_labels(sight: Sight, at: FloatArray, names: Sequence[tuple[int, str]]) -> None:
     """Write names beside markers, on a veil of background so that they can be read."""
     t = theme.current()

@@ -35,12 +35,12 @@ class TrajectoryPanel(QWidget):
     -------
     view_changed(float, float) : the frames in view
     mark_requested(Kind) : the swept range is to become an artifact of this class
-    repair_selection_requested() : what lies in the swept range is to be repaired
+    verb_requested(str) : name of the action to be done
     """
 
     view_changed = Signal(float, float)
     mark_requested = Signal(object)
-    repair_selection_requested = Signal()
+    verb_requested = Signal(str)
 
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)

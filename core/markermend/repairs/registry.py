@@ -19,7 +19,6 @@ from markermend.mesh import Mesh
 from markermend.patch import Patch
 from markermend.plugins.discover import REPAIRS as PLUGINS
 from markermend.plugins.guards import guard_method
-from markermend.progress import Progress, quiet
 from markermend.registry import Registry
 from markermend.take import Take
 
@@ -34,13 +33,11 @@ class Evidence:
     trusted : (frames, markers, 3) bool; false where missing or flagged as damaged, the
         artifact under repair included
     mesh : the body's structure, or None when nobody has worked it out yet
-    progress : told by methods that take seconds how far they are; may raise ``Cancelled``
     """
 
     take: Take
     trusted: BoolArray
     mesh: Mesh | None = None
-    progress: Progress = quiet
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,8 +91,6 @@ class Method:
     source : paper and equation, or empty
     key : the number key that picks it in a review, or None
     plugin : the package that brings it, empty for ours
-    crosses_blackout : whether it can repair where no other marker is seen, from the whole body's
-        movement before and after
     """
 
     name: str
@@ -106,7 +101,6 @@ class Method:
     source: str = ""
     key: int | None = None
     plugin: str = ""
-    crosses_blackout: bool = False
 
 
 REPAIRS = Registry(
@@ -127,7 +121,6 @@ def register(
     params: type,
     source: str = "",
     key: int | None = None,
-    crosses_blackout: bool = False,
 ) -> Callable[[MethodFunction], MethodFunction]:
     """Add a method to :data:`REPAIRS`; used as a decorator.
 
@@ -135,10 +128,7 @@ def register(
     """
 
     def add(run: MethodFunction) -> MethodFunction:
-        made = Method(
-            name, label, summary, params, run, source, key, crosses_blackout=crosses_blackout
-        )
-        REPAIRS.add(made)
+        REPAIRS.add(Method(name, label, summary, params, run, source, key))
         return run
 
     return add

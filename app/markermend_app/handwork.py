@@ -1,0 +1,286 @@
+"""Work by hand, when the machine is wrong: on a swept range, on a marker, on artifacts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QWidget
+
+from markermend import hand
+from markermend.artifact import Artifact, Kind, Status
+from markermend.edits import Change
+from markermend.errors import DataError
+from markermend.fitting import receivers
+from markermend.progress import Progress
+from markermend.session import Session
+from markermend.take import AXES, Origin, is_unlabelled
+from markermend_app import dialogs
+from markermend_app.document import Document
+from markermend_app.jobs import Lane
+
+
+class HandWork(QObject):
+    """The verbs behind the actions of hand work. Asking and doing are kept apart.
+
+    Parameters
+    ----------
+    document, lane : what is worked on, and where longer work is done
+    window : parent of what is asked
+    chosen : ids of the rows that are selected in the review queue
+
+    Signals
+    -------
+    said(str) : a sentence for the status bar
+    """
+
+    said = Signal(str)
+
+    def __init__(
+        self,
+        document: Document,
+        lane: Lane,
+        window: QWidget,
+        chosen: Callable[[], Sequence[str]] = tuple,
+    ) -> None:
+        super().__init__(window)
+        self._document, self._lane = document, lane
+        self._window, self._chosen = window, chosen
+
+    # A swept range
+
+    def mark_selection(self, kind: Kind | None = None) -> None:
+        """Make an artifact of the swept range; by default a gap if nothing is seen, else noise."""
+        artifact = self._swept(kind)
+        if artifact is not None:
+            self._document.sweep(None)
+            self._document.mark(artifact)
+
+    def repair_selection(self) -> None:
+        """Replace what lies in the swept range by the best repair."""
+        artifact, mesh = self._swept(), self._document.mesh
+        if artifact is None:
+            return
+
+        def prepare(session: Session) -> Callable[[Progress], Any]:
+            take, everything = session.take, session.artifacts
+
+            def work(progress: Progress) -> Any:
+                from markermend.repairs import propose
+
+                return propose(take, artifact, everything, mesh=mesh)
+
+            return work
+
+        self._work(self.tr("Repairing"), prepare, lambda s, repair: s.mark(artifact, repair))
+
+    def smooth_selection(self) -> None:
+        """Take the noise out of the swept range; where it begins and ends it is blended in."""
+        swept = self._document.selection
+        if swept is None:
+            return
+        start, stop = swept.start, swept.stop
+
+        def smooth(session: Session) -> Callable[[Progress], Any]:
+            take = session.take.viewing(session.positions.copy(), session.origin.copy())
+
+            def work(progress: Progress) -> Any:
+                from markermend.smoothers import smooth
+
+                return smooth(
+                    take, markers=[swept.marker], start=start, stop=stop, progress=progress
+                )
+
+            return work
+
+        def keep(session: Session, smoothed: Any) -> Change:
+            column = session.original.index(swept.marker)
+            values = smoothed.positions[start:stop, column]
+            origin = smoothed.origin[start:stop, column]
+            return hand.replace_samples(session, "Smooth", swept.marker, start, values, origin)
+
+        self._work(self.tr("Smoothing"), smooth, keep)
+
+    def cut_selection(self) -> None:
+        """Make the swept range missing; the gap comes under review, its repair previewed."""
+        swept = self._document.selection
+        if swept is not None:
+            self._change(lambda s: hand.cut(s, swept.marker, swept.start, swept.stop))
+
+    def swap_selection(self) -> None:
+        """Exchange the swept range with that of another marker, from here to there."""
+        swept, session = self._document.selection, self._document.session
+        if swept is None or session is None:
+            return
+        other = self._ask_marker(
+            self.tr("Swap {0} with").format(swept.marker),
+            self._others(swept.marker, self._document.shown),
+        )
+        if other is None:
+            return
+        artifact = Artifact(
+            swept.marker, AXES, swept.start, swept.stop, Kind.STEP, counterpart=other,
+            why=self.tr("marked by hand"),
+        )  # fmt: skip
+
+        def swap(session: Session) -> Change:
+            from markermend.repairs import propose
+
+            repair = propose(session.take, artifact, session.artifacts, method="swap")
+            return session.mark(artifact, repair)
+
+        self._change(swap)
+
+    def move_selection(self) -> None:
+        """Give the swept range to another marker: it has the wrong name there."""
+        swept = self._document.selection
+        if swept is None:
+            return
+        other = self._ask_marker(
+            self.tr("Frames of {0} are in truth").format(swept.marker),
+            self._free(swept.marker, swept.start, swept.stop),
+        )
+        if other is not None:
+            self._change(lambda s: hand.move(s, swept.marker, other, swept.start, swept.stop))
+
+    def clear_selection(self) -> None:
+        """Forget the swept range."""
+        self._document.sweep(None)
+
+    # A whole trajectory
+
+    def rename_marker(self) -> None:
+        """Give the foremost marker another name in the whole take."""
+        if not self._document.shown:
+            return
+        old = self._document.shown[0]
+        new = dialogs.ask_text(self._window, self.tr("Rename {0}").format(old), old)
+        if new is not None:
+            self._change(lambda s: hand.rename(s, {old: new}))
+
+    def merge_marker(self) -> None:
+        """Give all samples of the foremost marker to another one that is missing there."""
+        session = self._document.session
+        if session is None or not self._document.shown:
+            return
+        donor = self._document.shown[0]
+        other = self._ask_marker(
+            self.tr("Merge {0} into").format(donor), self._free(donor, 0, session.original.frames)
+        )
+        if other is not None:
+            self._change(lambda s: hand.merge(s, donor, other))
+            self._document.show([other])
+
+    # Artifacts
+
+    def split_artifact(self) -> None:
+        """Make two of the current artifact, at the cursor."""
+        current = self._document.current
+        if current is not None:
+            self._document.do(lambda s: hand.split(s, current.id, self._document.frame))
+
+    def join_artifacts(self) -> None:
+        """Make one of the artifacts selected in the queue, else of the current and the next one."""
+        session, current = self._document.session, self._document.current
+        if session is None or current is None:
+            return
+        ids = list(self._chosen())
+        if len(ids) < 2:
+            following = next(
+                (
+                    a.id
+                    for a in session.artifacts
+                    if a.marker == current.marker
+                    and a.start >= current.start
+                    and a.id != current.id
+                    and a.status is not Status.REJECTED
+                ),
+                None,
+            )
+            ids = [current.id] if following is None else [current.id, following]
+        if self._document.do(lambda s: hand.join(s, ids)) and self._document.current is None:
+            left = [i for i in ids if session.find(i) is not None]
+            self._document.select(left[0])
+
+    def call(self, kind: Kind) -> None:
+        """Give the current artifact another class."""
+        if self._document.current is not None:
+            self._document.change(self._document.current.id, kind=kind)
+
+    def nudge(self, start: int, stop: int) -> None:
+        """Move the edges of the current artifact by frames; it stays at least one frame long."""
+        current, session = self._document.current, self._document.session
+        if current is None or session is None:
+            return
+        first = max(0, current.start + start)
+        last = min(session.original.frames, current.stop + stop)
+        if first < last:
+            self._document.change(current.id, start=first, stop=last)
+
+    # Inner workings
+
+    def _swept(self, kind: Kind | None = None) -> Artifact | None:
+        """Describe the swept range as an artifact."""
+        swept, session = self._document.selection, self._document.session
+        if swept is None or session is None:
+            return None
+        if kind is None:
+            column = session.original.index(swept.marker)
+            origin = session.origin[swept.start : swept.stop, column]
+            kind = Kind.GAP if (origin == Origin.MISSING).all() else Kind.NOISE
+        why = self.tr("marked by hand")
+        return Artifact(swept.marker, AXES, swept.start, swept.stop, kind, 1.0, why=why)
+
+    def _change(self, verb: Callable[[Session], Change]) -> None:
+        """Do something to samples or names; a new artifact comes under review."""
+        session = self._document.session
+        if session is None:
+            return
+        before = {a.id for a in session.artifacts}
+        if self._document.do(verb):
+            self._document.sweep(None)
+            self.said.emit(self.tr("{0}.").format(session.history[-1]))
+            new = [a for a in session.artifacts if a.id not in before]
+            opened = next((a for a in new if a.status is Status.PENDING), *new[:1] or (None,))
+            if opened is not None:
+                self._document.select(opened.id, frame=False)
+
+    def _work(
+        self,
+        label: str,
+        prepare: Callable[[Session], Callable[[Progress], Any]],
+        keep: Callable[[Session, Any], Change],
+    ) -> None:
+        """Work something out on the worker and keep it, unless the review changed meanwhile."""
+        session = self._document.session
+        if session is None:
+            return
+        revision = session.revision
+
+        def done(result: Any) -> None:
+            if self._document.session is session and session.revision == revision:
+                self._change(lambda s: keep(s, result))
+            else:
+                self.said.emit(self.tr("The review changed meanwhile; do it again."))
+
+        self._lane.submit(label, prepare(session), done, self._document.failed.emit)
+
+    def _ask_marker(self, question: str, offered: Sequence[str]) -> str | None:
+        """Ask for one of these markers."""
+        if not offered:
+            self._document.failed.emit(DataError(self.tr("There is no other marker to choose.")))
+            return None
+        return dialogs.ask_choice(self._window, question, offered)
+
+    def _others(self, marker: str, first: Sequence[str]) -> list[str]:
+        """All other markers, these first, unlabelled ones last."""
+        session = self._document.session
+        labels = () if session is None else session.original.labels
+        rest = sorted(labels, key=lambda s: (s not in first, is_unlabelled(s)))
+        return [s for s in rest if s != marker]
+
+    def _free(self, marker: str, start: int, stop: int) -> tuple[str, ...]:
+        """Other markers that these samples may belong to, the likeliest first."""
+        session = self._document.session
+        return () if session is None else receivers(session.take, marker, start, stop)

@@ -1,0 +1,251 @@
+"""Work by hand in the real window: sweep with the mouse, do with keys, undo, be as before."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from plots import SHIFT, Bench
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QInputDialog
+
+import markermend as mm
+from markermend.artifact import Artifact, Kind, Status
+from markermend.take import Origin, Take
+from markermend_app import export_dialog
+
+WAIT = 20_000
+CTRL = Qt.KeyboardModifier.ControlModifier
+
+
+@pytest.fixture
+def window(review, damaged):
+    """The window on the damaged take, CLAV foremost, the first 120 frames in view."""
+    take, truth = damaged
+    made = review(take, truth)
+    document = made.document
+    document.select(next(a.id for a in document.session.artifacts if a.kind is Kind.GAP))
+    document.show(["T10", "LSHO"])
+    made.trajectories.set_view(0, 150)
+    return made
+
+
+@pytest.fixture
+def mouse(window):
+    return Bench(window.trajectories, window.document)
+
+
+def state(window):
+    session = window.document.session
+    return session.positions.tobytes(), session.artifacts, session.take.labels
+
+
+def settle(window, qtbot):
+    qtbot.waitUntil(lambda: not window.lane.busy, timeout=WAIT)
+
+
+def undo(window, qtbot):
+    qtbot.keyClick(window, Qt.Key.Key_Z, CTRL)
+
+
+def answer(monkeypatch, text):
+    """Answer the next question, and remember what was offered."""
+    offered = []
+
+    def item(parent, title, label, items, *rest):
+        offered.extend(items)
+        return text, True
+
+    monkeypatch.setattr(QInputDialog, "getItem", item)
+    monkeypatch.setattr(QInputDialog, "getText", lambda *_, **__: (text, True))
+    return offered
+
+
+def test_cut_opens_a_gap_whose_repair_is_previewed_and_f_fills_it(window, mouse, qtbot):
+    document, before = window.document, state(window)
+    mouse.drag(40, 59, keys=SHIFT)
+    assert (document.selection.marker, document.selection.start) == ("T10", 40)
+    qtbot.keyClick(window, Qt.Key.Key_X)
+    gap = document.current
+    assert (gap.marker, gap.start, gap.stop, gap.kind) == ("T10", 40, 60, Kind.GAP)
+    assert np.isnan(document.session.positions[40:60, 3]).all()
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    qtbot.keyClick(window, Qt.Key.Key_F)
+    assert (document.session.origin[40:60, 3] == Origin.FILLED).all()
+    miss = document.session.positions[40:60, 3] - document.session.original.positions[40:60, 3]
+    assert np.abs(miss).max() < 5.0
+    undo(window, qtbot)
+    undo(window, qtbot)
+    assert state(window) == before
+
+
+def test_a_swept_range_is_repaired_in_one_step(window, mouse, qtbot):
+    document, before = window.document, state(window)
+    mouse.drag(40, 50, keys=SHIFT)
+    qtbot.keyClick(window, Qt.Key.Key_F, SHIFT)
+    settle(window, qtbot)
+    assert document.current.status is Status.REPAIRED
+    assert document.session.history[-1] == "Repair noise on T10 by hand"
+    undo(window, qtbot)
+    assert state(window) == before
+
+
+def test_smoothing_changes_the_swept_frames_only(window, mouse, qtbot):
+    document, before = window.document, state(window)
+    mouse.drag(30, 90, keys=SHIFT)
+    qtbot.keyClick(window, Qt.Key.Key_S)
+    settle(window, qtbot)
+    now, was = document.session.positions, document.session.original.positions
+    changed = np.flatnonzero((now[:, 3] != was[:, 3]).any(axis=1))
+    assert len(changed) > 40
+    assert changed[0] >= 30
+    assert changed[-1] < 91
+    assert np.array_equal(np.delete(now, 3, axis=1), np.delete(was, 3, axis=1), equal_nan=True)
+    rough = [np.abs(np.diff(p[40:80, 3], n=3, axis=0)).mean() for p in (was, now)]
+    assert rough[1] < 0.5 * rough[0]
+    undo(window, qtbot)
+    assert state(window) == before
+
+
+def test_swapping_from_here_to_there(window, mouse, qtbot, monkeypatch):
+    document, before = window.document, state(window)
+    offered = answer(monkeypatch, "LSHO")
+    mouse.drag(40, 59, keys=SHIFT)
+    qtbot.keyClick(window, Qt.Key.Key_W)
+    # The other marker that is shown is the first to be offered.
+    assert offered[0] == "LSHO"
+    now, was = document.session.positions, document.session.original.positions
+    assert np.array_equal(now[40:60, 3], was[40:60, 4])
+    assert np.array_equal(now[40:60, 4], was[40:60, 3])
+    assert np.array_equal(now[60:, 3], was[60:, 3])
+    # It can be reopened like any repair.
+    qtbot.keyClick(window, Qt.Key.Key_U)
+    assert np.array_equal(document.session.positions, was, equal_nan=True)
+    undo(window, qtbot)
+    undo(window, qtbot)
+    assert state(window) == before
+
+
+@pytest.fixture
+def unlabelled(review, damaged, tmp_path):
+    """The window on a file in which CLAV's gap was seen under no name."""
+    take = damaged[0]
+    positions = np.concatenate([take.positions, np.full((take.frames, 1, 3), np.nan)], axis=1)
+    positions[60:90, 8] = take.positions[60:90, 3] + [5.0, 0.0, 0.0]
+    mm.write(Take(positions, (*take.labels, "*9"), take.rate), tmp_path / "in.c3d")
+    gap = Artifact("CLAV", "xyz", 60, 90, Kind.GAP)
+    return review(mm.read(tmp_path / "in.c3d"), [gap])
+
+
+def export(window, qtbot, monkeypatch, target):
+    choice = export_dialog.ExportChoice(record=True, mark_outputs=False)
+    assert window.commands._exporter.export_to(target, choice, wait=True)
+    return mm.read(target)
+
+
+def test_merging_an_unlabelled_trajectory_in_and_renaming_come_out_right_in_the_file(
+    unlabelled, qtbot, monkeypatch, tmp_path
+):
+    window, document = unlabelled, unlabelled.document
+    before = state(window)
+    document.show(["*9"])
+    offered = answer(monkeypatch, "CLAV")
+    qtbot.keyClick(window, Qt.Key.Key_M, CTRL)
+    assert offered[0] == "CLAV"
+    assert document.session.artifacts == ()
+    answer(monkeypatch, "STERNUM")
+    document.show(["STRN"])
+    qtbot.keyClick(window, Qt.Key.Key_F2)
+    assert document.shown == ("STERNUM",)
+    source = document.session.original
+    result = export(window, qtbot, monkeypatch, tmp_path / "out.c3d")
+    assert result.labels == ("CLAV", "STERNUM", "C7", "T10", "LSHO", "LELB", "LWRA", "LWRB")
+    assert np.array_equal(result.positions[60:90, 0], source.positions[60:90, 8])
+    assert np.array_equal(result.positions[:, 1:], source.positions[:, 1:8], equal_nan=True)
+    undo(window, qtbot)
+    assert document.shown == ("STRN",)
+    undo(window, qtbot)
+    assert state(window) == before
+
+
+def test_a_stretch_with_the_wrong_name_is_given_to_the_right_marker(unlabelled, qtbot, monkeypatch):
+    window, document = unlabelled, unlabelled.document
+    before = state(window)
+    document.show(["*9"])
+    window.trajectories.set_view(50, 100)
+    Bench(window.trajectories, document).drag(70, 79, keys=SHIFT)
+    answer(monkeypatch, "CLAV")
+    qtbot.keyClick(window, Qt.Key.Key_E)
+    gaps = [(a.start, a.stop) for a in document.session.artifacts]
+    assert gaps == [(60, 70), (80, 90)]
+    undo(window, qtbot)
+    assert state(window) == before
+
+
+def test_a_refusal_is_said_aside_and_changes_nothing(window, mouse, qtbot, monkeypatch):
+    before = state(window)
+    answer(monkeypatch, "LSHO")
+    mouse.drag(40, 50, keys=SHIFT)
+    with qtbot.waitSignal(window.commands.said) as said:
+        qtbot.keyClick(window, Qt.Key.Key_E)
+    assert "no other marker" in said.args[0] or "samples of its own" in said.args[0]
+    assert state(window) == before
+
+
+def test_a_sweep_snaps_to_the_edges_of_artifacts(window, mouse, qtbot):
+    document = window.document
+    document.show(["CLAV"])
+    window.trajectories.set_view(0, 400)
+    mouse.drag(30, 57, keys=SHIFT)
+    assert document.selection.stop == 60
+    mouse.drag(91, 130, keys=SHIFT)
+    assert document.selection.start == 90
+
+
+def test_keys_nudge_split_join_and_reclass(window, qtbot):
+    document, before = window.document, state(window)
+    artifact = document.current
+    for key in (Qt.Key.Key_BracketLeft, Qt.Key.Key_BracketRight, Qt.Key.Key_BracketRight):
+        qtbot.keyClick(window, key)
+    assert (document.current.start, document.current.stop) == (59, 92)
+    qtbot.keyClick(window, Qt.Key.Key_BraceLeft)
+    assert document.current.start == 60
+    document.go_to(75)
+    qtbot.keyClick(window, Qt.Key.Key_Slash)
+    assert [(a.start, a.stop) for a in document.session.artifacts[:2]] == [(60, 75), (75, 92)]
+    qtbot.keyClick(window, Qt.Key.Key_J)
+    assert (document.current.start, document.current.stop) == (60, 92)
+    qtbot.keyClick(window, Qt.Key.Key_3, CTRL)
+    assert document.current.kind is Kind.NOISE
+    for _ in range(7):
+        undo(window, qtbot)
+    assert state(window) == before
+    assert document.session.artifact(artifact.id) == artifact
+
+
+def test_references_are_chosen_by_clicks_in_the_3d_view(window, qtbot):
+    document, scene = window.document, window.scene
+    document.go_to(75)
+    scene.reset()
+    scene.grab()
+    qtbot.keyClick(window, Qt.Key.Key_K)
+
+    def click(marker):
+        x, y = scene._at[document.session.original.index(marker)]
+        QTest.mouseClick(scene, Qt.MouseButton.LeftButton, pos=QPointF(x, y).toPoint())
+
+    for marker in ("STRN", "C7", "T10"):
+        click(marker)
+    assert document.preview.references == ("STRN", "C7", "T10")
+    assert document.shown == ("T10", "LSHO")
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    assert document.proposal.method == "local_regression"
+    assert "following STRN, C7, T10" in window.inspector.artifact.methods.outcome.text()
+    click("C7")
+    click("T10")
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    assert document.proposal.method == "pattern"
+    assert document.proposal.params["donor"] == "STRN"
+    qtbot.keyClick(window, Qt.Key.Key_F)
+    assert not window.actions_by_name["choose_references"].isChecked()
+    assert document.preview.references == ()
