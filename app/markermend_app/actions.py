@@ -120,6 +120,15 @@ ACTIONS: tuple[Action, ...] = (
         )
         for key in METHOD_KEYS
     ),
+    Action(
+        "compare",
+        "Compare repairs",
+        "Review",
+        ("C",),
+        "method",
+        "While the key is held, see what every method would do; ↑ and ↓ choose",
+        current,
+    ),
     Action("reopen", "Reopen", "Review", ("U",), "undo", "Take the decision back", current),
     Action("remove", "Remove from the list", "Review", ("Delete",), "delete", "", current),
     Action(

@@ -32,9 +32,11 @@ from markermend_app.actions import METHOD_KEYS
 from markermend_app.attention import Attention
 from markermend_app.bulk import Bulk
 from markermend_app.commands import Commands
+from markermend_app.comparison import Comparison
 from markermend_app.document import Document
 from markermend_app.handwork import HandWork
 from markermend_app.jobs import Lane
+from markermend_app.panels.candidates import Candidates
 from markermend_app.panels.history import HistoryPanel
 from markermend_app.panels.inspector import Inspector
 from markermend_app.panels.marker_tree import MarkerTree
@@ -70,6 +72,8 @@ class MainWindow(QMainWindow):
         self._make_panels()
         self.references = References(self.document, self)
         self.scene.pick = self.references.toggle
+        self.comparison = Comparison(self.document, self)
+        self.candidates = Candidates(self.comparison, self.trajectories)
         self.hand = HandWork(self.document, self.lane, self, self.queue.selected)
         self._make_actions()
         self._connect()
@@ -196,6 +200,7 @@ class MainWindow(QMainWindow):
         self.bulk.said.connect(self.status.say)
         self.hand.said.connect(self.status.say)
         self.references.said.connect(self.status.say)
+        self.actions_by_name["compare"].setAutoRepeat(False)
         choosing = self.actions_by_name["choose_references"]
         self.references.ended.connect(lambda: choosing.setChecked(False))
         self.welcome.open_requested.connect(self.commands.open)
@@ -244,6 +249,7 @@ class MainWindow(QMainWindow):
             "to_start": lambda: self.document.go_to(0),
             "to_end": lambda: self.document.go_to(1 << 40),
             "note": self._write_note,
+            "compare": lambda: self.comparison.start(shortcuts.table()["compare"]),
             "choose_references": lambda: self.references.choose(checked("choose_references")),
             "start_earlier": lambda: self.hand.nudge(-1, 0),
             "start_later": lambda: self.hand.nudge(1, 0),

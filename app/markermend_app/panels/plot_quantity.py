@@ -23,7 +23,8 @@ class Way:
     positions : (n, 3) mm, NaN = missing
     rate : Hz
     residuals, cameras : (n,) as the file has them, or None
-    other, predicted : (n, 3) mm, another marker and the body's prediction, or None
+    other, predicted, source : (n, 3) mm, another marker, the body's prediction, and the samples
+        before any repair; or None
     """
 
     positions: FloatArray
@@ -32,6 +33,7 @@ class Way:
     cameras: FloatArray | None = None
     other: FloatArray | None = None
     predicted: FloatArray | None = None
+    source: FloatArray | None = None
 
     def patched(self, patch: Patch, margin: int) -> tuple[Way, int]:
         """The frames of a patch and some on either side, with the patch in them; and the first."""
@@ -42,11 +44,17 @@ class Way:
             positions[patch.start - low : patch.stop - low, AXES.index(axis)] = patch.values[:, i]
         other = None if self.other is None else self.other[part]
         predicted = None if self.predicted is None else self.predicted[part]
-        return replace(self, positions=positions, other=other, predicted=predicted), low
+        source = None if self.source is None else self.source[part]
+        near = replace(self, positions=positions, other=other, predicted=predicted, source=source)
+        return near, low
 
 
 def way_of(
-    take: Take, marker: str, partner: str | None = None, predicted: FloatArray | None = None
+    take: Take,
+    marker: str,
+    partner: str | None = None,
+    predicted: FloatArray | None = None,
+    original: Take | None = None,
 ) -> Way:
     """A marker's way in a take.
 
@@ -56,6 +64,7 @@ def way_of(
     marker : its label
     partner : the marker that distances are measured to
     predicted : (frames, 3) mm, where the body says the marker is
+    original : the recording before any repair
     """
     column = take.index(marker)
     residuals = None if take.residuals is None else take.residuals[:, column].astype(np.float64)
@@ -64,7 +73,8 @@ def way_of(
         # A count of a sample that was not seen says nothing.
         cameras = np.where(take.present[:, column], take.cameras[:, column].astype(float), np.nan)
     other = None if partner is None else take.positions[:, take.index(partner)]
-    return Way(take.positions[:, column], take.rate, residuals, cameras, other, predicted)
+    source = None if original is None else original.positions[:, column]
+    return Way(take.positions[:, column], take.rate, residuals, cameras, other, predicted, source)
 
 
 @dataclass(frozen=True, eq=False)
@@ -151,6 +161,15 @@ _ALL = (
         "Distance to the body's prediction",
         _apart(lambda w: w.predicted),
         least=4.0,
+        places=2,
+    ),
+    Quantity(
+        "difference",
+        "Moved",
+        "mm",
+        "Difference to the samples before repair",
+        _apart(lambda w: w.source),
+        least=1.0,
         places=2,
     ),
     Quantity(

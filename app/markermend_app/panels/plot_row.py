@@ -182,7 +182,7 @@ class PlotRow(PlotFrame):
         self.proposed = []
         self.band.clear()
         for i, patch in enumerate(patches):
-            joined = self._joined(patch)
+            joined = self.joined(patch)
             if joined is None:
                 continue
             if len(self.proposed) == len(self._proposals):
@@ -201,7 +201,7 @@ class PlotRow(PlotFrame):
         for item in self._proposals[len(self.proposed) :]:
             _fill(item)
 
-    def _joined(self, patch: Patch) -> tuple[FloatArray, FloatArray] | None:
+    def joined(self, patch: Patch) -> tuple[FloatArray, FloatArray] | None:
         """What a patch would make of the values, with one known value on either side."""
         way, reach = self._ways.get(patch.marker), self.quantity.reach
         if way is None or reach < 0 or set(patch.axes).isdisjoint(self.quantity.axes):

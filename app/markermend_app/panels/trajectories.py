@@ -250,8 +250,8 @@ class TrajectoryPanel(QWidget):
         partner, predicted = self.partner, self.predictions.known.get(name)
         partner = None if partner == name else partner
         return Shown(
-            way_of(take, name, partner, predicted),
-            way_of(original, name, partner, predicted),
+            way_of(take, name, partner, predicted, original),
+            way_of(original, name, partner, predicted, original),
             take.origin[:, take.index(name)],
         )
 

@@ -17,7 +17,7 @@ from markermend.repairs import (  # noqa: F401, importing a module registers its
     swap,
     tits2018,
 )
-from markermend.repairs.advice import Advice, advise
+from markermend.repairs.advice import COMPARED, Advice, advise
 from markermend.repairs.choice import choose
 from markermend.repairs.registry import REPAIRS, Evidence, Method, Repair, find_method
 from markermend.repairs.run import (
@@ -31,6 +31,7 @@ from markermend.repairs.run import (
 )
 
 __all__ = [
+    "COMPARED",
     "REPAIRS",
     "Advice",
     "Evidence",

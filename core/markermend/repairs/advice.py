@@ -17,6 +17,9 @@ from markermend.repairs.result import axes_of, without_own
 CANDIDATES = ("local_regression", "spline", "pchip", "makima", "linear")
 """Methods that invent what was not seen; they can be measured by hiding what was."""
 
+COMPARED = (*CANDIDATES, "kalman", "rigid", "pattern", "cyclic", "savgol")
+"""Methods an operator may want to see beside each other; those with no answer come last."""
+
 # A few trials cannot tell less than this apart: the usual choice stays first unless another
 # method is expected to do better by more.
 CLEARLY_BETTER = 0.8

@@ -1,0 +1,94 @@
+"""Comparing repairs: hold a key, walk with the arrows, let go, repair with what was chosen."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+from markermend.artifact import Kind, Status
+from markermend_app.panels.plot_quantity import QUANTITIES, way_of
+
+WAIT = 20_000
+
+
+@pytest.fixture
+def window(review, damaged):
+    take, truth = damaged
+    made = review(take, truth)
+    document = made.document
+    document.select(next(a.id for a in document.session.artifacts if a.kind is Kind.GAP))
+    return made
+
+
+def names(window):
+    return [c.method for c in window.comparison.candidates]
+
+
+def test_hold_walk_let_go_and_repair(window, qtbot):
+    document, comparison = window.document, window.comparison
+    gap = document.current.id
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    QTest.keyPress(window, Qt.Key.Key_C)
+    assert comparison.shown
+    qtbot.waitUntil(lambda: bool(comparison.candidates), timeout=WAIT)
+    panel = window.candidates
+    assert panel.isVisible()
+    errors = [c.error_mm for c in comparison.candidates if c.error_mm is not None]
+    assert len(errors) >= 3
+    assert "±" in panel.rows[0][2].text()
+    # A line for every candidate in each of three rows.
+    assert len(panel._lines) == 3 * len(comparison.candidates)
+    assert names(window)[comparison.place] == document.proposal.method
+    first = comparison.place
+    for key in (Qt.Key.Key_Down, Qt.Key.Key_Down, Qt.Key.Key_Up):
+        QTest.keyClick(window, key)
+    chosen = names(window)[first + 1]
+    assert document.proposal.method == chosen
+    QTest.keyRelease(window, Qt.Key.Key_C)
+    assert not comparison.shown
+    assert not panel.isVisible()
+    assert panel._lines == []
+    qtbot.keyClick(window, Qt.Key.Key_F)
+    assert document.session.notes[gap].method == chosen
+    assert document.session.artifact(gap).status is Status.REPAIRED
+
+
+def test_arrows_step_frames_again_when_the_key_is_let_go(window, qtbot):
+    document = window.document
+    QTest.keyPress(window, Qt.Key.Key_C)
+    QTest.keyRelease(window, Qt.Key.Key_C)
+    method, frame = document.method, document.frame
+    QTest.keyClick(window, Qt.Key.Key_Down)
+    assert document.method == method
+    QTest.keyClick(window, Qt.Key.Key_Right)
+    assert document.frame == frame + 1
+
+
+def test_walking_on_while_comparing_compares_the_next(window, qtbot):
+    comparison = window.comparison
+    QTest.keyPress(window, Qt.Key.Key_C)
+    qtbot.waitUntil(lambda: comparison.candidates is not None, timeout=WAIT)
+    before = comparison.candidates
+    qtbot.keyClick(window, Qt.Key.Key_N)
+    qtbot.waitUntil(lambda: comparison.candidates not in (None, before), timeout=WAIT)
+    assert comparison.candidates[0].repair.patches[0].marker == window.document.current.marker
+    comparison.stop()
+
+
+def test_the_difference_row_shows_how_far_a_repair_moved_what_was_measured(window, qtbot):
+    document = window.document
+    document.select(next(a.id for a in document.session.artifacts if a.kind is Kind.PEAK))
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    peak = document.current
+    qtbot.keyClick(window, Qt.Key.Key_F)
+    session = document.session
+    way = way_of(session.take, peak.marker, original=session.original)
+    moved = QUANTITIES["difference"].of(way)
+    assert moved[peak.start] == pytest.approx(25.0, abs=2.0)
+    assert np.nanmax(np.delete(moved, peak.start)) == 0.0
+    window.trajectories.choose_rows(["x", "difference"])
+    document.show([peak.marker])
+    row = window.trajectories.rows[-1]
+    assert row.value_at(peak.marker, peak.start) == pytest.approx(25.0, abs=2.0)
