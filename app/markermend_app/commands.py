@@ -71,23 +71,42 @@ class Commands(QObject):
         def work(progress: Progress) -> Any:
             return load(path, progress)
 
-        def done(result: Any) -> None:
-            file, mesh = result
-            self._document.open(file, mesh)
+        def done(file: SessionFile) -> None:
+            self._document.open(file, None)
             settings.add_recent(path)
             self._tell_opened()
-            stored = bool(file.session.artifacts)
-            if stored:
+            if file.session.artifacts:
                 self._document.step(1)
-            elif not file.read_only and settings.flag("detect_on_open", True):
-                self.detect()
+            self._learn_body(file)
 
-        def dropped(result: Any) -> None:
+        def dropped(file: SessionFile) -> None:
             # Its lock would keep the take read-only for the next who opens it.
-            result[0].close()
+            file.close()
 
         label = self.tr("Opening {0}").format(path.name)
         self._lane.submit(label, work, done, self.show_problem, dropped)
+
+    def _learn_body(self, file: SessionFile) -> None:
+        """Look how the body moves, and for artifacts in a take that is new."""
+        take = file.session.original
+        # The take is seen before the engine's libraries are loaded, which takes longer than
+        # reading it.
+        self._window.repaint()
+
+        def work(progress: Progress) -> Any:
+            from markermend.mesh import infer_mesh
+
+            return infer_mesh(take, progress=progress)
+
+        def done(mesh: Mesh) -> None:
+            if self._document.file is not file:
+                return
+            self._document.learn(mesh)
+            new = not file.session.artifacts and not file.read_only
+            if new and settings.flag("detect_on_open", True):
+                self.detect()
+
+        self._lane.submit(self.tr("Looking at the body"), work, done, self.show_problem)
 
     def close_take(self) -> None:
         """Close the take, after asking what becomes of unexported work."""
@@ -144,7 +163,7 @@ class Commands(QObject):
 
     def _detect(self, *, slow: bool) -> None:
         session, mesh = self._document.session, self._document.mesh
-        if session is None or mesh is None:
+        if session is None:
             return
         take = session.original
 
@@ -202,7 +221,7 @@ class Commands(QObject):
     def repair_many(self, ids: Sequence[str], label: str = "") -> None:
         """Repair artifacts with their best methods, as one step."""
         session, mesh = self._document.session, self._document.mesh
-        if session is None or mesh is None:
+        if session is None:
             return
         chosen = [session.artifact(i) for i in ids]
         chosen = [a for a in chosen if a.status is not Status.REPAIRED]
@@ -314,17 +333,15 @@ class Commands(QObject):
             dialogs.tell_damaged(self._window, take)
 
 
-def load(path: Path, progress: Progress) -> tuple[SessionFile, Mesh]:
-    """Read a take, infer its body and open its review."""
+def load(path: Path, progress: Progress) -> SessionFile:
+    """Read a take and open its review."""
     from markermend.files import read
-    from markermend.mesh import infer_mesh
 
-    take: Take = read(path, progress=part(progress, 0.0, 0.5))
+    take: Take = read(path, progress=part(progress, 0.0, 0.9))
     if take.frames == 0:
         raise DataError(f"“{path.name}” has no frames, so that there is nothing to review in it.")
-    mesh = infer_mesh(take, progress=part(progress, 0.5, 0.95))
-    progress(0.95, "Opening the review")
-    return open_session(take, folder=_review_folder(path)), mesh
+    progress(0.9, "Opening the review")
+    return open_session(take, folder=_review_folder(path))
 
 
 def _same_file(path: Path, other: Path) -> bool:

@@ -41,6 +41,7 @@ class Document(QObject):
     Signals
     -------
     opened() : another take is open, or none
+    mesh_changed() : the body's structure is known now, or no longer
     data_changed(Change) : samples changed; ``Change`` says of which markers and frames
     artifacts_changed() : artifacts, decisions or repair notes changed
     history_changed() : a step was done, undone or redone
@@ -55,6 +56,7 @@ class Document(QObject):
     """
 
     opened = Signal()
+    mesh_changed = Signal()
     data_changed = Signal(object)
     artifacts_changed = Signal()
     history_changed = Signal()
@@ -119,6 +121,12 @@ class Document(QObject):
         self.proposal_changed.emit()
         self.shown_changed.emit()
         self.beside_changed.emit()
+
+    def learn(self, mesh: Mesh) -> None:
+        """Take over the body's structure of the open take."""
+        self.mesh = mesh
+        self.mesh_changed.emit()
+        self._propose()
 
     # What is looked at
 

@@ -80,6 +80,7 @@ def take_screenshot(window: MainWindow, take: Path | None, target: Path) -> int:
     from PySide6.QtWidgets import QApplication
 
     from markermend.errors import MarkermendError
+    from markermend.mesh import infer_mesh
     from markermend.progress import quiet
     from markermend_app.commands import load
     from markermend_app.window import ROOMY
@@ -89,7 +90,8 @@ def take_screenshot(window: MainWindow, take: Path | None, target: Path) -> int:
     fresh = False
     try:
         if take is not None:
-            document.open(*load(take.absolute(), quiet))
+            file = load(take.absolute(), quiet)
+            document.open(file, infer_mesh(file.session.original))
             fresh = document.session is not None and not document.session.history
         if fresh:
             window.commands.detect()

@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 from collections import defaultdict
 from collections.abc import Mapping
+from functools import lru_cache
 from types import MappingProxyType
 
 from PySide6.QtCore import QObject, Signal
@@ -80,19 +81,30 @@ def preset() -> str:
 
 
 def own() -> dict[str, Keys]:
-    """Keys the operator has chosen, by action; what cannot be read is not there."""
+    """Keys the operator has chosen, by action."""
+    return _read(settings.text(_OWN, "{}"))
+
+
+def _read(stored: str) -> dict[str, Keys]:
+    """Keys by action; what cannot be read is not there."""
     try:
-        stored = json.loads(settings.text(_OWN, "{}"))
+        keys = json.loads(stored)
     except ValueError:
         return {}
-    if not isinstance(stored, dict):
+    if not isinstance(keys, dict):
         return {}
-    return {name: tuple(map(str, keys)) for name, keys in stored.items() if isinstance(keys, list)}
+    return {name: tuple(map(str, had)) for name, had in keys.items() if isinstance(had, list)}
 
 
 def table() -> dict[str, Keys]:
     """Keys in effect, by action, as Qt writes them."""
-    chosen = {name: _plain(keys) for name, keys in {**PRESETS[preset()], **own()}.items()}
+    return _table(preset(), settings.text(_OWN, "{}"))
+
+
+@lru_cache(maxsize=4)
+def _table(base: str, stored: str) -> dict[str, Keys]:
+    """Keys of a preset and of the operator's own, as they are stored."""
+    chosen = {name: _plain(keys) for name, keys in {**PRESETS[base], **_read(stored)}.items()}
     taken = {key for keys in chosen.values() for key in keys}
     standard = {spec.name: _plain(spec.keys) for spec in ACTIONS}
     left = {name: tuple(k for k in keys if k not in taken) for name, keys in standard.items()}

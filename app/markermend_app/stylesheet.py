@@ -6,14 +6,9 @@ is styled accordingly, and a button with ``role`` set to ``"primary"`` stands ou
 
 from __future__ import annotations
 
-import tempfile
-from functools import cache
-from pathlib import Path
 from string import Template
 
-from PySide6.QtGui import QColor
-
-from markermend_app.theme import BASE_PT, HEADING_PT, SMALL_PT, Theme, blend, svg
+from markermend_app.theme import BASE_PT, HEADING_PT, SMALL_PT, Theme, blend, svg_file
 
 
 def stylesheet(theme: Theme) -> str:
@@ -47,30 +42,13 @@ def stylesheet(theme: Theme) -> str:
         base=BASE_PT,
         small=SMALL_PT,
         heading=HEADING_PT,
-        down=_file("chevron-down", arrow.name()),
-        up=_file("chevron-up", arrow.name()),
-        right=_file("chevron-right", arrow.name()),
-        close=_file("reject", arrow.name(), tight=True),
-        float=_file("frame", arrow.name(), tight=True),
-        check=_file("accept", theme.on_accent.name()),
+        down=svg_file("chevron-down", arrow),
+        up=svg_file("chevron-up", arrow),
+        right=svg_file("chevron-right", arrow),
+        close=svg_file("reject", arrow, tight=True),
+        float=svg_file("frame", arrow, tight=True),
+        check=svg_file("accept", theme.on_accent),
     )
-
-
-@cache
-def _folder() -> tempfile.TemporaryDirectory[str]:
-    """Where recoloured icons lie while the app runs: a style sheet takes files only."""
-    return tempfile.TemporaryDirectory(prefix="markermend-", ignore_cleanup_errors=True)
-
-
-@cache
-def _file(name: str, color: str, tight: bool = False) -> str:
-    """Path of an icon in a colour, as a style sheet wants it; tight is without its margin."""
-    path = Path(_folder().name) / f"{name}-{color.lstrip('#')}{'-tight' * tight}.svg"
-    text = svg(name, QColor(color))
-    if tight:
-        text = text.replace('viewBox="0 0 24 24"', 'viewBox="3 3 18 18"')
-    path.write_text(text, encoding="utf-8")
-    return path.as_posix()
 
 
 _SHEET = Template("""

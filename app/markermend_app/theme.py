@@ -7,13 +7,16 @@ Nothing else names a colour. Who draws by itself reads :func:`current` and draws
 from __future__ import annotations
 
 import re
+import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
+from importlib.resources.abc import Traversable
+from pathlib import Path
 from types import MappingProxyType
 
-from PySide6.QtCore import QByteArray, QObject, QRectF, Qt, Signal
+from PySide6.QtCore import QByteArray, QObject, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QIcon, QPainter, QPalette, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QApplication, QStyleFactory
@@ -203,7 +206,7 @@ def icon(name: str) -> QIcon:
 @cache
 def app_icon() -> QIcon:
     """Markermend's own icon, in its own colours."""
-    path = files("markermend_resources").joinpath("icons", "markermend.svg")
+    path = _icons() / "markermend.svg"
     renderer = QSvgRenderer(QByteArray(path.read_bytes()))
     result = QIcon()
     for size in (16, 32, 48, 64, 96, 128, 256):
@@ -219,10 +222,38 @@ def marker_color(index: int) -> QColor:
 
 def svg(name: str, color: QColor) -> str:
     """Text of an icon's SVG in a colour; empty when there is no such icon."""
-    path = files("markermend_resources").joinpath("icons", f"{name}.svg")
-    if not path.is_file():
+    path = _icons() / f"{name}.svg"
+    if not name or not path.is_file():
         return ""
     return re.sub(r"#000(?![0-9a-fA-F])", color.name(), path.read_text(encoding="utf-8"))
+
+
+def svg_file(name: str, color: QColor, tight: bool = False) -> str:
+    """Path of an icon in a colour, as style sheets and icons want it; empty when there is none.
+
+    Tight is without its margin.
+    """
+    path = Path(_folder().name) / f"{name}-{color.name().lstrip('#')}{'-tight' * tight}.svg"
+    if not path.exists():
+        text = svg(name, color)
+        if not text:
+            return ""
+        if tight:
+            text = text.replace('viewBox="0 0 24 24"', 'viewBox="3 3 18 18"')
+        path.write_text(text, encoding="utf-8")
+    return path.as_posix()
+
+
+@cache
+def _icons() -> Traversable:
+    """Where the icons lie."""
+    return files("markermend_resources") / "icons"
+
+
+@cache
+def _folder() -> tempfile.TemporaryDirectory[str]:
+    """Where recoloured icons lie while the app runs."""
+    return tempfile.TemporaryDirectory(prefix="markermend-", ignore_cleanup_errors=True)
 
 
 def faded(color: QColor, alpha: float) -> QColor:
@@ -298,17 +329,14 @@ def _palette(theme: Theme) -> QPalette:
 
 @cache
 def _icon(name: str, theme_name: str) -> QIcon:
-    """An icon drawn at the sizes that are asked for, on plain and on dense screens."""
+    """An icon that is drawn when it is shown, as sharp as the screen is."""
     theme = _THEMES[theme_name]
     result = QIcon()
     dimmed = blend(theme.muted, theme.window, 0.5)
     for mode, color in ((QIcon.Mode.Normal, theme.text), (QIcon.Mode.Disabled, dimmed)):
-        text = svg(name, color)
-        if not text:
-            return result
-        renderer = QSvgRenderer(QByteArray(text.encode()))
-        for size in (16, 20, 24, 32, 48, 64, 128):
-            result.addPixmap(_drawn(renderer, size), mode)
+        path = svg_file(name, color)
+        if path:
+            result.addFile(path, QSize(), mode)
     return result
 
 

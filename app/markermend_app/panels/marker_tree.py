@@ -115,6 +115,7 @@ class MarkerTree(QWidget):
         whole.addWidget(self._pages)
 
         document.opened.connect(self._rebuild)
+        document.mesh_changed.connect(self._rebuild)
         document.artifacts_changed.connect(self._count)
         document.data_changed.connect(self._samples_changed)
         document.shown_changed.connect(self._follow_shown)

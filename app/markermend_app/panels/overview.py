@@ -74,6 +74,7 @@ class Overview(QWidget):
         document.data_changed.connect(self._refresh)
         document.current_changed.connect(self.update)
         document.shown_changed.connect(self.update)
+        document.mesh_changed.connect(self._arrange)
         document.frame_changed.connect(self._move_cursor)
         theme.watcher.changed.connect(self._repaint)
         self._opened()
@@ -113,7 +114,6 @@ class Overview(QWidget):
     def _opened(self) -> None:
         """Arrange the markers of another take."""
         take = self._take
-        self._rows = None if take is None else arrange(take.markers, self.document.mesh)
         self._column_of = {} if take is None else {m: i for i, m in enumerate(take.labels)}
         self._span = (0.0, 1.0 if take is None else max(1.0, float(take.frames)))
         self._view = self._span
@@ -122,6 +122,13 @@ class Overview(QWidget):
         self.setCursor(
             Qt.CursorShape.ArrowCursor if take is None else Qt.CursorShape.PointingHandCursor
         )
+        self._arrange()
+
+    def _arrange(self) -> None:
+        """Put the markers of one body part beside one another."""
+        take = self._take
+        self._rows = None if take is None else arrange(take.markers, self.document.mesh)
+        self._missing = np.zeros((0, 0))
         self._reread()
 
     def _reread(self) -> None:

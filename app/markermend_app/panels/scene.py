@@ -61,6 +61,7 @@ class Scene(QWidget):
         self._make_buttons()
 
         document.opened.connect(self._opened)
+        document.mesh_changed.connect(self._link)
         document.artifacts_changed.connect(self._take_artifacts)
         document.frame_changed.connect(self._frame_changed)
         for signal in (
@@ -127,7 +128,7 @@ class Scene(QWidget):
 
     def _opened(self) -> None:
         """Another take, or none."""
-        session, mesh = self._document.session, self._document.mesh
+        session = self._document.session
         self.stage, self._followed, self._vertical = None, None, None
         for button in (self.fit, self.follow, self.trails, self.labels):
             button.setVisible(session is not None)
@@ -135,14 +136,20 @@ class Scene(QWidget):
             take = session.original
             self.stage = set_stage(take)
             self.camera = Camera()
-            links = () if mesh is None else mesh.links
-            self._links = np.array(links, dtype=np.int64).reshape(-1, 2)
+            self._link()
             small = np.array([is_unlabelled(label) for label in take.labels], dtype=bool)
             body = min(RADIUS_MM, 0.008 * self.stage.size)
             self._names = short_names(take.labels)
             self._radius = np.where(small, 0.5 * body, body)
             self.reset()
         self._take_artifacts()
+
+    def _link(self) -> None:
+        """Join the markers that move together."""
+        mesh = self._document.mesh
+        links = () if mesh is None else mesh.links
+        self._links = np.array(links, dtype=np.int64).reshape(-1, 2)
+        self.update()
 
     def _take_artifacts(self) -> None:
         """Remember which frames of which markers are flagged and undecided."""

@@ -1,0 +1,54 @@
+"""The first picture of a take: what is loaded for it, and how long it takes."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+
+import markermend as mm
+from markermend.simulation import simulate
+
+FIRST_PAINT = """
+import json, sys, time
+from PySide6.QtCore import QSettings, QTimer
+from markermend_app import settings
+
+settings.store = lambda: QSettings({ini!r}, QSettings.Format.IniFormat)
+from markermend_app.panels.overview import Overview
+
+paint = Overview.paintEvent
+
+
+def painted(self, event):
+    paint(self, event)
+    if self.document.session is not None:
+        heavy = sorted(m for m in ("scipy", "sklearn", "joblib", "pandas") if m in sys.modules)
+        print(json.dumps(dict(heavy=heavy, cpu=time.process_time())), flush=True)
+        Overview.paintEvent = paint
+        window = self.window()
+        QTimer.singleShot(0, window.close)
+
+
+Overview.paintEvent = painted
+from markermend_app.main import main
+
+sys.exit(main([{take!r}]))
+"""
+
+
+def first_paint(take, ini):
+    """What a process of its own has loaded and spent when the take is first painted."""
+    script = FIRST_PAINT.format(take=str(take), ini=str(ini))
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, timeout=120, check=False
+    )
+    assert done.stdout, done.stderr
+    return json.loads(done.stdout.splitlines()[0])
+
+
+def test_nothing_heavy_is_loaded_before_the_take_is_painted(tmp_path):
+    take, _ = simulate(duration_s=3.0)
+    path = tmp_path / "walk.c3d"
+    mm.write(take, path)
+    assert first_paint(path, tmp_path / "settings.ini")["heavy"] == []
