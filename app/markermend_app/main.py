@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 SCREENSHOT_LIMIT_S, SETTLED_ROUNDS = 120.0, 30
+SWITCH_S = 0.0005
 
 log = logging.getLogger("markermend")
 
@@ -49,6 +50,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     app = QApplication.instance() or QApplication(sys.argv[:1])
     assert isinstance(app, QApplication)
     app.setApplicationName("Markermend")
+    # Beside a worker the window waits this long, each time, before it may go on.
+    sys.setswitchinterval(SWITCH_S)
     app.setDesktopFileName("markermend")
     theme.apply(app, chosen.theme or settings.text("theme", "system"))
     window = MainWindow()

@@ -7,11 +7,11 @@ any change of them spoils it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from markermend.artifact import Artifact
 from markermend.errors import Cancelled
@@ -23,6 +23,8 @@ from markermend_app.jobs import Lane
 
 Key = tuple[Artifact, str, tuple[str, ...]]
 """Artifact, method, and the markers to follow where they were chosen by hand."""
+
+PAINTED_MS = 40
 
 
 class Proposals(QObject):
@@ -44,6 +46,10 @@ class Proposals(QObject):
         # The object that marks one request; a request made anew after a change gets another, so
         # that the answer to the old one is not taken for the new.
         self._asked: dict[Key, object] = {}
+        self._begin: Callable[[], None] = lambda: None
+        self._later = QTimer(self)
+        self._later.setSingleShot(True)
+        self._later.timeout.connect(lambda: self._begin())
 
     def get(self, artifact: Artifact, method: str, references: tuple[str, ...] = ()) -> Any:
         """The proposal, or None while it is not there."""
@@ -57,11 +63,21 @@ class Proposals(QObject):
         """Make these proposals, in this order, unless they are there or under way.
 
         Those asked for earlier that have not begun are let go, so that who walks fast through
-        the artifacts does not wait for all that were passed by.
+        the artifacts does not wait for all that were passed by. When the first is there already,
+        the others wait until the window has painted it.
         """
-        take, artifacts = session.take, session.artifacts
         for key in self._asked.keys() - set(wanted):
             del self._asked[key]
+        self._begin = partial(self._submit, session, mesh, tuple(wanted))
+        if wanted and wanted[0] in self._known:
+            self._later.start(PAINTED_MS)
+        else:
+            self._later.stop()
+            self._begin()
+
+    def _submit(self, session: Session, mesh: Mesh, wanted: Sequence[Key]) -> None:
+        """Hand to the worker what is not there or under way."""
+        take, artifacts = session.take, session.artifacts
         for key in wanted:
             if key in self._known or key in self._asked:
                 continue
@@ -84,6 +100,7 @@ class Proposals(QObject):
 
     def forget(self) -> None:
         """Forget everything and stop what is under way."""
+        self._later.stop()
         self._lane.cancel()
         self._known.clear()
         self._asked.clear()
