@@ -46,7 +46,7 @@ class Proposals(QObject):
         # The object that marks one request; a request made anew after a change gets another, so
         # that the answer to the old one is not taken for the new.
         self._asked: dict[Key, object] = {}
-        self._begin: Callable[[], None] = lambda: None
+        self._begin: Callable[[], None] = _nothing
         self._later = QTimer(self)
         self._later.setSingleShot(True)
         self._later.timeout.connect(lambda: self._begin())
@@ -101,6 +101,7 @@ class Proposals(QObject):
     def forget(self) -> None:
         """Forget everything and stop what is under way."""
         self._later.stop()
+        self._begin = _nothing
         self._lane.cancel()
         self._known.clear()
         self._asked.clear()
@@ -138,3 +139,7 @@ class Proposals(QObject):
 
         artifact, method, references = key
         return propose(take, artifact, artifacts, method=method, mesh=mesh, references=references)
+
+
+def _nothing() -> None:
+    """Begin nothing."""
