@@ -149,7 +149,7 @@ def read_stamp():
 
 
 def ensure_environment(extra):
-    """Make ``.venv`` hold Markermend with an extra (``app`` or ``dev``), if it does not yet.
+    """Make ``.venv`` hold Markermend with one of its extras, if it does not yet.
 
     The stamp goes away before anything changes and comes back last, so that a set-up that was
     broken off is noticed and done again from nothing.
@@ -158,7 +158,7 @@ def ensure_environment(extra):
     wanted = fingerprint(python)
     stamped, extras = read_stamp()
     usable = stamped == wanted and os.path.exists(venv_program("python"))
-    if usable and (extra in extras or "dev" in extras):
+    if usable and (extra in extras or (extra == "app" and "dev" in extras)):
         return
     stamp = VENV / "markermend-stamp.json"
     if usable:

@@ -1,6 +1,7 @@
-"""Set Markermend up, then run its tests: ``python3 packaging/test.py [pytest arguments]``.
+"""Set Markermend up, then run its tests: ``python3 packaging/test.py [--deep] [pytest arguments]``.
 
-Everything goes into ``.venv``. No display is needed: windows are drawn off screen.
+Everything goes into ``.venv``. No display is needed: windows are drawn off screen. With ``--deep``
+the optional extra of that name is installed too, and its tests are run.
 """
 
 import subprocess
@@ -11,11 +12,16 @@ import bootstrap
 
 def main():
     """Prepare the environment and run pytest; returns its exit code."""
+    arguments = sys.argv[1:]
     bootstrap.ensure_environment("dev")
+    if "--deep" in arguments:
+        arguments.remove("--deep")
+        bootstrap.ensure_environment("deep")
+        arguments = ["-m", "deep", *arguments]
     bootstrap.ensure_libraries(display=False)
     env = bootstrap.child_environment(QT_QPA_PLATFORM="offscreen")
     command = [bootstrap.venv_program("python"), "-m", "pytest", "-n", "2", "-q"]
-    return subprocess.call(command + sys.argv[1:], env=env, cwd=str(bootstrap.ROOT))
+    return subprocess.call(command + arguments, env=env, cwd=str(bootstrap.ROOT))
 
 
 if __name__ == "__main__":

@@ -34,14 +34,17 @@ class Proposals(QObject):
     -------
     ready(str) : the proposal asked for an artifact (its id) is there
     failed(object) : one could not be made; an exception
+    progressed(str) : what a method that takes seconds is doing
     """
 
     ready = Signal(str)
     failed = Signal(object)
+    progressed = Signal(str)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._lane = Lane("proposals", self)
+        self._lane.progressed.connect(lambda _share, doing: self.progressed.emit(doing))
         self._known: dict[Key, Any] = {}
         # The object that marks one request; a request made anew after a change gets another, so
         # that the answer to the old one is not taken for the new.
@@ -133,12 +136,26 @@ class Proposals(QObject):
         progress: Progress,
     ) -> Any:
         """The engine's part, on the worker; nothing when the request was let go meanwhile."""
+
+        def report(share: float, doing: str) -> None:
+            if self._asked.get(key) is not token:
+                raise Cancelled
+            progress(share, doing)
+
         if self._asked.get(key) is not token:
             raise Cancelled
         from markermend.repairs import propose
 
         artifact, method, references = key
-        return propose(take, artifact, artifacts, method=method, mesh=mesh, references=references)
+        return propose(
+            take,
+            artifact,
+            artifacts,
+            method=method,
+            mesh=mesh,
+            references=references,
+            progress=report,
+        )
 
 
 def _nothing() -> None:

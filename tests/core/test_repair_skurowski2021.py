@@ -13,9 +13,9 @@ from markermend.artifact import Artifact, Kind
 from markermend.bench.gaps import GapRow, read_cases, read_named, replay, summarise
 from markermend.mesh import Group, Mesh
 from markermend.repairs import evidence_for, propose
-from markermend.repairs.skurowski2021.ffnn import input_vectors, neighbours
 from markermend.repairs.skurowski2021.low_rank import choose_rank, complete
 from markermend.repairs.skurowski2021.network import Network, Training, glorot, gradient, train
+from markermend.repairs.skurowski2021.regression import input_vectors, neighbours
 from markermend.take import Take
 
 BENCH = Path(__file__).resolve().parents[3] / "shared" / "bench" / "gaps-dev.json"

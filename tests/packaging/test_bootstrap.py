@@ -129,6 +129,16 @@ def test_the_tests_need_more_and_the_app_then_nothing(bootstrap: ModuleType, cal
     assert calls.commands == []
 
 
+def test_the_deep_extra_comes_on_top_of_the_tests(bootstrap: ModuleType, calls: Calls) -> None:
+    bootstrap.ensure_environment("dev")
+    calls.commands.clear()
+    bootstrap.ensure_environment("deep")
+    assert [c[-1].endswith("[deep]") for c in calls.commands] == [True]
+    calls.commands.clear()
+    bootstrap.ensure_environment("deep")
+    assert calls.commands == []
+
+
 @pytest.mark.parametrize("name", ["pyproject.toml", "constraints.txt"])
 def test_a_change_makes_the_folder_anew(bootstrap: ModuleType, calls: Calls, name: str) -> None:
     bootstrap.ensure_environment("dev")

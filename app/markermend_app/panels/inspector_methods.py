@@ -55,6 +55,7 @@ class MethodList(QWidget):
         column.addWidget(self.more)
         document.current_changed.connect(self._refresh)
         document.proposal_changed.connect(self._refresh)
+        document.proposals.progressed.connect(self._tell)
 
     def _fill(self) -> None:
         """List the methods, once an artifact is looked at: the engine's repairs load late."""
@@ -109,6 +110,11 @@ class MethodList(QWidget):
         if self.outcome.property("role") != role:
             self.outcome.setProperty("role", role)
             self.outcome.style().polish(self.outcome)
+
+    def _tell(self, doing: str) -> None:
+        """Say how far a method is that takes seconds."""
+        if self._document.current is not None and self._document.proposal is None:
+            self.outcome.setText(self.tr("Working out the repair… {0}").format(doing))
 
     def _promise(self) -> str:
         """What the preview is expected to achieve, or why there is none."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,7 +12,7 @@ from markermend.artifact import Artifact
 from markermend.errors import MethodError
 from markermend.plugins.discover import DETECTORS, REPAIRS, SMOOTHERS
 from markermend.plugins.worker import Worker
-from markermend.progress import Progress
+from markermend.progress import Progress, quiet
 from markermend.take import Take
 
 if TYPE_CHECKING:
@@ -48,7 +49,8 @@ def guard_method(method: Method) -> MethodFunction:
 
     def run(evidence: Evidence, artifact: Artifact, params: Any) -> Repair:
         try:
-            done = worker.call(evidence, artifact, params)
+            # A progress function cannot go to another process.
+            done = worker.call(replace(evidence, progress=quiet), artifact, params)
         except MethodError as error:
             # One artifact that a plugin cannot repair shall not end the work on the others.
             return Repair(method.name, reason=str(error))

@@ -5,6 +5,7 @@ Importing this package registers every method in :data:`REPAIRS`.
 
 from markermend.repairs import (  # noqa: F401, importing a module registers its methods
     cyclic,
+    dynamics,
     empty,
     ffnn_loose,
     interpolation,

@@ -10,8 +10,9 @@ from threadpoolctl import threadpool_limits
 
 from markermend.arrays import BoolArray
 from markermend.artifact import Artifact, Kind, axis_columns
+from markermend.repairs.body_frame import rank_references
 from markermend.repairs.choice import choose
-from markermend.repairs.registry import Evidence, Repair, find_method
+from markermend.repairs.registry import REPAIRS, Evidence, Repair, find_method
 from markermend.repairs.result import axes_of, without_own
 
 CANDIDATES = ("local_regression", "spline", "pchip", "makima", "linear")
@@ -23,6 +24,8 @@ COMPARED = (*CANDIDATES, "kalman", "rigid", "pattern", "cyclic", "savgol")
 # A few trials cannot tell less than this apart: the usual choice stays first unless another
 # method is expected to do better by more.
 CLEARLY_BETTER = 0.8
+# With fewer the rest of the body does not tell where a marker is.
+LEAST_REFERENCES = 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,7 +56,7 @@ def advise(
     evidence: Evidence,
     artifact: Artifact,
     *,
-    methods: Iterable[str] = CANDIDATES,
+    methods: Iterable[str] | None = None,
     trials: int = 4,
 ) -> tuple[Advice, ...]:
     """Rank methods for an artifact by expected error, best first.
@@ -67,7 +70,8 @@ def advise(
     ----------
     evidence : what may be believed
     artifact : what is to be repaired
-    methods : names in the registry; those that cannot repair here come last, with their reason
+    methods : names in the registry; those that cannot repair here come last, with their reason.
+        When not given, those of :func:`candidates`
     trials : stretches to hide at most
 
     Returns
@@ -80,13 +84,35 @@ def advise(
     places = _places(own, artifact, trials)
     advice = []
     with threadpool_limits(1):
-        for name in methods:
+        for name in candidates(own, artifact) if methods is None else methods:
             advice.append(_measure(own, artifact, name, places))
         if choose(artifact) == "swap":
             method = find_method("swap")
             advice.insert(0, Advice(method.run(own, artifact, method.params()), 0))
     usual = choose(artifact)
     return tuple(sorted(advice, key=lambda a: _rank(a, usual)))
+
+
+def candidates(evidence: Evidence, artifact: Artifact) -> tuple[str, ...]:
+    """Methods worth measuring for an artifact.
+
+    Where fewer than three other markers of the body are seen all through the interval, those
+    that can cross a blackout come with the usual ones.
+
+    Parameters
+    ----------
+    evidence : what may be believed
+    artifact : what is to be repaired
+    """
+    marker = evidence.take.index(artifact.marker)
+    seen: BoolArray = np.all(evidence.trusted, axis=2)
+    references, _ = rank_references(
+        evidence.take, seen, marker, slice(artifact.start, artifact.stop)
+    )
+    if len(references) >= LEAST_REFERENCES:
+        return CANDIDATES
+    across = (m.name for m in REPAIRS.values() if m.crosses_blackout)
+    return (*CANDIDATES, *(name for name in across if name not in CANDIDATES))
 
 
 def with_expected_error(

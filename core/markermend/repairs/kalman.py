@@ -62,6 +62,7 @@ class _Pass:
     summary="Moves on under constant acceleration from both sides; for short intervals, with band.",
     params=KalmanParams,
     source="Rauch, Tung and Striebel 1965",
+    crosses_blackout=True,
 )
 def repair_kalman(evidence: Evidence, artifact: Artifact, params: Any) -> Repair:
     """Smooth the trusted samples around the interval and read the interval off.

@@ -19,6 +19,7 @@ from markermend.mesh import Mesh
 from markermend.patch import Patch
 from markermend.plugins.discover import REPAIRS as PLUGINS
 from markermend.plugins.guards import guard_method
+from markermend.progress import Progress, quiet
 from markermend.registry import Registry
 from markermend.take import Take
 
@@ -33,11 +34,13 @@ class Evidence:
     trusted : (frames, markers, 3) bool; false where missing or flagged as damaged, the
         artifact under repair included
     mesh : the body's structure, or None when nobody has worked it out yet
+    progress : told by methods that take seconds how far they are; may raise ``Cancelled``
     """
 
     take: Take
     trusted: BoolArray
     mesh: Mesh | None = None
+    progress: Progress = quiet
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,6 +94,8 @@ class Method:
     source : paper and equation, or empty
     key : the number key that picks it in a review, or None
     plugin : the package that brings it, empty for ours
+    crosses_blackout : whether it can repair where no other marker is seen, from the whole body's
+        movement before and after
     """
 
     name: str
@@ -101,6 +106,7 @@ class Method:
     source: str = ""
     key: int | None = None
     plugin: str = ""
+    crosses_blackout: bool = False
 
 
 REPAIRS = Registry(
@@ -121,6 +127,7 @@ def register(
     params: type,
     source: str = "",
     key: int | None = None,
+    crosses_blackout: bool = False,
 ) -> Callable[[MethodFunction], MethodFunction]:
     """Add a method to :data:`REPAIRS`; used as a decorator.
 
@@ -128,7 +135,10 @@ def register(
     """
 
     def add(run: MethodFunction) -> MethodFunction:
-        REPAIRS.add(Method(name, label, summary, params, run, source, key))
+        made = Method(
+            name, label, summary, params, run, source, key, crosses_blackout=crosses_blackout
+        )
+        REPAIRS.add(made)
         return run
 
     return add

@@ -34,6 +34,7 @@ def evidence_for(
     mesh: Mesh | None = None,
     *,
     believe_repairs: bool = False,
+    progress: Progress | None = None,
 ) -> Evidence:
     """Say which samples of a take may be believed.
 
@@ -47,6 +48,7 @@ def evidence_for(
     artifacts : all that are known about it
     mesh : the body's structure, if it was worked out before
     believe_repairs : believe long repairs too; for what cannot be repaired otherwise
+    progress : told by methods that take seconds; may raise ``Cancelled``
     """
     doubtful = [
         a
@@ -55,7 +57,7 @@ def evidence_for(
     ]
     trusted = take.present[:, :, None] & ~damage_mask(take, doubtful)
     trusted.flags.writeable = False
-    return Evidence(take, trusted, mesh)
+    return Evidence(take, trusted, mesh, progress or quiet)
 
 
 def propose(
@@ -67,6 +69,7 @@ def propose(
     params: Mapping[str, Any] | object | None = None,
     mesh: Mesh | None = None,
     references: Sequence[str] = (),
+    progress: Progress | None = None,
 ) -> Repair:
     """Propose a repair for one artifact, changing nothing.
 
@@ -80,6 +83,7 @@ def propose(
     mesh : the body's structure, if it was worked out before
     references : the only other markers to be believed; none leaves the choice to the method.
         With ``"auto"`` three or more are followed by the local regression, fewer by the pattern
+    progress : told by methods that take seconds; may raise ``Cancelled``
 
     Returns
     -------
@@ -97,20 +101,22 @@ def propose(
     # It may stand among the others with an older status or interval.
     known = (*(a for a in others if a.id != artifact.id), artifact)
     if references:
-        evidence = _only(evidence_for(take, known, mesh), artifact.marker, references)
+        evidence = _only(
+            evidence_for(take, known, mesh, progress=progress), artifact.marker, references
+        )
         if method == AUTO:
             method = "local_regression" if len(references) > 2 else "pattern"
         if method == "pattern" and params is None:
             params = {"donor": references[0]}
         return propose_from(evidence, artifact, method=method, params=params)
-    evidence = evidence_for(take, known, mesh)
+    evidence = evidence_for(take, known, mesh, progress=progress)
     twin = _mirror(artifact, (a for a in others if a.status is Status.REPAIRED))
     if twin is not None and method in (AUTO, "swap"):
         return refuse("swap", _swapped(twin))
     done = propose_from(evidence, artifact, method=method, params=params)
     if done.patches or not any(a.status is Status.REPAIRED for a in others):
         return done
-    evidence = evidence_for(take, known, mesh, believe_repairs=True)
+    evidence = evidence_for(take, known, mesh, believe_repairs=True, progress=progress)
     second = propose_from(evidence, artifact, method=method, params=params)
     return replace(second, reason=_from_repairs(done.reason)) if second.patches else done
 
@@ -282,8 +288,12 @@ def _run(
     pairs: list[tuple[Artifact, Repair]] = []
     swapped = [a for a in known if a.status is Status.REPAIRED]
     states = {a.id: a for a in known}
+
+    def inner(share: float, doing: str) -> None:
+        report((len(pairs) + share) / (len(todo) + 1), doing)
+
     for stage in range(3):
-        evidence = evidence_for(take, states.values(), mesh)
+        evidence = evidence_for(take, states.values(), mesh, progress=inner)
         patches: list[Patch] = []
         for artifact in (a for a in todo if _stage(take, a) == stage):
             report(len(pairs) / len(todo), f"Repairing {artifact.marker}")
@@ -300,7 +310,7 @@ def _run(
                 if done.method == "swap":
                     swapped.append(repaired)
         take = patched(take, patches) if patches else take
-    evidence = evidence_for(take, states.values(), mesh, believe_repairs=True)
+    evidence = evidence_for(take, states.values(), mesh, believe_repairs=True, progress=inner)
     again = [p for p in pairs if states[p[0].id].status is not Status.REPAIRED]
     for artifact, refused in again:
         done = propose_from(evidence, artifact, method=method)

@@ -3,4 +3,5 @@
 from markermend.repairs.skurowski2021 import (  # noqa: F401, importing registers the methods
     ffnn,
     low_rank,
+    recurrent,
 )
