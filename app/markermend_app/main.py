@@ -45,6 +45,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     from PySide6.QtWidgets import QApplication
 
     from markermend_app import settings, theme
+    from markermend_app.file_open import FileOpener
     from markermend_app.window import MainWindow
 
     app = QApplication.instance() or QApplication(sys.argv[:1])
@@ -55,6 +56,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     app.setDesktopFileName("markermend")
     theme.apply(app, chosen.theme or settings.text("theme", "system"))
     window = MainWindow()
+    FileOpener(window.commands.open_path, app)
     _report_crashes(window)
     window.show()
     if chosen.screenshot is not None:
