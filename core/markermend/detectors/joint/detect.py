@@ -16,6 +16,7 @@ from markermend.detectors.joint.slow import (
     shipped_trees,
 )
 from markermend.detectors.joint.sudden import find_sudden
+from markermend.detectors.joint.texture import stand_out, texture_mm
 from markermend.detectors.joint.verdict import to_artifacts
 from markermend.mesh import Mesh
 from markermend.progress import Progress, part
@@ -28,11 +29,12 @@ def detect_joint(
     """Find peaks, heavy noise, steps, swaps and slow changes.
 
     Each coordinate is searched for jumps and short blocks that no smooth motion explains, the
-    clearest first, and for stretches that jitter; jumps that are taken back become steps. How
-    sure each is comes from how far it stands out, how large it is and how its neighbours move
-    meanwhile. Then the axes of a marker are joined, and steps that another trajectory
-    complements are named as swaps. With all these bridged, slow changes are what stands out of
-    the body's prediction by more than the marker's own habit explains.
+    clearest first, and for stretches that jitter; jumps that are taken back, at once or slowly,
+    become steps. How sure each is comes from how far it stands out, how large it is and how its
+    neighbours move meanwhile; in a take full of small jumps these are believed less. Then the axes
+    of a marker are joined, and steps that another trajectory complements are named as swaps. With
+    all these bridged, slow changes are what stands out of the body's prediction by more than the
+    marker's own habit explains.
 
     Parameters
     ----------
@@ -60,7 +62,8 @@ def detect_joint(
     ]
     report(0.8, "what is wrong, and how sure that is")
     least = 1.0 - params.sensitivity
-    sudden = name_swaps(take, to_artifacts(take, markers, found, confidences(found), least))
+    sudden = to_artifacts(take, markers, found, confidences(found), least)
+    sudden = name_swaps(take, stand_out(sudden, texture_mm(sudden, take), least))
     if not params.slow:
         return sudden
     return sudden + _slow(take, sudden, markers, neighbours, params, part(progress, 0.1, 1.0))

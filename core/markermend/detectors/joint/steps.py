@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 import numpy as np
 
 from markermend.detectors.joint.jumps import Jumps
@@ -12,15 +14,20 @@ LARGEST_MISMATCH = 0.35
 STRONG_SCORE, STRONG_MM = 15.0, 10.0
 """Jumps that can be nothing else, as those of a swap: they may return far off, and late."""
 LONGEST_STRONG_S = 10.0
+SHORT_S = 0.3
+"""From here on, others that jump as far in between make it doubtful that two belong together."""
 
 
-def pair_jumps(jumps: Jumps, rate: float) -> list[tuple[int, int, float]]:
+def pair_jumps(
+    jumps: Jumps, rate: float, explained: Collection[int] = ()
+) -> list[tuple[int, int, float]]:
     """Pair jumps with the jumps that take them back, the surest pair first.
 
     Parameters
     ----------
     jumps : in order of channel and frame; blocks are passed over
     rate : frames per second
+    explained : jumps that need no other to take them back
 
     Returns
     -------
@@ -28,7 +35,7 @@ def pair_jumps(jumps: Jumps, rate: float) -> list[tuple[int, int, float]]:
     and the geometric mean of both scores, less what they differ in standard errors. No jump is
     in two pairs, no pair overlaps another of its channel.
     """
-    alone = [int(i) for i in np.flatnonzero(jumps.length == 0)]
+    alone = [int(i) for i in np.flatnonzero(jumps.length == 0) if int(i) not in explained]
     usual, longest = LONGEST_S * rate, LONGEST_STRONG_S * rate
     pairs: list[tuple[float, int, int, int]] = []
     for n, i in enumerate(alone):
@@ -36,6 +43,8 @@ def pair_jumps(jumps: Jumps, rate: float) -> list[tuple[int, int, float]]:
             if jumps.channel[j] != jumps.channel[i] or jumps.frame[j] - jumps.frame[i] > longest:
                 break
             score = _pair_score(jumps, i, j)
+            if jumps.frame[j] - jumps.frame[i] > SHORT_S * rate:
+                score /= 1 + _rivals(jumps, i, j)
             near = jumps.frame[j] - jumps.frame[i] <= usual
             if score > 0 and (near or _strong(jumps, i, j)):
                 pairs.append((-score, int(jumps.frame[j] - jumps.frame[i]), i, j))
@@ -51,6 +60,12 @@ def pair_jumps(jumps: Jumps, rate: float) -> list[tuple[int, int, float]]:
         others.append((a, b))
         kept.append((i, j, -minus_score))
     return kept
+
+
+def _rivals(jumps: Jumps, i: int, j: int) -> int:
+    """Jumps and blocks between two of a channel that are at least half as large."""
+    between = np.abs(jumps.size[i + 1 : j])
+    return int((between >= 0.5 * min(abs(jumps.size[i]), abs(jumps.size[j]))).sum())
 
 
 def _pair_score(jumps: Jumps, i: int, j: int) -> float:

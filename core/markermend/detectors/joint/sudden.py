@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import StrEnum
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from markermend.detectors.joint.jumps import Jumps, find_jumps, reach_at, segmen
 from markermend.detectors.joint.noise import Noise, find_noise
 from markermend.detectors.joint.partners import find_partners
 from markermend.detectors.joint.shapes import judge
+from markermend.detectors.joint.slides import Slide, find_slides
 from markermend.detectors.joint.steps import LONGEST_S, pair_jumps
 
 LEAST_SCORE = 4.5
@@ -20,8 +22,25 @@ LEAST_SCORE = 4.5
 CUT_OFF_SCORE, CUT_OFF_MM = 10.0, 5.0
 """What a lone jump must be to count as a step whose other edge is hidden."""
 MOSTLY = 0.5
+SHARED = 0.4
+"""A jump of which the neighbours do so much is a blow to the body."""
 SHORT_STEP = 2
 """Blocks are looked for up to so many times the longest peak; beyond, edges are jumps."""
+
+
+class Course(StrEnum):
+    """How a step begins and ends."""
+
+    LEVEL = "level"
+    """It jumps off and jumps back."""
+    CUT_OFF = "cut off"
+    """Only one jump is seen; a gap or an end of the take hides the other."""
+    BUILDS_UP = "builds up"
+    """It slides off and jumps back."""
+    RELAXES = "relaxes"
+    """It jumps off and slides back."""
+    OVERSHOOTS = "overshoots"
+    """It slides off, jumps to the other side and slides back."""
 
 
 @dataclass(frozen=True)
@@ -37,8 +56,7 @@ class Sudden:
     score : size over its standard error; for noise over the least that counts
     beside_mm : how far the nearest markers jump in that same frame, their median; 0 for noise,
         which is compared with theirs when it is found
-    returns : the trajectory is seen to come back; otherwise a gap or an end of the take comes
-        first
+    course : how a step begins and ends
     """
 
     channel: int
@@ -48,7 +66,7 @@ class Sudden:
     size_mm: float
     score: float
     beside_mm: float
-    returns: bool = True
+    course: Course = Course.LEVEL
 
 
 def find_sudden(
@@ -79,8 +97,10 @@ def find_sudden(
     noise = find_noise(signal, rest, seen, neighbours, rate)
     jumps = _outside(jumps, noise, reach_at(rate))
     beside = _beside(signal, seen, neighbours, jumps, rate)
-    pairs = pair_jumps(jumps, rate)
-    paired = {i for first, last, _ in pairs for i in (first, last)}
+    own = beside <= SHARED * np.abs(jumps.size)
+    slides = find_slides(jumps, own, signal, seen, rate)
+    pairs = pair_jumps(jumps, rate, {s.jump for s in slides})
+    paired = {i for first, last, _ in pairs for i in (first, last)} | {s.jump for s in slides}
     alone = [int(i) for i in np.flatnonzero(jumps.length == 0) if int(i) not in paired]
     calm = seen.copy()
     for n in noise:
@@ -91,6 +111,7 @@ def find_sudden(
         Sudden(n.channel, n.start, n.stop, Kind.NOISE, n.sigma_mm, n.ratio, 0.0) for n in noise
     ]
     found += _blocks(jumps, beside, partners, peak_frames, reach_at(rate))
+    found += [_sliding(jumps, slide, float(beside[slide.jump])) for slide in slides]
     for first, last, clear in pairs:
         size = 0.5 * (abs(float(jumps.size[first])) + abs(float(jumps.size[last])))
         start, stop = int(jumps.frame[first]), int(jumps.frame[last])
@@ -156,9 +177,19 @@ def _cut_off(
             continue
         size, score = abs(float(jumps.size[i])), float(jumps.score[i])
         found.append(
-            Sudden(channel, start, stop, Kind.STEP, size, score, float(beside[i]), returns=False)
+            Sudden(channel, start, stop, Kind.STEP, size, score, float(beside[i]), Course.CUT_OFF)
         )
     return found
+
+
+def _sliding(jumps: Jumps, slide: Slide, moved: float) -> Sudden:
+    """A jump with its slow sides."""
+    channel, frame = int(jumps.channel[slide.jump]), int(jumps.frame[slide.jump])
+    course = Course.BUILDS_UP if slide.before else Course.RELAXES
+    if slide.before and slide.after:
+        course = Course.OVERSHOOTS
+    start, stop = frame - slide.before, frame + slide.after
+    return Sudden(channel, start, stop, Kind.STEP, slide.size_mm, slide.score, moved, course)
 
 
 def _outside(jumps: Jumps, noise: list[Noise], reach: int) -> Jumps:

@@ -10,7 +10,7 @@ import numpy as np
 from markermend.arrays import FloatArray
 from markermend.artifact import Artifact, Kind
 from markermend.detectors.finding import how_long, in_mm, overlap
-from markermend.detectors.joint.sudden import Sudden
+from markermend.detectors.joint.sudden import Course, Sudden
 from markermend.take import AXES, Take
 
 SAME = 0.5
@@ -96,6 +96,14 @@ def _explain(group: Sequence[Sudden], size: float, length: int, rate: float) -> 
     clear = f"{surest.score:.0f} standard errors of its motion around"
     if surest.kind is Kind.PEAK:
         return f"sticks out by {mm} mm for {lasting} {beside}; {clear}"
-    if not surest.returns:
+    if surest.course is Course.CUT_OFF:
         return f"lies {mm} mm off for {lasting} beside a gap or an end, one jump away; {clear}"
+    if surest.course is Course.BUILDS_UP:
+        return f"slides {mm} mm off within {lasting} and jumps back {beside}; {clear}"
+    if surest.course is Course.RELAXES:
+        return f"jumps {mm} mm in one frame {beside} and slides back within {lasting}; {clear}"
+    if surest.course is Course.OVERSHOOTS:
+        return (
+            f"slides {mm} mm off, jumps past its course and slides back, {lasting} in all; {clear}"
+        )
     return f"jumps {mm} mm in one frame {beside} and comes back {lasting} later; {clear}"
