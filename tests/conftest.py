@@ -16,9 +16,10 @@ SHARED = ROOT.parent / "shared"
 
 @pytest.fixture(autouse=True)
 def own_user_folder(tmp_path_factory, monkeypatch):
-    """Keep what would go into the user's data folder in one that is thrown away."""
+    """Keep what would go into the user's own folders in one that is thrown away."""
     folder = tmp_path_factory.mktemp("user")
     monkeypatch.setattr("platformdirs.user_data_path", lambda *_, **__: folder)
+    monkeypatch.setattr("platformdirs.user_config_path", lambda *_, **__: folder / "config")
 
 
 @pytest.fixture(scope="session")

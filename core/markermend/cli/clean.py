@@ -20,8 +20,8 @@ from markermend.cli.console import (
     written,
 )
 from markermend.cli.detect import find, summary
+from markermend.cli.detection import choose
 from markermend.cli.repairing import left_over, listing, summary_table
-from markermend.detectors import find_detector
 from markermend.mesh import Mesh
 from markermend.outcome import cleaned_document, outcomes
 from markermend.patch import patched
@@ -37,7 +37,7 @@ def run(options: argparse.Namespace) -> int:
     check_take_output(options.output)
     if options.method != "auto":
         find_method(options.method)
-    find_detector(options.detector)
+    options.detector, options.params = choose(options)
     take = mm.read(options.take)
     with Bar() as bar:
         bar(0.0, "Working out the body")

@@ -8,7 +8,6 @@ import io
 import math
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import fields
 from pathlib import Path
 
 import markermend as mm
@@ -24,7 +23,7 @@ from markermend.cli.console import (
     write_json,
     write_text,
 )
-from markermend.detectors import find_detector
+from markermend.cli.detection import choose
 from markermend.mesh import Mesh
 from markermend.progress import Progress
 from markermend.take import Take
@@ -47,7 +46,7 @@ _COLUMNS = (
 def run(options: argparse.Namespace) -> int:
     """Detect, and show or write what was found."""
     check_outputs([options.json, options.csv], source=options.take, force=options.force)
-    find_detector(options.detector)
+    options.detector, options.params = choose(options)
     take = mm.read(options.take)
     with Bar() as bar:
         found = find(take, None, options, bar)
@@ -66,11 +65,10 @@ def run(options: argparse.Namespace) -> int:
 def find(
     take: Take, mesh: Mesh | None, options: argparse.Namespace, progress: Progress
 ) -> tuple[Artifact, ...]:
-    """Detect as the options of ``detect`` and ``clean`` ask for."""
-    method = find_detector(options.detector)
-    has_slow = any(field.name == "slow" for field in fields(method.params))
-    params = method.params(slow=False) if options.no_slow and has_slow else method.params()
-    return mm.detect(take, method=method.name, params=params, mesh=mesh, progress=progress)
+    """Detect as :func:`markermend.cli.detection.choose` settled it."""
+    return mm.detect(
+        take, method=options.detector, params=options.params, mesh=mesh, progress=progress
+    )
 
 
 def when(take: Take, artifact: Artifact) -> tuple[str, str]:

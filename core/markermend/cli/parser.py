@@ -8,6 +8,7 @@ import re
 
 import markermend
 from markermend.cli.bench_parser import add_experiments
+from markermend.cli.detection import add_detection
 from markermend.cli.smooth_parser import SUMMARY as SMOOTH
 from markermend.cli.smooth_parser import add_smoothing
 from markermend.cli.train_parser import add_training
@@ -110,7 +111,7 @@ def _add_info(p: argparse.ArgumentParser) -> None:
 
 def _add_detect(p: argparse.ArgumentParser) -> None:
     _take(p)
-    _detection(p, "--method")
+    add_detection(p, "--method")
     _json(p)
     p.add_argument("--csv", metavar="FILE", help="write a table as CSV; “-” for standard output")
     _force(p)
@@ -134,7 +135,7 @@ def _add_clean(p: argparse.ArgumentParser) -> None:
         help="repair what this JSON of “detect” lists, for example after editing it, "
         "instead of detecting; what it calls rejected is left alone",
     )
-    _detection(p, "--detector")
+    add_detection(p, "--detector")
     p.add_argument(
         "--record",
         action="store_true",
@@ -291,21 +292,6 @@ def _repairing(p: argparse.ArgumentParser) -> None:
         metavar="NAME",
         default="auto",
         help="repair with this method only; a wrong name lists those there are (default: auto)",
-    )
-
-
-def _detection(p: argparse.ArgumentParser, option: str) -> None:
-    p.add_argument(
-        option,
-        dest="detector",
-        metavar="NAME",
-        default="joint",
-        help="how to detect (default: joint, our own; paper: the four stages as published)",
-    )
-    p.add_argument(
-        "--no-slow",
-        action="store_true",
-        help="skip slow changes, which take longer to look for than all the others",
     )
 
 

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Sequence
-from dataclasses import fields
-from typing import Any
 
 import numpy as np
 
@@ -20,8 +18,8 @@ from markermend.cli.console import (
     warn,
     written,
 )
-from markermend.errors import MethodError
-from markermend.smoothers import TOO_MUCH, Smoother, find_smoother, percent_less, sm1
+from markermend.cli.settings import settings_of
+from markermend.smoothers import TOO_MUCH, find_smoother, percent_less, sm1
 from markermend.smoothers.run import read_settings
 from markermend.take import AXES, Take
 
@@ -31,7 +29,7 @@ def run(options: argparse.Namespace) -> int:
     check_outputs([options.output], source=options.take, force=options.force)
     check_take_output(options.output)
     smoother = find_smoother(options.method)
-    params = read_settings(smoother, None, _settings(smoother, options.set))
+    params = read_settings(smoother, None, settings_of(smoother.params, options.set))
     take = mm.read(options.take)
     start, stop = 0, None
     if options.frames is not None:
@@ -56,25 +54,6 @@ def run(options: argparse.Namespace) -> int:
     for line in written(export):
         say(line)
     return 0
-
-
-def _settings(smoother: Smoother, given: Sequence[str]) -> dict[str, Any]:
-    """Read ``NAME=VALUE`` as the method's field has it."""
-    kinds: dict[str, Any] = {f.name: type(f.default) for f in fields(smoother.params)}
-    settings: dict[str, Any] = {}
-    for text in given:
-        name, sign, value = text.partition("=")
-        kind = kinds.get(name)
-        try:
-            if not sign:
-                raise ValueError
-            if kind is bool:
-                settings[name] = {"true": True, "false": False}[value.lower()]
-            else:
-                settings[name] = value if kind is None else kind(value)
-        except (ValueError, KeyError):
-            raise MethodError(f"“{text}” is no setting; write NAME=VALUE.") from None
-    return settings
 
 
 def _less(take: Take, smoothed: Take, names: Sequence[str]) -> dict[str, float]:

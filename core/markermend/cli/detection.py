@@ -1,0 +1,84 @@
+"""How to detect, as the options of ``detect`` and ``clean`` say it."""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import fields, replace
+from typing import Any
+
+
+def add_detection(p: argparse.ArgumentParser, option: str) -> None:
+    """Add the options.
+
+    Parameters
+    ----------
+    p : of the command
+    option : what names the detection method there
+    """
+    p.add_argument(
+        option,
+        dest="detector",
+        metavar="NAME",
+        help="how to detect (default: joint, our own; paper: the four stages as published)",
+    )
+    p.add_argument(
+        "--no-slow",
+        action="store_true",
+        help="skip slow changes, which take longer to look for than all the others",
+    )
+    p.add_argument(
+        "--sensitivity",
+        metavar="S",
+        type=float,
+        help="from 0 to 1 (default: 0.5): flag what is at least 1 − S sure; more is found, and "
+        "more of it wrongly, the higher it is",
+    )
+    p.add_argument(
+        "--set",
+        metavar="NAME=VALUE",
+        action="append",
+        default=[],
+        help="any other parameter of the method; “markermend methods NAME” lists them",
+    )
+    p.add_argument("--preset", metavar="NAME", help="detect as was saved under this name")
+    p.add_argument(
+        "--save-preset", metavar="NAME", help="save how to detect, as chosen here, under a name"
+    )
+
+
+def choose(options: argparse.Namespace) -> tuple[str, Any]:
+    """Name of the detection method and its parameters: the preset, then what is said beside it.
+
+    Raises
+    ------
+    MethodError
+        for an unknown preset, method or parameter, or a value that makes no sense
+    """
+    from markermend.cli.settings import settings_of
+    from markermend.detectors import DEFAULT, find_detector
+    from markermend.errors import MethodError
+    from markermend.presets import load_preset, save_preset
+
+    name, params = DEFAULT, None
+    if options.preset is not None:
+        name, params = load_preset(options.preset)
+    if options.detector is not None and options.detector != name:
+        name, params = options.detector, None
+    method = find_detector(name)
+    if params is None:
+        params = method.params()
+    given = settings_of(method.params, options.set)
+    if options.sensitivity is not None:
+        given["sensitivity"] = options.sensitivity
+    known = [f.name for f in fields(method.params)]
+    if options.no_slow and "slow" in known:
+        given["slow"] = False
+    unknown = [key for key in given if key not in known]
+    if unknown:
+        raise MethodError(
+            f"Detection method “{name}” has no “{unknown[0]}”; it has {', '.join(known)}."
+        )
+    params = replace(params, **given)
+    if options.save_preset is not None:
+        save_preset(options.save_preset, name, params)
+    return name, params
