@@ -230,6 +230,9 @@ ACTIONS: tuple[Action, ...] = (
     Action("theme_dark", "Dark theme", "View", enabled=anything, checkable=True),
     Action("theme_system", "Theme of the system", "View", enabled=anything, checkable=True),
     Action("reset_layout", "Reset the layout", "|View", enabled=anything),
-    Action("shortcuts", "Keyboard and mouse…", "Help", ("?", "F1"), "keyboard", "", anything),
+    Action(
+        "manual", "Manual", "Help", ("F1",), "help", "The page about the panel in use", anything
+    ),
+    Action("shortcuts", "Keyboard and mouse…", "Help", ("?",), "keyboard", "", anything),
     Action("about", "About Markermend", "Help", (), "", "", anything),
 )

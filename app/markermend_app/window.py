@@ -270,6 +270,7 @@ class MainWindow(QMainWindow):
                 "detect_on_open", checked("detect_on_open")
             ),
             "reset_layout": lambda: self.restoreState(self._default_state, LAYOUT_VERSION),
+            "manual": self._show_manual,
             "shortcuts": lambda: ShortcutSheet(self).exec(),
             "palette": self._open_palette,
             **{f"method_{k}": partial(self._choose_method, k) for k in METHOD_KEYS},
@@ -307,6 +308,17 @@ class MainWindow(QMainWindow):
         app = QApplication.instance()
         if isinstance(app, QApplication):
             theme.apply(app, name)
+
+    def _show_manual(self) -> None:
+        """Open the manual at the page about the panel that has the focus."""
+        from markermend_app.manual import Manual, page_about
+
+        page = page_about(QApplication.focusWidget())
+        manual = self.findChild(Manual) or Manual(self)
+        manual.show_page(page)
+        manual.show()
+        manual.raise_()
+        manual.activateWindow()
 
     def _fill_recent(self) -> None:
         self.recent_menu.clear()

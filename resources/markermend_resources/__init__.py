@@ -1,4 +1,4 @@
-"""Data that ships with Markermend: demo take, icons, themes. No code but the way to the data."""
+"""Data that ships with Markermend: demo take, icons, manual, models; and the way to them."""
 
 from __future__ import annotations
 
@@ -14,6 +14,11 @@ def demo_take() -> Path:
 def demo_truth() -> Path:
     """Return where the demo take is damaged, in the JSON that ``markermend detect`` writes."""
     return _demo("demo_truth.json")
+
+
+def manual_folder() -> Path:
+    """Return the folder of the manual's pages, Markdown files."""
+    return Path(str(files("markermend_resources").joinpath("manual")))
 
 
 def _demo(name: str) -> Path:
