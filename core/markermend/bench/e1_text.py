@@ -43,6 +43,7 @@ def e1_table(rows: Sequence[E1Row]) -> list[str]:
             lines.append(
                 f"  F {row.confusion.f():.5f}, MCC {row.confusion.mcc():.4f} over all classes"
             )
+            lines += _small(row)
         if row.method not in COMPANIONS:
             lines.append(
                 f"  {row.events.alarms_per_minute:.2f} false alarms a minute, "
@@ -110,6 +111,17 @@ def _measures(row: E1Row, kind: str) -> tuple[str, ...]:
         f"{row.events.drawn[k]}",
         f"{100 * v:.1f}" if math.isfinite(v := row.events.recall(kind)) else "–",
     )
+
+
+def _small(row: E1Row) -> list[str]:
+    """Sudden artifacts drawn under 1 mm, which the measures leave out."""
+    small = row.small
+    parts = [
+        f"{kind} {small.counts[k].sum()} ({100 * small.flagged(kind):.0f} % flagged)"
+        for k, kind in enumerate(CLASSES)
+        if k and small.counts[k].sum()
+    ]
+    return [f"  left out as drawn too small, samples: {', '.join(parts)}"] if parts else []
 
 
 def _matrix(row: E1Row) -> list[tuple[str, ...]]:

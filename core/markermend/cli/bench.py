@@ -22,10 +22,14 @@ def run(options: argparse.Namespace) -> int:
 def _run_e1(options: argparse.Namespace) -> int:
     """Contaminate takes, detect, and show the measures."""
     from markermend.bench.e1 import COMPANIONS, e1
+    from markermend.bench.e1_svg import e1_figures, figure_names
     from markermend.bench.e1_text import e1_csv, e1_table
     from markermend.detectors import find_detector
 
-    check_outputs([options.csv], source=None, force=options.force)
+    folder = Path(options.figures) if options.figures is not None else None
+    names = figure_names([Path(t).stem for t in options.takes], options.share, options.amplitude)
+    drawings = [str(folder / name) for name in names] if folder is not None else []
+    check_outputs([options.csv, *drawings], source=None, force=options.force)
     takes = clean_takes(options.takes, options.flaws)
     methods = list(dict.fromkeys(options.method))
     params = {
@@ -45,6 +49,9 @@ def _run_e1(options: argparse.Namespace) -> int:
             n_jobs=options.jobs,
             progress=bar,
         )
+    if folder is not None:
+        for name, text in e1_figures(rows).items():
+            write_text(str(folder / name), text)
     if options.csv is not None:
         write_text(options.csv, e1_csv(rows))
     if options.csv != STDOUT:

@@ -78,6 +78,9 @@ def _add_e1(p: argparse.ArgumentParser) -> None:
     p.add_argument("--seed", metavar="N", type=int, default=0, help="same seed, same result")
     p.add_argument("--jobs", metavar="N", type=int, default=-1, help="processes (-1: all cores)")
     p.add_argument("--csv", metavar="FILE", help="write all counts as CSV; “-” for standard output")
+    p.add_argument(
+        "--figures", metavar="FOLDER", help="draw confusion matrices and calibration as SVG there"
+    )
     p.add_argument("--force", action="store_true", help="overwrite what is there already")
 
 
