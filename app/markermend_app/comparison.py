@@ -87,25 +87,23 @@ class Comparison(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Take the arrows, and notice when the key is let go."""
-        if self._lets_go(event):
-            self.stop()
-        steps = {int(Qt.Key.Key_Down): 1, int(Qt.Key.Key_Up): -1}
-        if isinstance(event, QKeyEvent) and event.key() in steps:
-            if event.type() == QEvent.Type.ShortcutOverride:
+        if not isinstance(event, QKeyEvent):
+            return False
+        if QKeySequence(event.key()).toString() in self._keys:
+            if event.isAutoRepeat():
+                # A key that is held repeats itself, with releases between.
                 event.accept()
-            elif event.type() == QEvent.Type.KeyPress and watched.isWidgetType():
-                self.step(steps[event.key()])
-            return True
-        return False
-
-    def _lets_go(self, event: QEvent) -> bool:
-        """Whether the held key comes up; while it is held it repeats itself, with releases."""
-        return (
-            isinstance(event, QKeyEvent)
-            and event.type() == QEvent.Type.KeyRelease
-            and not event.isAutoRepeat()
-            and QKeySequence(event.key()).toString() in self._keys
-        )
+                return True
+            if event.type() == QEvent.Type.KeyRelease:
+                self.stop()
+        by = {int(Qt.Key.Key_Down): 1, int(Qt.Key.Key_Up): -1}.get(event.key(), 0)
+        if not by:
+            return False
+        if event.type() == QEvent.Type.ShortcutOverride:
+            event.accept()
+        elif event.type() == QEvent.Type.KeyPress and watched.isWidgetType():
+            self.step(by)
+        return True
 
     def _follow(self) -> None:
         """Compare for the artifact that is under review now."""

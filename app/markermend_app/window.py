@@ -200,7 +200,6 @@ class MainWindow(QMainWindow):
         self.bulk.said.connect(self.status.say)
         self.hand.said.connect(self.status.say)
         self.references.said.connect(self.status.say)
-        self.actions_by_name["compare"].setAutoRepeat(False)
         choosing = self.actions_by_name["choose_references"]
         self.references.ended.connect(lambda: choosing.setChecked(False))
         self.welcome.open_requested.connect(self.commands.open)

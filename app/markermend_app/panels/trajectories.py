@@ -28,6 +28,10 @@ from markermend_app.panels.plot_rows_menu import fill_rows_menu
 from markermend_app.panels.plot_stack import PlotStack
 
 
+FRAMED_S = 0.2
+"""What is shown at least on either side of an artifact that comes under review."""
+
+
 class TrajectoryPanel(QWidget):
     """Stacked plots that share one time axis.
 
@@ -341,7 +345,9 @@ class TrajectoryPanel(QWidget):
         take = self.take
         if take is None:
             return
-        pad = max(take.rate, stop - start)
+        # As much on either side as a peak of a few frames needs to be seen, and a gap to be judged.
+        length, rate = stop - start, take.rate
+        pad = max(length, min(8 * length, rate), FRAMED_S * rate)
         self.fit_when_proposed = True
         self._show_afresh(start - pad, stop + pad)
 
