@@ -27,7 +27,6 @@ from markermend_app.panels.plot_row import PlotRow, Shown
 from markermend_app.panels.plot_rows_menu import fill_rows_menu
 from markermend_app.panels.plot_stack import PlotStack
 
-
 FRAMED_S = 0.2
 """What is shown at least on either side of an artifact that comes under review."""
 
