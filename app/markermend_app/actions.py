@@ -58,6 +58,15 @@ ACTIONS: tuple[Action, ...] = (
         anything,
     ),
     Action(
+        "preferences",
+        "Preferences…",
+        "|Edit",
+        ("Ctrl+,",),
+        "settings",
+        "Look, language, units, detection and saving",
+        anything,
+    ),
+    Action(
         "detect",
         "Detect artifacts",
         "Review",
@@ -228,6 +237,7 @@ ACTIONS: tuple[Action, ...] = (
     Action("plots", "Choose plots…", "View", ("Shift+P",), "curves", "Choose what the plots show"),
     Action("theme_light", "Light theme", "|View", enabled=anything, checkable=True),
     Action("theme_dark", "Dark theme", "View", enabled=anything, checkable=True),
+    Action("theme_contrast", "High contrast theme", "View", enabled=anything, checkable=True),
     Action("theme_system", "Theme of the system", "View", enabled=anything, checkable=True),
     Action("reset_layout", "Reset the layout", "|View", enabled=anything),
     Action(

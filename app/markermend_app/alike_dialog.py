@@ -26,7 +26,7 @@ from PySide6.QtWidgets import (
 
 from markermend.alike import alike
 from markermend.artifact import Artifact
-from markermend_app import theme
+from markermend_app import theme, units
 from markermend_app.document import Document
 
 MARKER, FRAMES, SURE, OUTCOME = range(4)
@@ -82,7 +82,7 @@ class AlikeDialog(QDialog):
         self._document, self._like, self._repairing = document, like, repairing
         self.repairs: dict[str, Any] = {}
         self._listed: tuple[Artifact, ...] = ()
-        kind = theme.KIND_NAME[like.kind].lower()
+        kind = theme.kind_name(like.kind, within=True)
         if repairing:
             self.setWindowTitle(self.tr("Repair all like this: {0}").format(kind))
         else:
@@ -211,7 +211,7 @@ class AlikeDialog(QDialog):
         from markermend.repairs import REPAIRS
 
         label = REPAIRS[repair.method].label
-        return label if repair.error_mm is None else f"{label}, ± {repair.error_mm:.1f} mm"
+        return label if repair.error_mm is None else f"{label}, ± {units.length(repair.error_mm)}"
 
     def _count(self) -> None:
         """Say how many it will be."""

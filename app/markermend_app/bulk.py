@@ -133,7 +133,7 @@ class Bulk(QObject):
     def _carry_out(self, dialog: AlikeDialog, like: Artifact, repairing: bool) -> None:
         """Do what the dialog lists, as one step."""
         ids = dialog.chosen()
-        kind = theme.KIND_NAME[like.kind].lower()
+        kind = theme.kind_name(like.kind, within=True)
         if not repairing:
             self._document.reject(ids)
         else:

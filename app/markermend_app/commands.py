@@ -15,7 +15,7 @@ from markermend.mesh import Mesh
 from markermend.progress import Progress, part
 from markermend.session_file import SessionFile, open_session
 from markermend.take import Take
-from markermend_app import dialogs, settings
+from markermend_app import detection, dialogs, settings
 from markermend_app.document import Document
 from markermend_app.exporting import Exporter
 from markermend_app.file_filters import open_filter
@@ -142,6 +142,17 @@ class Commands(QObject):
             return True
         return self._save(document.file)
 
+    def save_review(self) -> None:
+        """Save the review as it stands; what cannot be saved now is in the journal all the same."""
+        document = self._document
+        if document.file is None or document.session is None or not document.editable:
+            return
+        if document.session.history or document.session.undone:
+            try:
+                document.file.save()
+            except MarkermendError as error:
+                self.said.emit(str(error))
+
     def _save(self, file: SessionFile) -> bool:
         """Save the review; when that is not possible say why."""
         try:
@@ -168,9 +179,9 @@ class Commands(QObject):
         take = session.original
 
         def work(progress: Progress) -> Any:
-            from markermend.detectors import DEFAULT, detect, find_detector
+            from markermend.detectors import detect
 
-            params = find_detector(DEFAULT).params(slow=slow)
+            params = detection.chosen_params(slow)
             return detect(take, params=params, mesh=mesh, progress=progress)
 
         def done(found: Sequence[Artifact]) -> None:

@@ -128,6 +128,13 @@ class Document(QObject):
         self.mesh_changed.emit()
         self._propose()
 
+    def tell_again(self) -> None:
+        """Let everyone write anew what is open, in another unit."""
+        self.artifacts_changed.emit()
+        self.current_changed.emit()
+        self.proposal_changed.emit()
+        self.frame_changed.emit(self.frame)
+
     # What is looked at
 
     @property

@@ -32,7 +32,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument(
         "--screenshot", type=Path, metavar="PNG", help="open, detect, save a picture and leave"
     )
-    parser.add_argument("--theme", choices=("light", "dark", "system"), help="look of this start")
+    parser.add_argument(
+        "--theme", choices=("light", "dark", "contrast", "system"), help="look of this start"
+    )
     chosen = parser.parse_args(arguments)
     if chosen.take is not None and not chosen.take.is_file():
         print(f"markermend: there is no file {chosen.take}", file=sys.stderr)  # noqa: T201
@@ -44,7 +46,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
     from PySide6.QtWidgets import QApplication
 
-    from markermend_app import settings, theme
+    from markermend_app import languages, settings, theme
     from markermend_app.file_open import FileOpener
     from markermend_app.window import MainWindow
 
@@ -54,6 +56,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     # Beside a worker the window waits this long, each time, before it may go on.
     sys.setswitchinterval(SWITCH_S)
     app.setDesktopFileName("markermend")
+    languages.install(app)
     theme.apply(app, chosen.theme or settings.text("theme", "system"))
     window = MainWindow()
     FileOpener(window.commands.open_path, app)

@@ -71,7 +71,7 @@ def entries(made: Mapping[str, QAction], document: Document) -> list[Entry]:
     order = sorted(session.artifacts, key=lambda a: place.get(a.id, len(place)))
     for a in order:
         text = tr("{0} on {1}, frames {2}–{3}").format(
-            tr(theme.KIND_NAME[a.kind]),
+            theme.kind_name(a.kind),
             a.marker,
             take.frame_number(a.start),
             take.frame_number(a.stop - 1),

@@ -33,6 +33,14 @@ def flag(name: str, default: bool) -> bool:
     return bool(store().value(name, default, type=bool))
 
 
+def number(name: str, default: float) -> float:
+    """Read a preference that is a number; the default where it is none."""
+    try:
+        return float(str(store().value(name, default)))
+    except ValueError:
+        return default
+
+
 def text(name: str, default: str) -> str:
     """Read a preference that is a word."""
     return str(store().value(name, default))

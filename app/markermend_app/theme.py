@@ -1,7 +1,7 @@
-"""Every colour, icon and font size of the app, in light and dark.
+"""The look in use: colours, icons and font sizes.
 
-Nothing else names a colour. Who draws by itself reads :func:`current` and draws anew when
-``watcher.changed`` is emitted; ordinary widgets follow palette and style sheet.
+Nothing but :mod:`markermend_app.looks` names a colour. Who draws by itself reads :func:`current`
+and draws anew when ``watcher.changed`` is emitted; ordinary widgets follow palette and style sheet.
 """
 
 from __future__ import annotations
@@ -9,12 +9,13 @@ from __future__ import annotations
 import re
 import tempfile
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import replace
 from functools import cache
 from importlib.resources import files
 from importlib.resources.abc import Traversable
 from pathlib import Path
 from types import MappingProxyType
+from typing import Any
 
 from PySide6.QtCore import QByteArray, QObject, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QIcon, QPainter, QPalette, QPixmap
@@ -22,8 +23,15 @@ from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QApplication, QStyleFactory
 
 from markermend.artifact import Kind
+from markermend_app import settings
+from markermend_app.looks import DARK, LIGHT, LOOKS, Theme, colour_blind
+from markermend_app.words import tr
+
+__all__ = ["DARK", "LIGHT", "Theme"]
 
 BASE_PT, SMALL_PT, HEADING_PT = 10, 9, 11
+
+COLOUR_BLIND, CLASS_COLOUR = "colour_blind", "colour"
 
 KIND_LETTER: Mapping[Kind, str] = MappingProxyType(
     {Kind.GAP: "G", Kind.PEAK: "P", Kind.NOISE: "N", Kind.STEP: "S", Kind.SLOW: "L"}
@@ -39,111 +47,9 @@ KIND_NAME: Mapping[Kind, str] = MappingProxyType(
 )
 
 
-@dataclass(frozen=True)
-class Theme:
-    """The colours of one look.
-
-    Attributes
-    ----------
-    name, dark : which look this is
-    window, panel, plot : backgrounds of the window, of lists and fields, and of drawings
-    raised : background of buttons, headers and dock titles
-    border : lines between things
-    text, muted : what is read, and what is read second
-    grid : lines within drawings
-    accent, on_accent : what is active or proposed, and text upon it
-    selection : what the operator has swept over
-    original : samples as they were opened
-    warning : what needs attention
-    flag : events of the file
-    axes : by axis name, x red, y green, z blue
-    kinds : by class of artifact, told apart by colour-blind people too (after Okabe and Ito)
-    markers : curves of shown markers, in the order they are shown
-    """
-
-    name: str
-    dark: bool
-    window: QColor
-    panel: QColor
-    plot: QColor
-    raised: QColor
-    border: QColor
-    text: QColor
-    muted: QColor
-    grid: QColor
-    accent: QColor
-    on_accent: QColor
-    selection: QColor
-    original: QColor
-    warning: QColor
-    flag: QColor
-    axes: Mapping[str, QColor]
-    kinds: Mapping[Kind, QColor]
-    markers: tuple[QColor, ...]
-
-
-def _kinds(gap: str, peak: str, noise: str, step: str, slow: str) -> Mapping[Kind, QColor]:
-    """Colours by class."""
-    names = (gap, peak, noise, step, slow)
-    return MappingProxyType({k: QColor(c) for k, c in zip(Kind, names, strict=True)})
-
-
-def _axes(x: str, y: str, z: str) -> Mapping[str, QColor]:
-    """Colours by axis."""
-    return MappingProxyType({"x": QColor(x), "y": QColor(y), "z": QColor(z)})
-
-
-LIGHT = Theme(
-    name="light",
-    dark=False,
-    window=QColor("#eef0f3"),
-    panel=QColor("#ffffff"),
-    plot=QColor("#ffffff"),
-    raised=QColor("#f7f8fa"),
-    border=QColor("#d3d8df"),
-    text=QColor("#1d2430"),
-    muted=QColor("#5d6776"),
-    grid=QColor("#dfe3e9"),
-    accent=QColor("#4a55c9"),
-    on_accent=QColor("#ffffff"),
-    selection=QColor("#7a8299"),
-    original=QColor("#a2a9b4"),
-    warning=QColor("#a8570a"),
-    flag=QColor("#6a4fb3"),
-    axes=_axes("#c62f2f", "#22802f", "#2563c9"),
-    kinds=_kinds("#2f8fd0", "#cb4512", "#c79200", "#009e73", "#b8569a"),
-    markers=tuple(
-        QColor(c)
-        for c in ("#2b3a55", "#0f7c8a", "#8a5a14", "#7b3fa0", "#4d7a1e", "#a83256", "#5b6573")
-    ),
-)
-
-DARK = Theme(
-    name="dark",
-    dark=True,
-    window=QColor("#1c1f24"),
-    panel=QColor("#22262c"),
-    plot=QColor("#191c20"),
-    raised=QColor("#2a2f36"),
-    border=QColor("#3a404a"),
-    text=QColor("#e4e7ec"),
-    muted=QColor("#9aa3b0"),
-    grid=QColor("#30363e"),
-    accent=QColor("#8e98ff"),
-    on_accent=QColor("#14171c"),
-    selection=QColor("#98a2b8"),
-    original=QColor("#6b7380"),
-    warning=QColor("#f0b45a"),
-    flag=QColor("#b9a5f5"),
-    axes=_axes("#ff7070", "#62c972", "#6fa8ff"),
-    kinds=_kinds("#56b4e9", "#f2683a", "#f5c542", "#2cc295", "#dd8fc0"),
-    markers=tuple(
-        QColor(c)
-        for c in ("#d7e0f0", "#5cd0dc", "#e0b070", "#c79bf0", "#a8d66a", "#f58ca8", "#a4afbf")
-    ),
-)
-
-_THEMES = MappingProxyType({"light": LIGHT, "dark": DARK})
+def kind_name(kind: Kind, *, within: bool = False) -> str:
+    """A class in the language of the app, as a title or within a sentence."""
+    return tr(KIND_NAME[kind].lower() if within else KIND_NAME[kind])
 
 
 class Watcher(QObject):
@@ -159,8 +65,10 @@ class Watcher(QObject):
     def __init__(self) -> None:
         super().__init__()
         self.theme = LIGHT
-        self.follows_system = False
+        self.name = "light"
         self.listens = False
+        self.hints: Any = None
+        self.contrast: Any = None
 
 
 watcher = Watcher()
@@ -177,7 +85,8 @@ def apply(app: QApplication, name: str) -> None:
     Parameters
     ----------
     app : the application
-    name : ``"light"``, ``"dark"``, or ``"system"`` to follow the desktop, also later
+    name : ``"light"``, ``"dark"``, ``"contrast"``, or ``"system"`` to follow the desktop in all
+        three, also later
 
     Raises
     ------
@@ -185,17 +94,49 @@ def apply(app: QApplication, name: str) -> None:
         when there is no such theme
     """
     hints = app.styleHints()
-    watcher.follows_system = name == "system"
     if not watcher.listens:
         hints.colorSchemeChanged.connect(lambda _: _follow(app))
+        if hasattr(hints, "accessibility"):
+            # Both are kept: the one is gone as soon as nobody holds the other.
+            watcher.hints, watcher.contrast = hints, hints.accessibility()
+            watcher.contrast.contrastPreferenceChanged.connect(lambda _: _follow(app))
         watcher.listens = True
-    if name == "system":
+    # Asking for a scheme tells at once, when nothing is to be followed yet.
+    watcher.name = ""
+    if name in ("system", "contrast"):
         hints.unsetColorScheme()
-        _wear(app, DARK if hints.colorScheme() == Qt.ColorScheme.Dark else LIGHT)
-        return
-    theme = _THEMES[name]
-    hints.setColorScheme(Qt.ColorScheme.Dark if theme.dark else Qt.ColorScheme.Light)
-    _wear(app, theme)
+    else:
+        dark = LOOKS[name].dark
+        hints.setColorScheme(Qt.ColorScheme.Dark if dark else Qt.ColorScheme.Light)
+    watcher.name = name
+    _wear(app, _wanted(app))
+
+
+def recolour(app: QApplication) -> None:
+    """Take over colours that were changed in the preferences."""
+    _wear(app, _wanted(app))
+
+
+def _wanted(app: QApplication) -> Theme:
+    """The look that was asked for, as the desktop is now."""
+    dark = app.styleHints().colorScheme() == Qt.ColorScheme.Dark
+    name = watcher.name
+    if name == "contrast" or (name == "system" and _high_contrast()):
+        name = "contrast-dark" if dark else "contrast-light"
+    elif name == "system":
+        name = "dark" if dark else "light"
+    look = LOOKS[name]
+    if settings.flag(COLOUR_BLIND, False):
+        look = colour_blind(look)
+    kinds = {kind: QColor(settings.text(f"{CLASS_COLOUR}/{kind}", "")) for kind in Kind}
+    own = {kind: color for kind, color in kinds.items() if color.isValid()}
+    return replace(look, kinds={**look.kinds, **own}) if own else look
+
+
+def _high_contrast() -> bool:
+    """Whether the desktop asks for high contrast, which it can since Qt 6.10."""
+    hints = watcher.contrast
+    return hints is not None and hints.contrastPreference() == Qt.ContrastPreference.HighContrast
 
 
 def icon(name: str) -> QIcon:
@@ -273,10 +214,9 @@ def blend(color: QColor, other: QColor, share: float) -> QColor:
 
 
 def _follow(app: QApplication) -> None:
-    """Take over the desktop's change between light and dark."""
-    if watcher.follows_system:
-        dark = app.styleHints().colorScheme() == Qt.ColorScheme.Dark
-        _wear(app, DARK if dark else LIGHT)
+    """Take over the desktop's change between light and dark, or of contrast."""
+    if watcher.name in ("system", "contrast"):
+        _wear(app, _wanted(app))
 
 
 def _wear(app: QApplication, theme: Theme) -> None:
@@ -330,7 +270,7 @@ def _palette(theme: Theme) -> QPalette:
 @cache
 def _icon(name: str, theme_name: str) -> QIcon:
     """An icon that is drawn when it is shown, as sharp as the screen is."""
-    theme = _THEMES[theme_name]
+    theme = LOOKS[theme_name]
     result = QIcon()
     dimmed = blend(theme.muted, theme.window, 0.5)
     for mode, color in ((QIcon.Mode.Normal, theme.text), (QIcon.Mode.Disabled, dimmed)):

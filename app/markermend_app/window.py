@@ -48,6 +48,7 @@ from markermend_app.panels.status import StatusLine
 from markermend_app.panels.trajectories import TrajectoryPanel
 from markermend_app.panels.transport import Transport
 from markermend_app.panels.welcome import Welcome
+from markermend_app.preferred import Preferred
 from markermend_app.references import References
 from markermend_app.shortcut_sheet import ShortcutSheet
 
@@ -77,6 +78,13 @@ class MainWindow(QMainWindow):
         self.hand = HandWork(self.document, self.lane, self, self.queue.selected)
         self._make_actions()
         self._connect()
+        self.preferred = Preferred(
+            self.document,
+            self.commands.save_review,
+            self.scene.set_vertical,
+            self._take_preference,
+            self,
+        )
         self.lay_out(ROOMY.boundedTo(self.screen().availableSize() * 0.94))
         self._default_state = self.saveState(LAYOUT_VERSION)
         self._restore_layout()
@@ -184,12 +192,9 @@ class MainWindow(QMainWindow):
         self.recent_menu.aboutToShow.connect(self._fill_recent)
 
         themes = QActionGroup(self)
-        for name in ("light", "dark", "system"):
-            action = self.actions_by_name[f"theme_{name}"]
-            themes.addAction(action)
-            action.setChecked(settings.text("theme", "system") == name)
-        on_open = self.actions_by_name["detect_on_open"]
-        on_open.setChecked(settings.flag("detect_on_open", True))
+        for name in ("light", "dark", "contrast", "system"):
+            themes.addAction(self.actions_by_name[f"theme_{name}"])
+        self._check_chosen()
 
         shortcuts.watcher.changed.connect(self._give_keys)
         theme.watcher.changed.connect(self._give_icons)
@@ -270,6 +275,8 @@ class MainWindow(QMainWindow):
             ),
             "reset_layout": lambda: self.restoreState(self._default_state, LAYOUT_VERSION),
             "manual": self._show_manual,
+            "theme_contrast": lambda: self._set_theme("contrast"),
+            "preferences": lambda: self.preferred.open(),
             "shortcuts": lambda: ShortcutSheet(self).exec(),
             "palette": self._open_palette,
             **{f"method_{k}": partial(self._choose_method, k) for k in METHOD_KEYS},
@@ -304,6 +311,9 @@ class MainWindow(QMainWindow):
 
     def _set_theme(self, name: str) -> None:
         settings.remember("theme", name)
+        self._wear(name)
+
+    def _wear(self, name: str) -> None:
         app = QApplication.instance()
         if isinstance(app, QApplication):
             theme.apply(app, name)
@@ -318,6 +328,18 @@ class MainWindow(QMainWindow):
         manual.show()
         manual.raise_()
         manual.activateWindow()
+
+    def _check_chosen(self) -> None:
+        """Check the menus' entries that hold."""
+        self.actions_by_name[f"theme_{settings.text('theme', 'system')}"].setChecked(True)
+        on_open = settings.flag("detect_on_open", True)
+        self.actions_by_name["detect_on_open"].setChecked(on_open)
+
+    def _take_preference(self, name: str) -> None:
+        """Let a look hold that was chosen in the preferences."""
+        self._check_chosen()
+        if name == "theme":
+            self._wear(settings.text("theme", "system"))
 
     def _fill_recent(self) -> None:
         self.recent_menu.clear()

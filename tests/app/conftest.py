@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QSettings
+from PySide6.QtCore import QCoreApplication, QEvent, QSettings
 
 from markermend.artifact import Artifact, Kind
 from markermend.take import Take
@@ -17,6 +17,13 @@ def own_settings(tmp_path, monkeypatch):
     monkeypatch.setattr(
         "markermend_app.settings.store", lambda: QSettings(path, QSettings.Format.IniFormat)
     )
+
+
+@pytest.fixture(autouse=True)
+def closed_windows_are_gone(qapp):
+    """Delete what was closed: no event loop runs here that would, and the looks dress it all."""
+    yield
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
 
 
 def walking_box(frames: int = 400, rate: float = 100.0) -> Take:

@@ -19,7 +19,7 @@ def describe(take: Take, artifact: Artifact) -> str:
     """Marker, class, frames as the file counts them, confidence, decision; and why, below."""
     text = _tr("{marker} · {kind} · frames {first}–{last} · {sure:.0%} sure · {status}").format(
         marker=artifact.marker,
-        kind=_tr(theme.KIND_NAME[artifact.kind]),
+        kind=theme.kind_name(artifact.kind),
         first=take.frame_number(artifact.start),
         last=take.frame_number(artifact.stop - 1),
         sure=artifact.confidence,

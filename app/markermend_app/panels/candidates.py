@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPainter, QPixmap
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel
 
-from markermend_app import theme
+from markermend_app import theme, units
 from markermend_app.comparison import MOST, Comparison
 from markermend_app.items.curve import curve
 from markermend_app.panels.plot_row import PlotRow
@@ -61,7 +61,7 @@ class Candidates(QFrame):
             error = found[i].error_mm
             labels[0].setPixmap(_stroke(color))
             labels[1].setText(REPAIRS[found[i].method].label)
-            labels[2].setText("–" if error is None else f"± {error:.1f} mm")
+            labels[2].setText("–" if error is None else f"± {units.length(error)}")
             for label in labels[1:]:
                 font = label.font()
                 font.setBold(chosen)

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 )
 
 from markermend.artifact import Artifact, Kind, Status
-from markermend_app import theme
+from markermend_app import theme, units
 from markermend_app.document import Document
 from markermend_app.panels.badge import kind_icon, tinted_icon
 from markermend_app.panels.inspector_methods import MethodList
@@ -42,7 +42,7 @@ class ArtifactPage(QWidget):
         self.kind.setAccessibleName(self.tr("Class"))
         self.kind.setToolTip(self.tr("Class of the artifact"))
         for kind in Kind:
-            self.kind.addItem(theme.KIND_NAME[kind])
+            self.kind.addItem(theme.kind_name(kind))
         self.kind.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         )
@@ -143,7 +143,7 @@ class ArtifactPage(QWidget):
             field.setEnabled(editable)
         length = self.tr("{0} frames, {1:.2f} s").format(a.length, a.length / take.rate)
         if math.isfinite(a.amplitude_mm):
-            length += self.tr(", {0:.1f} mm").format(a.amplitude_mm)
+            length += ", " + units.length(a.amplitude_mm)
         self.extent.setText(length)
         # A bar paints itself, and all behind it, at once unless it is kept from it.
         self.confidence.setUpdatesEnabled(False)

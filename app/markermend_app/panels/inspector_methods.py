@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from markermend.artifact import Status
+from markermend_app import units
 from markermend_app.document import Document
 from markermend_app.panels.inspector_take import heading, plain
 
@@ -130,7 +131,7 @@ class MethodList(QWidget):
         method = proposal.method
         text = REPAIRS[method].label if method in REPAIRS else method
         if proposal.error_mm is not None:
-            text += self.tr(", expected error {0:.1f} mm").format(proposal.error_mm)
+            text += self.tr(", expected error {0}").format(units.length(proposal.error_mm))
         followed = self._document.preview.references
         if followed:
             text += self.tr(", following {0}").format(", ".join(followed))

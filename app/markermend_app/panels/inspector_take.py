@@ -65,7 +65,7 @@ class SelectionPage(QWidget):
         grid = QGridLayout()
         grid.setSpacing(8)
         for i, kind in enumerate(Kind):
-            button = QPushButton(theme.KIND_NAME[kind])
+            button = QPushButton(theme.kind_name(kind))
             button.setToolTip(self.tr("Mark the swept frames as: {0}").format(button.text()))
             button.clicked.connect(lambda _=False, kind=kind: self.mark_requested.emit(kind))
             self.buttons[kind] = button

@@ -323,7 +323,7 @@ class MarkerModel(QAbstractItemModel):
         if node.note:
             parts.append(node.note)
         open_ = ", ".join(
-            f"{node.counts[k]} {theme.KIND_NAME[k].lower()}" for k in Kind if node.counts[k]
+            f"{node.counts[k]} {theme.kind_name(k, within=True)}" for k in Kind if node.counts[k]
         )
         if open_:
             parts.append(self.tr("Open: {0}").format(open_))

@@ -44,7 +44,7 @@ class Notice(QFrame):
         self.setVisible(doubt is not None)
         if doubt is None:
             return
-        kind = theme.KIND_NAME[doubt.kind].lower()
+        kind = theme.kind_name(doubt.kind, within=True)
         self.text.setText(
             self.tr(
                 "You rejected {0} of {1} decided as {2} on {3}. Make the other {4} less sure, so "

@@ -22,7 +22,7 @@ from markermend.artifact import Artifact
 from markermend.edits import Change
 from markermend.heat import missing_share, worst
 from markermend.take import Take
-from markermend_app import theme
+from markermend_app import theme, units
 from markermend_app.document import Document
 from markermend_app.panels.artifact_text import describe
 from markermend_app.panels.overview_marks import paint_groups, paint_scale, paint_time
@@ -282,7 +282,7 @@ class Overview(QWidget):
         if self.mode.mode == "residual" and marker is not None and residuals is not None:
             off = residuals[take.index(marker), frame]
             if np.isfinite(off):
-                text += " · " + self.tr("{0:.1f} mm off its body").format(off)
+                text += " · " + self.tr("{0} off its body").format(units.length(off))
         return text if marker is None else f"{marker} · {text}"
 
     # Painting
@@ -313,7 +313,7 @@ class Overview(QWidget):
         paint_groups(painter, rows, area)
         room = 0.0
         if self.mode.mode == "residual":
-            room = paint_scale(painter, area, heat(self.mode.mode), "0", f"{MOST_MM:g} mm")
+            room = paint_scale(painter, area, heat(self.mode.mode), "0", units.length(MOST_MM, 0))
         paint_time(painter, area, self._span, take.rate, room)
         painter.setClipRect(area.adjusted(-8, -4, 2, 4))
         self._paint_marks(painter, rows, area)

@@ -19,7 +19,7 @@ def artifact_menu(
 ) -> QMenu:
     """Decide about the current artifact and its like, change it, or take it off the list."""
     menu = QMenu(parent)
-    name = _tr(theme.KIND_NAME[artifact.kind])
+    name = theme.kind_name(artifact.kind)
     _title(menu, f"{name} · {artifact.marker}")
     status, ids = artifact.status, [artifact.id]
     for verb, decide, done in (
@@ -32,7 +32,7 @@ def artifact_menu(
     menu.addSeparator()
     classes = menu.addMenu(theme.icon("labels"), _tr("Class"))
     for kind in Kind:
-        action = classes.addAction(theme.icon(kind), _tr(theme.KIND_NAME[kind]))
+        action = classes.addAction(theme.icon(kind), theme.kind_name(kind))
         action.setCheckable(True)
         action.setChecked(kind is artifact.kind)
         action.triggered.connect(lambda _=False, k=kind: document.change(artifact.id, kind=k))
@@ -67,7 +67,7 @@ def sweep_menu(
     if document.selection is not None:
         _title(menu, _tr("Selection on {marker}").format(marker=document.selection.marker))
     for kind in Kind:
-        text = _tr("Mark as {kind}").format(kind=_tr(theme.KIND_NAME[kind]).lower())
+        text = _tr("Mark as {kind}").format(kind=theme.kind_name(kind, within=True))
         action = menu.addAction(theme.icon(kind), text)
         action.triggered.connect(partial(mark, kind))
         action.setEnabled(document.editable)

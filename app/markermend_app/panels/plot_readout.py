@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from markermend.take import Origin, Take
+from markermend_app import units
 from markermend_app.panels.naming import short_names
 from markermend_app.panels.plot_beside import BesideRow
 from markermend_app.panels.plot_frame import PlotFrame
@@ -42,8 +43,8 @@ def read_out(take: Take, shown: Sequence[str], frame: int, row: PlotFrame | None
     name = short_names(shown)[shown[0]]
     if np.isnan(position[0]):
         return f"{where} · {name} {_tr('missing')}"
-    value = ", ".join(f"{v:.1f}" for v in position)
-    return f"{where} · {name} {value} mm{_origin(take, shown[0], frame)}"
+    value = ", ".join(units.number(v) for v in position)
+    return f"{where} · {name} {value} {units.unit()}{_origin(take, shown[0], frame)}"
 
 
 def _value(take: Take, row: PlotRow, name: str, frame: int) -> str:
@@ -54,7 +55,8 @@ def _value(take: Take, row: PlotRow, name: str, frame: int) -> str:
     if math.isnan(value):
         missing = take.origin[frame, take.index(name)] == Origin.MISSING
         return _tr("missing") if missing else "–"
-    number = f"{value:.{row.quantity.places}f} {row.quantity.unit}".rstrip()
+    unit, factor, more = units.scaled(row.quantity.unit)
+    number = f"{value * factor:.{row.quantity.places + more}f} {unit}".rstrip()
     axis = "" if row.column is None else f"{row.title} "
     return f"{axis}{number}{_origin(take, name, frame)}"
 

@@ -13,7 +13,7 @@ from markermend.arrays import BoolArray, ByteArray, FloatArray
 from markermend.artifact import Artifact
 from markermend.patch import Patch
 from markermend.take import AXES, Origin
-from markermend_app import theme
+from markermend_app import theme, units
 from markermend_app.items.band import Band
 from markermend_app.items.curve import curve, dots, lone_samples, pieces
 from markermend_app.items.edges import Edges
@@ -245,7 +245,9 @@ class PlotRow(PlotFrame):
         """Take over the theme's colours."""
         super().restyle()
         look, q = theme.current(), self.quantity
-        self.name_values(self.title, q.unit, look.axes.get(q.name, look.muted))
+        unit, factor, _ = units.scaled(q.unit)
+        self.values.setScale(factor)
+        self.name_values(self.title, unit, look.axes.get(q.name, look.muted))
         accent = look.accent
         self.edges.set_color(accent)
         self.band.set_color(theme.faded(accent, 0.22))

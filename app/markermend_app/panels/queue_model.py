@@ -20,7 +20,7 @@ from markermend.artifact import Artifact, Kind, Status
 from markermend.edits import RepairNote
 from markermend.priority import badness
 from markermend.take import Take
-from markermend_app import theme
+from markermend_app import theme, units
 from markermend_app.panels.badge import dot_icon
 from markermend_app.panels.naming import short_names
 
@@ -228,13 +228,13 @@ class QueueModel(QAbstractTableModel):
         first = self.first_frame
         return {
             STATUS: lambda: self._status_names[a.status],
-            KIND: lambda: theme.KIND_NAME[a.kind],
+            KIND: lambda: theme.kind_name(a.kind),
             MARKER: lambda: self._marker_text(a),
             AXES: lambda: a.axes.upper(),
             FRAMES: lambda: f"{a.start + first}–{a.stop - 1 + first}",
             TIME: lambda: f"{a.start / self.rate:.2f} s",
             LENGTH: lambda: f"{a.length} f",
-            SIZE: lambda: f"{a.amplitude_mm:.1f} mm" if math.isfinite(a.amplitude_mm) else "–",
+            SIZE: lambda: units.length(a.amplitude_mm) if math.isfinite(a.amplitude_mm) else "–",
             CONFIDENCE: lambda: f"{100 * a.confidence:.0f} %",
             REPAIR: lambda: self._repair_text(a),
             WHY: lambda: f"✎ {a.note} – {a.why}" if a.note else a.why,
@@ -253,7 +253,7 @@ class QueueModel(QAbstractTableModel):
         from markermend.repairs.registry import REPAIRS
 
         label = REPAIRS[note.method].label if note.method in REPAIRS else note.method
-        return label if note.error_mm is None else f"{label}, ± {note.error_mm:.1f} mm"
+        return label if note.error_mm is None else f"{label}, ± {units.length(note.error_mm)}"
 
 
 def count_decided(artifacts: Iterable[Artifact]) -> tuple[int, int]:

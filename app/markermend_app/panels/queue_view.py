@@ -127,7 +127,7 @@ class _KindDelegate(_PlainDelegate):
         painter.setFont(font)
         painter.setPen(t.text)
         painter.drawText(
-            rect.adjusted(22, 0, 0, 0), Qt.AlignmentFlag.AlignVCenter, theme.KIND_NAME[a.kind]
+            rect.adjusted(22, 0, 0, 0), Qt.AlignmentFlag.AlignVCenter, theme.kind_name(a.kind)
         )
 
 

@@ -116,8 +116,8 @@ class ReviewQueue(QWidget):
             button = QToolButton()
             button.setCheckable(True)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-            button.setToolTip(self.tr("Only: {0}").format(theme.KIND_NAME[kind]))
-            button.setAccessibleName(self.tr("Only: {0}").format(theme.KIND_NAME[kind]))
+            button.setToolTip(self.tr("Only: {0}").format(theme.kind_name(kind)))
+            button.setAccessibleName(self.tr("Only: {0}").format(theme.kind_name(kind)))
             button.toggled.connect(self._filter)
             self.kinds[kind] = button
             row.addWidget(button)

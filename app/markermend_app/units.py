@@ -1,0 +1,49 @@
+"""Lengths as the window writes them: millimetres, centimetres or metres.
+
+The engine counts in millimetres; what is written here is for people's eyes only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from markermend_app import settings
+
+SETTING = "unit"
+FACTORS: Mapping[str, float] = MappingProxyType({"mm": 1.0, "cm": 0.1, "m": 0.001})
+_MORE_PLACES = MappingProxyType({"mm": 0, "cm": 1, "m": 3})
+
+
+def unit() -> str:
+    """The unit of length in use."""
+    name = settings.text(SETTING, "mm")
+    return name if name in FACTORS else "mm"
+
+
+def length(mm: float, places: int = 1) -> str:
+    """A length with its unit; ``places`` are the decimals it would have in millimetres."""
+    return f"{number(mm, places)} {unit()}"
+
+
+def number(mm: float, places: int = 1) -> str:
+    """A length without its unit."""
+    name = unit()
+    return f"{mm * FACTORS[name]:.{places + _MORE_PLACES[name]}f}"
+
+
+def scaled(text: str) -> tuple[str, float, int]:
+    """A unit that may hold millimetres as it is written now.
+
+    Parameters
+    ----------
+    text : ``mm``, ``mm/s``, ``mm/s²``, or another that stays as it is
+
+    Returns
+    -------
+    Its text, what values in it are multiplied by, and how many more decimals they have
+    """
+    if text != "mm" and not text.startswith("mm/"):
+        return text, 1.0, 0
+    name = unit()
+    return name + text[2:], FACTORS[name], _MORE_PLACES[name]

@@ -1,0 +1,171 @@
+"""The page of preferences: what is chosen there is stored and holds at once."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QApplication
+
+import markermend as mm
+from markermend.artifact import Kind
+from markermend.detectors.joint import JointParams
+from markermend.mesh import infer_mesh
+from markermend.presets import save_preset
+from markermend.session_file import open_session
+from markermend_app import detection, languages, settings, theme, units
+from markermend_app.panels.inspector_artifact import ArtifactPage
+from markermend_app.preferences import OFFERED, Preferences
+from markermend_app.window import MainWindow
+
+
+@pytest.fixture(autouse=True)
+def light_again(qapp: QApplication):
+    yield
+    theme.apply(qapp, "light")
+
+
+@pytest.fixture
+def window(qtbot, damaged, tmp_path):
+    """A window with a take under review."""
+    take, truth = damaged
+    made = MainWindow()
+
+    def quiet(window):
+        window.document.session.mark_exported()
+
+    qtbot.addWidget(made, before_close_func=quiet)
+    made.document.open(open_session(take, folder=tmp_path), infer_mesh(take))
+    made.document.add_detected(truth, "truth")
+    made.document.step(1)
+    return made
+
+
+@pytest.fixture
+def page(qtbot, window):
+    """The page, as the window opens it."""
+    made = Preferences(window)
+    made.changed.connect(window.preferred.take)
+    qtbot.addWidget(made)
+    made.show()
+    return made
+
+
+def choose(box, value):
+    """Choose an entry as a hand does."""
+    place = box.findData(value)
+    assert place >= 0
+    box.setCurrentIndex(place)
+    box.activated.emit(place)
+
+
+def test_the_theme_is_worn_at_once_and_checked_in_the_menu(page, window):
+    choose(page.theme, "contrast")
+    assert theme.current().name.startswith("contrast")
+    assert window.actions_by_name["theme_contrast"].isChecked()
+    assert settings.text("theme", "") == "contrast"
+
+
+def test_lengths_are_written_in_the_chosen_unit_everywhere(page, window):
+    extent = window.findChild(ArtifactPage).extent
+    peak = next(a for a in window.document.session.artifacts if a.kind is Kind.PEAK)
+    window.document.select(peak.id)
+    assert "25.0 mm" in extent.text()
+    choose(page.unit, "cm")
+    assert "2.50 cm" in extent.text()
+    row = window.trajectories.rows[0]
+    assert "(cm)" in row.values.label.toPlainText()
+    assert row.values.scale == 0.1
+    assert "cm" in window.trajectories.header.readout.text()
+    queue = window.queue.model
+    cells = {
+        queue.index(r, c).data()
+        for r in range(queue.rowCount())
+        for c in range(queue.columnCount())
+    }
+    assert "2.50 cm" in cells
+
+
+def test_lengths_keep_their_precision():
+    settings.remember(units.SETTING, "m")
+    assert units.length(1234.5) == "1.2345 m"
+    assert units.scaled("mm/s²") == ("m/s²", 0.001, 3)
+    assert units.scaled("N") == ("N", 1.0, 0)
+
+
+def test_the_axis_that_points_up_is_set_for_this_take_and_the_next(page, window, damaged, tmp_path):
+    choose(page.vertical, "y")
+    assert window.scene.stage.up == 1
+    window.document.session.mark_exported()
+    window.document.open(open_session(damaged[0], folder=tmp_path / "next"), None)
+    assert window.scene.stage.up == 1
+
+
+def test_the_dial_reaches_the_detector(page, qtbot):
+    page.dial.setValue(85)
+    assert math.isclose(detection.chosen_params(slow=False).sensitivity, 0.85)
+    assert not detection.chosen_params(slow=False).slow
+    choose(page.preset, detection.BALANCED)
+    assert detection.chosen_params(slow=True) == JointParams(slow=True)
+
+
+def test_a_preset_kept_under_a_name_is_offered_and_used(qtbot, window):
+    save_preset("my lab", "joint", JointParams(sensitivity=0.3, least_mm=2.0))
+    page = Preferences(window)
+    qtbot.addWidget(page)
+    choose(page.preset, "my lab")
+    params = detection.chosen_params(slow=False)
+    assert (params.sensitivity, params.least_mm) == (0.3, 2.0)
+    assert not page.dial.isEnabled()
+
+
+def test_a_preset_that_is_gone_is_told_in_a_sentence(page):
+    settings.remember(detection.PRESET, "lost")
+    with pytest.raises(mm.MarkermendError, match="lost"):
+        detection.chosen_params(slow=False)
+
+
+def test_reviews_are_saved_as_often_as_was_chosen(page, window, monkeypatch):
+    saved = []
+    monkeypatch.setattr("markermend.session_file.SessionFile.save", lambda self: saved.append(1))
+    assert window.preferred.saving.interval() == 5 * 60_000
+    page.autosave.setValue(2)
+    assert window.preferred.saving.interval() == 2 * 60_000
+    window.preferred.saving.timeout.emit()
+    assert saved == [1]
+    page.autosave.setValue(0)
+    assert not window.preferred.saving.isActive()
+
+
+def test_a_class_gets_another_colour(page):
+    page.set_colour(Kind.STEP, QColor("#ff00aa"))
+    assert theme.current().kinds[Kind.STEP].name() == "#ff00aa"
+
+
+def test_colours_for_colour_blind_eyes(page, qtbot):
+    before = theme.current().kinds
+    qtbot.mouseClick(page.blind, Qt.MouseButton.LeftButton, pos=page.blind.rect().center() * 0.1)
+    assert settings.flag(theme.COLOUR_BLIND, False)
+    assert theme.current().kinds != before
+
+
+def test_as_delivered_forgets_everything_on_the_page(page):
+    choose(page.unit, "m")
+    page.dial.setValue(10)
+    page.set_colour(Kind.STEP, QColor("#ff00aa"))
+    page._restore()
+    assert units.unit() == "mm"
+    assert detection.chosen_params(slow=True) == JointParams(slow=True)
+    assert not [name for name in OFFERED if settings.store().contains(name)]
+
+
+def test_the_language_is_the_chosen_one_else_the_systems(page, monkeypatch):
+    choose(page.language, "de")
+    assert languages.language() == "de"
+    settings.remember(languages.SETTING, "system")
+    monkeypatch.setattr(
+        "PySide6.QtCore.QLocale.system", lambda: type("L", (), {"name": lambda self: "xx_XX"})()
+    )
+    assert languages.language() == "en"
