@@ -263,7 +263,7 @@ class MainWindow(QMainWindow):
             "fit": self.trajectories.fit_all,
             "zoom_in": lambda: self.trajectories.zoom(0.5),
             "zoom_out": lambda: self.trajectories.zoom(2.0),
-            "before_after": lambda: self.trajectories.set_before_after(checked("before_after")),
+            "before_after": lambda: self._show_before(checked("before_after")),
             "prediction": lambda: self.trajectories.set_prediction_shown(checked("prediction")),
             "overview_mode": self.overview.mode.choose_next,
             "plots": self.trajectories.open_menu,
@@ -308,6 +308,11 @@ class MainWindow(QMainWindow):
         for method in REPAIRS.values():
             if method.key == key:
                 self.document.choose_method(method.name)
+
+    def _show_before(self, before: bool) -> None:
+        """Show the samples before repair, in the plots and in space."""
+        self.trajectories.set_before_after(before)
+        self.scene.set_before(before)
 
     def _set_theme(self, name: str) -> None:
         settings.remember("theme", name)

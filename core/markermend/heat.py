@@ -7,7 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from markermend.arrays import ByteArray, Float32Array, FloatArray, IntArray
-from markermend.artifact import Artifact, trusted_samples
+from markermend.artifact import Artifact, Status, trusted_samples
 from markermend.measures import distance
 from markermend.progress import Progress, quiet
 from markermend.take import Origin, Take
@@ -57,6 +57,25 @@ def worst(
     """
     first, low, high = _bins(values.shape[1], columns, start, stop)
     return np.asarray(np.fmax.reduceat(values[:, low:high], first, axis=1))
+
+
+def damage_share(take: Take, artifacts: Iterable[Artifact]) -> FloatArray:
+    """Share of each marker's frames that are damaged.
+
+    Parameters
+    ----------
+    take : the recording as it stands
+    artifacts : those decided count no longer; but what is missing does
+
+    Returns
+    -------
+    (markers,) float64 in [0, 1]: frames in which the marker is missing or an open artifact names it
+    """
+    bad = take.origin == Origin.MISSING
+    for artifact in artifacts:
+        if artifact.status is Status.PENDING:
+            bad[artifact.start : artifact.stop, take.index(artifact.marker)] = True
+    return np.asarray(bad.sum(axis=0) / max(1, take.frames))
 
 
 def _bins(frames: int, columns: int, start: float, stop: float | None) -> tuple[IntArray, int, int]:

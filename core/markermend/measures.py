@@ -62,6 +62,12 @@ def distance(positions: FloatArray, others: FloatArray) -> FloatArray:
     return _size(positions - others)
 
 
+def differing(positions: FloatArray, others: FloatArray) -> BoolArray:
+    """(n,) bool: which of two versions of (n, 3) samples differ, also by one being missing."""
+    same = (positions == others) | (np.isnan(positions) & np.isnan(others))
+    return np.asarray(~same.all(axis=1))
+
+
 def _size(vectors: FloatArray) -> FloatArray:
     """(...,) lengths of (..., 3) vectors; summing over an axis of three takes ten times longer."""
     x, y, z = vectors[..., 0], vectors[..., 1], vectors[..., 2]

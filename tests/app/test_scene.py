@@ -21,6 +21,8 @@ from markermend_app import theme
 from markermend_app.document import Document
 from markermend_app.panels.scene import Scene
 from markermend_app.panels.scene_camera import Camera
+from markermend_app.panels.scene_looks import marker_colours
+from markermend_app.panels.scene_select import Outline
 from markermend_app.panels.scene_stage import set_stage, vertical_axis
 
 
@@ -211,7 +213,7 @@ def test_missing_markers_are_not_drawn(scene, document):
 def test_open_artifacts_ring_their_markers_until_decided(scene, document):
     document.go_to(150)
     column = document.session.original.index("LELB")
-    assert scene.rings() == {column: Kind.PEAK}
+    assert scene.seen.rings() == {column: Kind.PEAK}
     theme_ring = theme.current().kinds[Kind.PEAK]
     image = scene.grab().toImage()
     x, y = scene._at[column]
@@ -222,7 +224,7 @@ def test_open_artifacts_ring_their_markers_until_decided(scene, document):
     near = [abs(c.red() - theme_ring.red()) + abs(c.blue() - theme_ring.blue()) for c in around]
     assert min(near) < 60
     document.reject([a.id for a in document.session.artifacts if a.kind is Kind.PEAK])
-    assert scene.rings() == {}
+    assert scene.seen.rings() == {}
 
 
 def test_ghost_shows_where_the_preview_puts_the_marker(scene, document, monkeypatch):
@@ -231,7 +233,7 @@ def test_ghost_shows_where_the_preview_puts_the_marker(scene, document, monkeypa
     repair = Repair("linear", (patch,))
     monkeypatch.setattr(Document, "proposal", property(lambda self: repair))
     document.select(peak.id)
-    marker, way, start = scene.ghost()
+    marker, way, start = scene.seen.ghost()
     assert (marker, start) == ("LELB", 150)
     now = document.session.positions[150, 5]
     np.testing.assert_allclose(way, [[now[0], 123.0, now[2]]])
@@ -266,3 +268,166 @@ def test_says_so_while_nothing_is_open(scene, document):
     document.open(None, None)
     assert scene.stage is None
     assert not scene.grab().isNull()
+
+
+# What else is seen
+
+
+def colors_around(scene, at: QPoint, reach: int = 12) -> set[tuple[int, int, int]]:
+    """Colours painted around a pixel."""
+    image = scene.grab().toImage()
+    ratio = image.devicePixelRatio()
+    found = set()
+    for x in range(round((at.x() - reach) * ratio), round((at.x() + reach) * ratio)):
+        for y in range(round((at.y() - reach) * ratio), round((at.y() + reach) * ratio)):
+            found.add(image.pixelColor(x, y).getRgb()[:3])
+    return found
+
+
+def test_segments_of_the_wrong_length_are_red(tmp_path, qtbot):
+    positions = np.zeros((300, 4, 3))
+    positions[:, 1], positions[:, 2], positions[:, 3] = (0, 0, 500), (0, 400, 0), (0, 400, 500)
+    positions += np.random.default_rng(1).normal(0, 0.3, positions.shape)
+    positions[100:120, 1, 2] += 80
+    take = Take(positions, ("A", "B", "C", "D"), 100.0)
+    document = Document()
+    document.open(open_session(take, folder=tmp_path), Mesh(take.labels, (), ((0, 1), (2, 3))))
+    scene = Scene(document)
+    qtbot.addWidget(scene)
+    scene.resize(500, 400)
+    scene.show()
+
+    def red() -> int:
+        image, target = scene.grab().toImage(), theme.current().axes["x"]
+        return sum(
+            image.pixelColor(x, y) == target
+            for x in range(60, image.width() - 60)
+            for y in range(image.height())
+        )
+
+    document.go_to(50)
+    assert scene.seen.off(positions[50]).tolist() == [False, False]
+    assert red() == 0
+    document.go_to(110)
+    assert scene.seen.off(positions[110]).tolist() == [True, False]
+    assert red() > 20
+    scene.looks.set_lengths(False)
+    assert red() == 0
+    document.open(None, None)
+    document.proposals.close()
+
+
+def test_the_other_version_is_a_ghost_that_before_and_after_swap(scene, document):
+    step = next(a for a in document.session.artifacts if a.kind is Kind.STEP)
+    column = document.session.original.index(step.marker)
+    values = document.session.positions[step.start : step.stop, column, 2:3] - 400.0
+    patch = Patch(step.marker, "z", step.start, step.stop, values)
+    document.repair_many([(step.id, Repair("test", (patch,)))], "")
+    document.select(None)
+    document.show(["CLAV"])
+    document.go_to(300)
+    scene.grab()
+    original = document.session.original.positions[300]
+    was = scene.camera.project(original[[column]], scene.width(), scene.height())[0]
+    now = scene._at[column]
+    assert np.hypot(*(now - was)) > 20
+    shade = theme.blend(theme.current().original, theme.current().text, 0.2).getRgb()[:3]
+    at = QPoint(*np.rint(was).astype(int).tolist())
+    assert shade in colors_around(scene, at)
+    scene.set_before(True)
+    scene.grab()
+    np.testing.assert_allclose(scene._at[column], was, atol=1e-6)
+    assert shade in colors_around(scene, QPoint(*np.rint(now).astype(int).tolist()))
+    scene.set_before(False)
+    scene.looks.set_ghost(False)
+    assert shade not in colors_around(scene, at)
+
+
+def test_markers_are_coloured_by_group_or_by_damage(scene, document):
+    document.show([])
+    scene.looks.set_colours("group")
+    trunk = {name: place(scene, document, name) for name in ("STRN", "T10")}
+    other = place(scene, document, "LELB")
+    hues = {n: colors_around(scene, at, 2) for n, at in trunk.items()}
+    assert hues["STRN"] & hues["T10"]
+    assert not hues["STRN"] & hues["T10"] & colors_around(scene, other, 2)
+    scene.looks.set_colours("damage")
+    damage = scene.seen.damage()
+    take = document.session.take
+    assert damage[take.index("LWRA")] == pytest.approx(50 / 400)
+    assert damage[take.index("STRN")] == 0
+    colours = marker_colours(scene.looks, take.markers, document.mesh, damage)
+    assert colours[take.index("STRN")] != colours[take.index("LWRA")]
+    step = next(a for a in document.session.artifacts if a.kind is Kind.STEP)
+    document.reject([step.id])
+    assert scene.seen.damage()[take.index("LWRA")] == 0
+
+
+def test_looks_are_chosen_in_the_menu_and_remembered(scene, document, qtbot):
+    menu = scene.buttons.menu
+    menu.popup(QPoint(20, 20))
+    action = next(a for a in menu.actions() if a.text() == "Coloured by damage")
+    qtbot.mouseClick(menu, Qt.MouseButton.LeftButton, pos=menu.actionGeometry(action).center())
+    assert scene.looks.colours == "damage"
+    menu.popup(QPoint(20, 20))
+    action = next(a for a in menu.actions() if a.text() == "Y")
+    qtbot.mouseClick(menu, Qt.MouseButton.LeftButton, pos=menu.actionGeometry(action).center())
+    assert scene.stage.up == 1
+    other = Scene(document)
+    qtbot.addWidget(other)
+    assert other.looks.colours == "damage"
+
+
+def sweep(qtbot, scene, points, held=Qt.KeyboardModifier.NoModifier):
+    """Drag along points with the left button."""
+    left = Qt.MouseButton.LeftButton
+    qtbot.mousePress(scene, left, held, points[0])
+    for at in points[1:]:
+        move(scene, QPointF(at), left, held)
+    qtbot.mouseRelease(scene, left, held, points[-1])
+
+
+def test_a_box_selects_and_ctrl_adds(scene, document, qtbot):
+    qtbot.mouseClick(scene.buttons.box, Qt.MouseButton.LeftButton)
+    camera, at = scene.camera, place(scene, document, "LELB")
+    sweep(qtbot, scene, [at - QPoint(9, 9), at, at + QPoint(9, 9)])
+    assert scene.camera == camera
+    inside = set(document.shown)
+    assert "LELB" in inside
+    for name in document.session.original.labels:
+        spot = place(scene, document, name)
+        near = max(abs(spot.x() - at.x()), abs(spot.y() - at.y()))
+        assert near == 9 or (name in inside) == (near < 9)
+    other = place(scene, document, "STRN")
+    sweep(
+        qtbot,
+        scene,
+        [other - QPoint(5, 5), other, other + QPoint(5, 5)],
+        Qt.KeyboardModifier.ControlModifier,
+    )
+    assert inside | {"STRN"} <= set(document.shown)
+    scene.setFocus()
+    qtbot.keyClick(scene, Qt.Key.Key_Escape)
+    assert scene.buttons.tool == ""
+    drag(qtbot, scene, QPoint(40, 0))
+    assert scene.camera != camera
+
+
+def test_a_lasso_selects_what_it_goes_round(scene, document, qtbot):
+    qtbot.mouseClick(scene.buttons.box, Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(scene.buttons.lasso, Qt.MouseButton.LeftButton)
+    assert scene.buttons.tool == "lasso"
+    at = place(scene, document, "T10")
+    ring = [QPoint(12, 0), QPoint(0, 12), QPoint(-12, 0), QPoint(0, -12), QPoint(12, 0)]
+    sweep(qtbot, scene, [at + step for step in ring])
+    assert "T10" in document.shown
+    gap = Outline("lasso", [QPointF(0, 0), QPointF(10, 0), QPointF(0, 10)])
+    found = gap.holds(np.array([[2.0, 2.0], [9.0, 9.0], [np.nan, np.nan]]))
+    assert found.tolist() == [True, False, False]
+
+
+def test_an_empty_box_changes_nothing(scene, document, qtbot):
+    document.show(["CLAV"])
+    qtbot.mouseClick(scene.buttons.box, Qt.MouseButton.LeftButton)
+    sweep(qtbot, scene, [QPoint(3, 3), QPoint(8, 8), QPoint(12, 12)])
+    assert document.shown == ("CLAV",)

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from markermend.artifact import Artifact, Kind
+from markermend.artifact import Artifact, Kind, Status
 from markermend.errors import Cancelled
-from markermend.heat import LEAST_SHARE, body_residuals, missing_share, worst
+from markermend.heat import LEAST_SHARE, body_residuals, damage_share, missing_share, worst
 from markermend.simulation import simulate_clean
 from markermend.take import Origin, Take
 
@@ -72,3 +72,15 @@ def test_residuals_can_be_cancelled(person: Take) -> None:
 
     with pytest.raises(Cancelled):
         body_residuals(person, progress=stop)
+
+
+def test_damage_is_what_is_missing_or_open() -> None:
+    positions = np.zeros((100, 3, 3))
+    positions[:20, 0] = np.nan
+    found = (
+        Artifact("A", "xyz", 10, 30, Kind.GAP, 1.0),
+        Artifact("B", "x", 50, 60, Kind.STEP, 1.0),
+        Artifact("B", "x", 70, 80, Kind.STEP, 1.0).with_status(Status.REJECTED),
+    )
+    share = damage_share(Take(positions, ("A", "B", "C"), 100.0), found)
+    np.testing.assert_allclose(share, [0.3, 0.1, 0.0])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from markermend.measures import acceleration, distance, measure_lengths, speed
+from markermend.measures import acceleration, differing, distance, measure_lengths, speed
 
 RATE = 100.0
 
@@ -60,6 +60,14 @@ def test_a_spike_stands_out_in_acceleration() -> None:
 def test_distance_knows_what_is_missing() -> None:
     a, b = np.zeros((3, 3)), np.array([[3.0, 4, 0], [0, 0, 2], [np.nan] * 3])
     np.testing.assert_array_equal(distance(a, b), [5.0, 2.0, np.nan])
+
+
+def test_versions_differ_where_values_do_or_one_is_missing() -> None:
+    a = np.zeros((4, 3))
+    b = a.copy()
+    a[1:3], b[2:4, :] = np.nan, np.nan
+    b[0, 2] = 1e-3
+    assert differing(a, b).tolist() == [True, True, False, True]
 
 
 def test_lengths_off_are_found_and_only_these() -> None:

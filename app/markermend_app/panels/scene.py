@@ -7,17 +7,26 @@ from dataclasses import replace
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QContextMenuEvent, QMouseEvent, QPainter, QPaintEvent, QWheelEvent
-from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtGui import (
+    QContextMenuEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QHBoxLayout, QMenu, QWidget
 
-from markermend.arrays import FloatArray, IntArray
-from markermend.artifact import Kind, Status, axis_columns
-from markermend.take import is_unlabelled
+from markermend.arrays import FloatArray
+from markermend.measures import differing
 from markermend_app import theme
 from markermend_app.document import Document
 from markermend_app.panels import scene_paint as paint
-from markermend_app.panels.naming import short_names
+from markermend_app.panels.scene_buttons import SceneButtons
 from markermend_app.panels.scene_camera import Camera
+from markermend_app.panels.scene_looks import Looks, marker_colours
+from markermend_app.panels.scene_seen import Seen
+from markermend_app.panels.scene_select import Outline
 from markermend_app.panels.scene_stage import Stage, centre_at, set_stage
 
 PICK_PX = 14.0
@@ -34,7 +43,8 @@ class Scene(QWidget):
 
     Left drag turns, middle, right or Shift drag moves, the wheel zooms, Ctrl drag runs through
     time. A click shows the nearest marker in the plots, with Ctrl beside the others, unless
-    ``pick`` takes it for something else; a double click beside the markers shows everything.
+    ``pick`` takes it for something else; a double click beside the markers shows everything. With
+    the box or the lasso chosen, a left drag shows the markers inside, with Ctrl beside the others.
     """
 
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
@@ -44,11 +54,10 @@ class Scene(QWidget):
         self.pick: Callable[[str], bool] = lambda marker: False
         self.stage: Stage | None = None
         self._vertical: int | None = None
-        self._links: IntArray = np.zeros((0, 2), dtype=np.int64)
-        self._radius: FloatArray = np.zeros(0)
-        self._names: Mapping[str, str] = {}
-        self._open: list[tuple[int, int, int, Kind]] = []
-        self._starts, self._stops = np.zeros(0, np.int64), np.zeros(0, np.int64)
+        self.looks = Looks()
+        self.before = False
+        self.seen = Seen(document)
+        self._outline: Outline | None = None
         self._followed: FloatArray | None = None
         self._at: FloatArray = np.zeros((0, 2))
         self._pressed: QPointF | None = None
@@ -62,7 +71,7 @@ class Scene(QWidget):
 
         document.opened.connect(self._opened)
         document.mesh_changed.connect(self._link)
-        document.artifacts_changed.connect(self._take_artifacts)
+        document.artifacts_changed.connect(self._redraw)
         document.frame_changed.connect(self._frame_changed)
         for signal in (
             document.data_changed,
@@ -71,8 +80,7 @@ class Scene(QWidget):
             document.shown_changed,
         ):
             signal.connect(self._redraw)
-        theme.watcher.changed.connect(self._recolour)
-        self._recolour()
+        theme.watcher.changed.connect(self.update)
         self._opened()
 
     def sizeHint(self) -> QSize:
@@ -81,30 +89,21 @@ class Scene(QWidget):
 
     def _make_buttons(self) -> None:
         """The column of buttons in the upper right corner."""
-        self.fit = self._button(self.tr("Show everything (double click)"), self.reset, False)
-        self.follow = self._button(self.tr("Keep the body in the middle"), self._follow_toggled)
-        self.follow.setChecked(True)
-        self.trails = self._button(self.tr("Trails of all markers"), self.update)
-        self.labels = self._button(self.tr("Names of all markers"), self.update)
-        column = QVBoxLayout()
-        column.setSpacing(0)
-        for button in (self.fit, self.follow, self.trails, self.labels):
-            column.addWidget(button)
-        column.addStretch(1)
+        self.buttons = SceneButtons(self)
+        self.follow, self.trails = self.buttons.follow, self.buttons.trails
+        self.labels, self.fit = self.buttons.labels, self.buttons.fit
+        self.buttons.fit_wanted.connect(self.reset)
+        self.buttons.follow_changed.connect(self._follow_toggled)
+        self.buttons.changed.connect(self.update)
+        self.buttons.menu.aboutToShow.connect(lambda: self._fill(self.buttons.menu))
         row = QHBoxLayout(self)
         row.setContentsMargins(4, 4, 4, 4)
         row.addStretch(1)
-        row.addLayout(column)
+        row.addWidget(self.buttons, 0, Qt.AlignmentFlag.AlignTop)
 
-    def _button(self, tip: str, do: Callable[[], object], checkable: bool = True) -> QToolButton:
-        button = QToolButton(self)
-        button.setToolTip(tip)
-        button.setAccessibleName(tip)
-        button.setCheckable(checkable)
-        button.setCursor(Qt.CursorShape.ArrowCursor)
-        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        button.clicked.connect(lambda _=False: do())
-        return button
+    def _fill(self, menu: QMenu) -> None:
+        """Offer what can be seen."""
+        self.looks.fill(menu, self._vertical, self.set_vertical, self.update)
 
     # What is seen
 
@@ -116,6 +115,11 @@ class Scene(QWidget):
                 self.camera = self.camera.zoomed(BODY * self.stage.size / self.stage.radius)
                 self._followed = None
                 self._keep_up()
+        self.update()
+
+    def set_before(self, before: bool) -> None:
+        """Show the samples as they were in the file, or as they stand."""
+        self.before = before
         self.update()
 
     def set_vertical(self, axis: int | None) -> None:
@@ -130,62 +134,22 @@ class Scene(QWidget):
         """Another take, or none."""
         session = self._document.session
         self.stage, self._followed, self._vertical = None, None, None
-        for button in (self.fit, self.follow, self.trails, self.labels):
-            button.setVisible(session is not None)
+        self.buttons.setVisible(session is not None)
+        self.buttons.drop_tool()
+        self._outline = None
         if session is not None:
             take = session.original
             self.stage = set_stage(take)
             self.camera = Camera()
-            self._link()
-            small = np.array([is_unlabelled(label) for label in take.labels], dtype=bool)
-            body = min(RADIUS_MM, 0.008 * self.stage.size)
-            self._names = short_names(take.labels)
-            self._radius = np.where(small, 0.5 * body, body)
+            self.seen.take_over(take, min(RADIUS_MM, 0.008 * self.stage.size))
             self.reset()
-        self._take_artifacts()
+        self.seen.forget()
+        self.update()
 
     def _link(self) -> None:
         """Join the markers that move together."""
-        mesh = self._document.mesh
-        links = () if mesh is None else mesh.links
-        self._links = np.array(links, dtype=np.int64).reshape(-1, 2)
+        self.seen.link()
         self.update()
-
-    def _take_artifacts(self) -> None:
-        """Remember which frames of which markers are flagged and undecided."""
-        session = self._document.session
-        found = () if session is None else session.with_status(Status.PENDING)
-        self._open = [
-            (a.start, a.stop, session.original.index(a.marker), a.kind)
-            for a in found
-            if session is not None
-        ]
-        self._starts = np.array([a[0] for a in self._open], dtype=np.int64)
-        self._stops = np.array([a[1] for a in self._open], dtype=np.int64)
-        self.update()
-
-    def rings(self) -> dict[int, Kind]:
-        """Class of the open artifact each marker's column is in, at the current frame."""
-        frame = self._document.frame
-        hit = np.flatnonzero((self._starts <= frame) & (frame < self._stops))
-        return {self._open[i][2]: self._open[i][3] for i in hit.tolist()}
-
-    def ghost(self) -> tuple[str, FloatArray, int] | None:
-        """Marker, (frames, 3) way of the previewed repair and the first frame of that way."""
-        artifact, proposal, session = (
-            self._document.current,
-            self._document.proposal,
-            self._document.session,
-        )
-        if artifact is None or session is None or proposal is None:
-            return None
-        patch = next((p for p in proposal.patches if p.marker == artifact.marker), None)
-        if patch is None:
-            return None
-        column = session.original.index(patch.marker)
-        way = session.positions[patch.start : patch.stop, column].copy()
-        way[:, axis_columns(patch.axes)] = patch.values
-        return patch.marker, way, patch.start
 
     def paintEvent(self, _: QPaintEvent) -> None:
         """Paint the frame."""
@@ -201,14 +165,19 @@ class Scene(QWidget):
             return
         sight = paint.Sight(painter, self.camera, self.width(), self.height())
         frame, take = self._document.frame, session.original
-        positions = session.positions
+        positions, others = session.positions, take.positions
+        if self.before:
+            positions, others = others, positions
         now = positions[frame]
         shown = {take.index(s): i for i, s in enumerate(self._document.shown) if s in take}
         paint.paint_floor(sight, self.stage)
         self._paint_trails(sight, positions, shown)
-        paint.paint_links(sight, now, self._links, theme.blend(t.plot, t.muted, 0.6), 1.6)
-        plain = theme.blend(t.plot, t.text, 0.62)
-        discs = paint.Discs(now, self._radius, shown, self.rings(), plain)
+        self._paint_body(sight, now)
+        if self.looks.ghost:
+            self._paint_other(sight, positions, others, shown)
+        damage = self.seen.damage() if self.looks.colours == "damage" else np.zeros(0)
+        colours = marker_colours(self.looks, take.markers, self._document.mesh, damage)
+        discs = paint.Discs(now, self.seen.radius, shown, self.seen.rings(), colours)
         self._at = paint.paint_discs(sight, discs)
         spots = self._paint_ghost(sight, now)
         followed = [take.index(s) for s in self._document.preview.references]
@@ -216,23 +185,55 @@ class Scene(QWidget):
         named = list(dict.fromkeys([*list(shown)[:MANY_LABELS], *followed]))
         if self.labels.isChecked():
             named += [i for i in range(take.markers) if i not in named]
-        names = [(i, self._names[take.labels[i]]) for i in named]
+        names = [(i, self.seen.names[take.labels[i]]) for i in named]
         paint.paint_labels(sight, spots, names)
         paint.paint_triad(sight)
         unit = self.stage.unit
         text = f"{unit / 1000:g} m" if unit >= 100 else f"{unit:g} mm"
         paint.paint_note(sight, self.tr("One square: {0}").format(text))
+        if self.before:
+            paint.paint_title(sight, self.tr("Before repair"))
+        if self._outline is not None:
+            self._outline.paint(painter)
+
+    def _paint_body(self, sight: paint.Sight, now: FloatArray) -> None:
+        """Paint the segments; those of the wrong length in red."""
+        t, off = theme.current(), self.seen.off(now) & self.looks.lengths
+        plain = theme.blend(t.plot, t.muted, 0.6)
+        paint.paint_links(sight, now, self.seen.links[~off], plain, 1.6)
+        paint.paint_links(sight, now, self.seen.links[off], t.axes["x"], 2.4)
+
+    def _paint_other(
+        self,
+        sight: paint.Sight,
+        positions: FloatArray,
+        others: FloatArray,
+        shown: Mapping[int, int],
+    ) -> None:
+        """Paint the other version, before or after the repairs, where it differs."""
+        frame = self._document.frame
+        near = slice(*self._near(len(positions)))
+        color = theme.blend(theme.current().original, theme.current().text, 0.2)
+        for column in shown:
+            mine, other = positions[near, column], others[near, column]
+            way = np.where(differing(mine, other)[:, None], other, np.nan)
+            paint.paint_trails(sight, way[None], color, 1.2, Qt.PenStyle.DotLine)
+        now, other = positions[frame], others[frame]
+        apart = differing(now, other)
+        paint.paint_other(sight, now[apart], other[apart], color)
+
+    def _near(self, frames: int) -> tuple[int, int]:
+        """First frame and the one after the last of what trails show."""
+        session = self._document.session
+        rate = 100.0 if session is None else session.original.rate
+        reach, frame = max(2, round(TRAIL_S * rate)), self._document.frame
+        return max(0, frame - reach), min(frames, frame + reach + 1)
 
     def _paint_trails(
         self, sight: paint.Sight, positions: FloatArray, shown: dict[int, int]
     ) -> None:
         """Paint where markers come from and go to."""
-        session = self._document.session
-        if session is None:
-            return
-        reach = max(2, round(TRAIL_S * session.original.rate))
-        frame = self._document.frame
-        near = positions[max(0, frame - reach) : frame + reach + 1]
+        near = positions[slice(*self._near(len(positions)))]
         if self.trails.isChecked():
             color = theme.faded(theme.current().muted, 0.5)
             paint.paint_trails(sight, near.transpose(1, 0, 2), color, 1.0)
@@ -245,7 +246,7 @@ class Scene(QWidget):
 
         Returns (markers, 2) pixels where names stand: a missing marker's at its proposed place.
         """
-        ghost, session = self.ghost(), self._document.session
+        ghost, session = self.seen.ghost(), self._document.session
         if ghost is None or session is None:
             return self._at
         marker, way, start = ghost
@@ -277,6 +278,9 @@ class Scene(QWidget):
         self._pressed = self._last = event.position()
         self._dragged = False
         self._scrub_from = self._document.frame
+        self.setFocus(Qt.FocusReason.MouseFocusReason)
+        if self.buttons.tool and event.button() == Qt.MouseButton.LeftButton:
+            self._outline = Outline(self.buttons.tool, [event.position()])
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Turn, move, or run through time."""
@@ -290,6 +294,10 @@ class Scene(QWidget):
         step = event.position() - self._last
         self._last = event.position()
         held, buttons = event.modifiers(), event.buttons()
+        if self._outline is not None:
+            self._outline.points.append(event.position())
+            self.update()
+            return
         if held & Qt.KeyboardModifier.ControlModifier:
             frames = whole.x() * SCRUB_S_PER_PX * session.original.rate
             self._document.go_to(self._scrub_from + round(frames))
@@ -300,9 +308,12 @@ class Scene(QWidget):
         self.update()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """Show the marker that was clicked."""
+        """Show the marker that was clicked, or those in the outline."""
         clicked = self._pressed is not None and not self._dragged
-        self._pressed = None
+        outline, self._pressed, self._outline = self._outline, None, None
+        if outline is not None and self._dragged:
+            self._show_inside(outline, event.modifiers())
+            return
         if not clicked or event.button() != Qt.MouseButton.LeftButton:
             return
         marker = self.marker_at(event.position())
@@ -316,6 +327,18 @@ class Scene(QWidget):
         else:
             self._document.show([*shown, marker])
 
+    def _show_inside(self, outline: Outline, held: Qt.KeyboardModifier) -> None:
+        """Show the markers inside an outline, with Ctrl beside the others."""
+        session = self._document.session
+        self.update()
+        if session is None:
+            return
+        labels = session.original.labels
+        inside = [labels[i] for i in np.flatnonzero(outline.holds(self._at)).tolist()]
+        before = self._document.shown if held & Qt.KeyboardModifier.ControlModifier else ()
+        if inside:
+            self._document.show((*before, *inside))
+
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Show everything when nothing was hit."""
         if event.button() == Qt.MouseButton.LeftButton and self.marker_at(event.position()) is None:
@@ -328,23 +351,22 @@ class Scene(QWidget):
         event.accept()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """Offer the vertical axis, unless the right button was used to move."""
+        """Offer what can be seen, unless the right button was used to move."""
         if self._dragged or self.stage is None:
             return
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        menu.addSection(self.tr("Axis that points up"))
-        for text, axis in (
-            (self.tr("As the take suggests"), None),
-            ("X", 0),
-            ("Y", 1),
-            ("Z", 2),
-        ):
-            action = menu.addAction(text)
-            action.setCheckable(True)
-            action.setChecked(self._vertical == axis)
-            action.triggered.connect(lambda _=False, axis=axis: self.set_vertical(axis))
+        self._fill(menu)
         menu.popup(event.globalPos())
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Esc lets the selecting tool go."""
+        if event.key() == Qt.Key.Key_Escape and self.buttons.tool:
+            self.buttons.drop_tool()
+            self._outline = None
+            self.update()
+        else:
+            super().keyPressEvent(event)
 
     # Following the document
 
@@ -373,14 +395,5 @@ class Scene(QWidget):
         self._followed = centre
 
     def _redraw(self, *_: object) -> None:
-        self.update()
-
-    def _recolour(self) -> None:
-        for button, name in (
-            (self.fit, "frame"),
-            (self.follow, "body"),
-            (self.trails, "trail"),
-            (self.labels, "labels"),
-        ):
-            button.setIcon(theme.icon(name))
+        self.seen.forget()
         self.update()

@@ -58,6 +58,22 @@ def paint_links(
         _paint_segments(sight, positions[links[:, 0]], positions[links[:, 1]], color, width)
 
 
+def paint_other(sight: Sight, now: FloatArray, other: FloatArray, color: QColor) -> None:
+    """Draw where markers are in the other version: hollow, tied to where they are in this one.
+
+    Parameters
+    ----------
+    now, other : (n, 3) mm; NaN where a version has no sample
+    """
+    _paint_segments(sight, now, other, color, 1.0)
+    painter = sight.painter
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setPen(_pen(color, 1.6))
+    at = sight.project(other)
+    for x, y in at[~np.isnan(at[:, 0])].tolist():
+        painter.drawEllipse(QPointF(x, y), 5.0, 5.0)
+
+
 def _paint_segments(
     sight: Sight, start: FloatArray, stop: FloatArray, color: QColor, width: float
 ) -> None:
@@ -96,14 +112,14 @@ class Discs:
     radius : (markers,) mm
     shown : column to its place among the shown markers
     rings : column to the class of an open artifact that covers the frame
-    plain : colour of the others
+    colours : of each marker, unless it is shown
     """
 
     positions: FloatArray
     radius: FloatArray
     shown: Mapping[int, int]
     rings: Mapping[int, Kind]
-    plain: QColor
+    colours: Sequence[QColor]
 
 
 def paint_discs(sight: Sight, discs: Discs) -> FloatArray:
@@ -123,7 +139,7 @@ def paint_discs(sight: Sight, discs: Discs) -> FloatArray:
         centre, r = QPointF(at[column, 0], at[column, 1]), float(radius[column])
         place = discs.shown.get(column)
         painter.setPen(edge)
-        painter.setBrush(discs.plain if place is None else theme.marker_color(place))
+        painter.setBrush(discs.colours[column] if place is None else theme.marker_color(place))
         r = r if place is None else max(r * 1.35, 4.5)
         painter.drawEllipse(centre, r, r)
         kind = discs.rings.get(column)
@@ -208,6 +224,14 @@ def paint_note(sight: Sight, text: str) -> None:
     painter.setPen(theme.current().muted)
     box = QRectF(0, sight.height - 24, sight.width - 8, 20)
     painter.drawText(box, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, text)
+
+
+def paint_title(sight: Sight, text: str) -> None:
+    """Write a line in the upper left corner."""
+    painter = sight.painter
+    painter.setFont(_font(painter, QFont.Weight.DemiBold))
+    painter.setPen(theme.current().muted)
+    painter.drawText(QPointF(10, 20), text)
 
 
 def _pen(color: QColor, width: float, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> QPen:

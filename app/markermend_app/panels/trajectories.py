@@ -243,7 +243,7 @@ class TrajectoryPanel(QWidget):
             self._show_sweep()
             self._show_afresh(*self._view)
         self.show_current()
-        self._show_readout(self.document.frame)
+        self.cross.read_out(self.document.frame)
 
     def _drawn(self, name: str) -> Shown:
         """A marker as the rows draw it."""
@@ -337,7 +337,7 @@ class TrajectoryPanel(QWidget):
             # Going on, most of what is ahead comes into view; a jump lands in the middle.
             share = 0.1 if high < frame < high + span else 0.5
             self.set_view(frame - share * span, frame + (1 - share) * span)
-        self._show_readout(frame)
+        self.cross.read_out(frame)
 
     def _frame(self, start: int, stop: int) -> None:
         """Bring an interval into view with some of its surroundings."""
@@ -360,10 +360,6 @@ class TrajectoryPanel(QWidget):
         """Take the crosshair away with the mouse."""
         self.cross.leave()
         super().leaveEvent(event)
-
-    def _show_readout(self, frame: int) -> None:
-        """Say what stands where the cursor is."""
-        self.cross.read_out(frame)
 
     # Looks
 
