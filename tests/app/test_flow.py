@@ -1,0 +1,83 @@
+"""A review that flows: a hundred artifacts with the keyboard alone, one key each."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from markermend.artifact import Artifact, Kind, Status
+from markermend.take import Take
+
+WAIT = 20_000
+CTRL = Qt.KeyboardModifier.ControlModifier
+MOST_KEYS_EACH = 1.2
+
+
+@pytest.fixture
+def hundred(review, damaged):
+    """The window on a take with a hundred peaks."""
+    take = damaged[0]
+    positions = np.nan_to_num(take.positions, nan=0.0).copy()
+    positions[60:90, 0] = take.positions[59, 0]
+    found = []
+    for i in range(100):
+        marker, at = take.labels[i % 8], 5 + 30 * (i // 8) + i % 8
+        size = 15.0 + i % 11
+        positions[at, i % 8, i % 3] += size
+        found.append(Artifact(marker, "xyz"[i % 3], at, at + 1, Kind.PEAK, 0.9, size))
+    return review(Take(positions, take.labels, take.rate), found)
+
+
+def test_a_hundred_artifacts_take_one_key_each_and_no_mouse(hundred, qtbot):
+    document = hundred.document
+    sizes, keys = [], 0
+    before = document.session.positions.copy()
+    while document.session.with_status(Status.PENDING):
+        current = document.current
+        assert current.status is Status.PENDING
+        low, high = hundred.trajectories.rows[0].view.viewRange()[0]
+        assert low < current.start < current.stop < high
+        sizes.append(current.amplitude_mm)
+        # A hand decides as it sees fit; most are repaired.
+        key = (Qt.Key.Key_R, Qt.Key.Key_A, *[Qt.Key.Key_F] * 8)[keys % 10]
+        qtbot.keyClick(hundred, key)
+        keys += 1
+        # F is remembered until the repair is there, and then it moves on by itself.
+        qtbot.waitUntil(
+            lambda had=current.id: document.session.artifact(had).status is not Status.PENDING,
+            timeout=WAIT,
+        )
+        assert keys <= 100 * MOST_KEYS_EACH
+    assert keys == 100
+    assert sizes == sorted(sizes, reverse=True)
+    assert len(document.session.with_status(Status.REPAIRED)) == 80
+    assert len(document.session.history) == 101
+    for _ in range(100):
+        qtbot.keyClick(hundred, Qt.Key.Key_Z, CTRL)
+    assert np.array_equal(document.session.positions, before)
+    assert len(document.session.with_status(Status.PENDING)) == 100
+
+
+def test_the_first_is_framed_closely_with_its_repair_and_band(hundred, qtbot):
+    document, rows = hundred.document, hundred.trajectories.rows
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    low, high = rows[0].view.viewRange()[0]
+    assert high - low < 0.6 * document.session.original.rate
+    row = rows["xyz".index(document.current.axes)]
+    assert row.proposed
+
+
+def test_a_held_key_that_repeats_itself_keeps_the_comparison_open(hundred, qtbot):
+    comparison = hundred.comparison
+    QTest.keyPress(hundred, Qt.Key.Key_C)
+    for kind in (QEvent.Type.KeyRelease, QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress) * 3:
+        none = Qt.KeyboardModifier.NoModifier
+        event = QKeyEvent(kind, Qt.Key.Key_C, none, "c", True)
+        QApplication.sendEvent(hundred, event)
+        assert comparison.shown
+    QTest.keyRelease(hundred, Qt.Key.Key_C)
+    assert not comparison.shown
