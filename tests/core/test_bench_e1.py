@@ -5,6 +5,8 @@ from __future__ import annotations
 import csv
 import io
 import json
+import re
+import xml.etree.ElementTree as ET
 
 import numpy as np
 import pytest
@@ -13,6 +15,7 @@ from markermend.artifact import Artifact, Kind
 from markermend.artifact_json import document
 from markermend.bench.confusion import CLASSES, Confusion, class_map, confuse
 from markermend.bench.e1 import COMPANIONS, Clean, e1
+from markermend.bench.e1_svg import e1_figures, figure_names
 from markermend.bench.e1_text import e1_csv, e1_table
 from markermend.bench.events import count_events
 from markermend.cli import main
@@ -152,6 +155,27 @@ def test_table_and_csv_hold_every_setting(performer):
     text = "\n".join(e1_table(rows))
     assert "performer, paper, 10%, 5 mm, 1 simulations" in text
     assert "untouched" in text
+
+
+def test_figures_hold_every_matrix_and_calibration(performer):
+    shares, amplitudes = [0.05, 0.1], [5.0]
+    rows = e1(
+        [Clean("a take", performer)],
+        methods=["paper", "hampel 15"],
+        params={"paper": PaperParams(slow=False)},
+        shares=shares,
+        amplitudes_mm=amplitudes,
+        simulations=1,
+        n_jobs=1,
+    )
+    figures = e1_figures(rows)
+    assert set(figures) == set(figure_names(["a take"], shares, amplitudes))
+    shown = list(ET.fromstring(figures["a_take-10-5mm.svg"]).itertext())
+    assert {"paper", "hampel 15", "outlier"} <= set(shown)
+    cells = [float(text) for text in shown if re.fullmatch(r"[0-9.]+", text)]
+    assert len(cells) == 2 * 5 * 6
+    assert sum(cells) == pytest.approx(2 * 5 * 100.0, abs=3.0)
+    assert "perfect" in "".join(ET.fromstring(figures["calibration.svg"]).itertext())
 
 
 def test_unknown_methods_are_named():

@@ -116,6 +116,6 @@ def _matrix(row: E1Row) -> str:
                 f'<rect x="{_LEFT + j * _CELL:g}" y="{y:g}" width="{_CELL:g}" height="{_CELL:g}" '
                 f'fill="#{shade}" stroke="#ddd"/>'
                 f'<text x="{_LEFT + (j + 0.5) * _CELL:g}" y="{y + 27:g}" text-anchor="middle" '
-                f'fill="{ink}">{100 * share:.4g}</text>'
+                f'fill="{ink}">{100 * share:.1f}</text>'
             )
     return "".join(parts)
