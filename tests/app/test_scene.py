@@ -17,13 +17,14 @@ from markermend.patch import Patch
 from markermend.repairs.registry import Repair
 from markermend.session_file import open_session
 from markermend.take import Take
+from markermend.vertical import vertical_axis
 from markermend_app import theme
 from markermend_app.document import Document
 from markermend_app.panels.scene import Scene
 from markermend_app.panels.scene_camera import Camera
 from markermend_app.panels.scene_looks import marker_colours
 from markermend_app.panels.scene_select import Outline
-from markermend_app.panels.scene_stage import set_stage, vertical_axis
+from markermend_app.panels.scene_stage import set_stage
 
 
 @pytest.fixture

@@ -12,6 +12,7 @@ import numpy as np
 from markermend.arrays import FloatArray
 from markermend.files.axes import vertical_of
 from markermend.take import AXES, Take, is_unlabelled
+from markermend.vertical import vertical_axis
 from markermend_app.panels.scene_camera import FOV, Camera
 
 _SAMPLED = 200
@@ -47,31 +48,6 @@ class Stage:
         distance = 1.25 * max(self.radius, 10.0) / math.tan(FOV / 2)
         base = last if last is not None else Camera()
         return replace(base, target=(x, y, z), distance=distance, up=self.up)
-
-
-def vertical_axis(positions: FloatArray) -> int:
-    """Guess which axis points up.
-
-    A standing body is longest along it, moves about least along it, and rarely gets below zero.
-    X is hardly ever vertical in practice, so it must win clearly.
-
-    Parameters
-    ----------
-    positions : (frames, markers, 3) mm, NaN = missing
-    """
-    points = _sample(positions)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", RuntimeWarning)
-        extent = np.nanpercentile(np.nanmax(points, axis=1) - np.nanmin(points, axis=1), 50, axis=0)
-        centre = np.nanpercentile(points, 50, axis=1)
-        travel = np.nanpercentile(centre, 95, axis=0) - np.nanpercentile(centre, 5, axis=0)
-        lowest = np.nanpercentile(points.reshape(-1, 3), 1, axis=0)
-    if not np.isfinite(extent).all():
-        return 2
-    score = extent - 0.5 * travel + np.where(lowest > -0.1 * extent, 0.3 * extent, 0.0)
-    score[0] -= 0.3 * abs(score[0])
-    # Ties go to Z, the axis most systems use.
-    return int(2 - np.argmax(score[::-1]))
 
 
 def set_stage(take: Take, up: int | None = None) -> Stage:

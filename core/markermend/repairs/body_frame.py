@@ -12,8 +12,10 @@ STRIDE = 4
 # A reference that would cost more than this share of the frames to learn from is passed over; the
 # second holds where there are fewer than three otherwise.
 LOSS, MOST_LOSS = 0.2, 0.8
-# Spreads below these make no difference: to what holds the frame, and to what describes the pose.
-RIGID_MM, NEAR_MM = 1.0, 3.0
+# Spreads below this make no difference to what holds the frame.
+RIGID_MM = 1.0
+# Frames from which the typical pose of a cloud is taken.
+TYPICAL = 100
 
 
 def rank_references(
@@ -81,34 +83,51 @@ def pick_references(ranked: IntArray, seen: BoolArray, marker: int, count: int) 
     return np.array(picked, dtype=np.int64)
 
 
-def align(points: FloatArray, spread: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Find the frame that moves with a cloud of points, by weighted orthogonal Procrustes.
+def holding(spread: FloatArray) -> FloatArray:
+    """Weights that let the markers rigid to one marker hold its frame alone.
 
-    A point's weight falls with the fourth power of its spread: points that are rigid to the
-    marker hold the frame alone, and where there are none all the nearest share in it.
+    They fall with the fourth power of the spread; where none is rigid the nearest share in it.
+
+    Parameters
+    ----------
+    spread : (points,) of each point's distance to the marker, mm
+    """
+    return np.asarray(1.0 / (spread**2 + RIGID_MM**2) ** 2)
+
+
+def nearest(spread: FloatArray, count: int) -> FloatArray:
+    """Weights that let the first `count` points hold a frame alike, and no other."""
+    return np.asarray(np.arange(len(spread)) < count, dtype=np.float64)
+
+
+def align(points: FloatArray, weight: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Find the frame that moves with a cloud of points, by weighted orthogonal Procrustes.
 
     Parameters
     ----------
     points : (frames, points, 3), mm, nothing missing
-    spread : (points,) of each point's distance to the marker, mm
+    weight : (points,) how much each point holds the frame; at least three above zero
 
     Returns
     -------
     rotation : (frames, 3, 3); ``(p - centre) @ rotation`` is a point in the moving frame
     centre : (frames, 3), mm
     """
-    weight = 1.0 / (spread**2 + RIGID_MM**2) ** 2
-    weight = weight / weight.sum()
-    centre = np.einsum("fki,k->fi", points, weight)
+    held = weight > 0
+    points, weight = points[:, held], weight[held] / weight.sum()
+    centre = np.asarray(weight @ points.transpose(1, 0, 2).reshape(len(weight), -1)).reshape(-1, 3)
     around = points - centre[:, None]
-    pose = around[len(around) // 2]
-    for _ in range(2):
-        # Matrix products over all frames at once are several times faster than einsum.
-        u, _, vt = np.linalg.svd(around.transpose(0, 2, 1) @ (weight[:, None] * pose))
-        u[:, :, 2] *= np.sign(np.linalg.det(u @ vt))[:, None]
-        rotation = u @ vt
-        pose = np.mean(around @ rotation, axis=0)
-    return rotation, centre
+    some = around[:: max(1, len(around) // TYPICAL)]
+    pose = np.mean(some @ _turn(some, weight, some[len(some) // 2]), axis=0)
+    return _turn(around, weight, pose), centre
+
+
+def _turn(around: FloatArray, weight: FloatArray, pose: FloatArray) -> FloatArray:
+    """(frames, 3, 3) rotations that bring a centred cloud nearest to a pose, frame by frame."""
+    # Matrix products over all frames at once are several times faster than einsum.
+    u, _, vt = np.linalg.svd(around.transpose(0, 2, 1) @ (weight[:, None] * pose))
+    u[:, :, 2] *= np.sign(np.linalg.det(u @ vt))[:, None]
+    return np.asarray(u @ vt)
 
 
 def to_frame(points: FloatArray, rotation: FloatArray, centre: FloatArray) -> FloatArray:
@@ -119,24 +138,3 @@ def to_frame(points: FloatArray, rotation: FloatArray, centre: FloatArray) -> Fl
 def to_lab(points: FloatArray, rotation: FloatArray, centre: FloatArray) -> FloatArray:
     """(frames, 3) positions in the moving frame, back in the lab."""
     return np.asarray(np.einsum("fj,fij->fi", points, rotation) + centre)
-
-
-def describe_pose(points: FloatArray, spread: FloatArray) -> FloatArray:
-    """Describe the pose of the references: where each is, the nearest weighing most.
-
-    Parameters
-    ----------
-    points : (frames, points, 3) in the moving frame, mm
-    spread : (points,) of each point's distance to the marker, mm
-
-    Returns
-    -------
-    (frames, 3 * points) standardised coordinates times a weight that falls with the spread; their
-    mean square is 1
-    """
-    coordinates = points.reshape(len(points), -1)
-    coordinates = coordinates - coordinates.mean(axis=0)
-    coordinates /= coordinates.std(axis=0) + 1e-6
-    weight = 1.0 / (spread + NEAR_MM)
-    weight /= np.sqrt(np.mean(weight**2))
-    return np.asarray(coordinates * np.repeat(weight, 3))

@@ -9,7 +9,14 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.artifact import Artifact
-from markermend.repairs.body_frame import align, pick_references, rank_references, to_frame, to_lab
+from markermend.repairs.body_frame import (
+    align,
+    holding,
+    pick_references,
+    rank_references,
+    to_frame,
+    to_lab,
+)
 from markermend.repairs.bridge import bridge
 from markermend.repairs.registry import Evidence, Repair, register
 from markermend.repairs.result import make_repair, refuse
@@ -137,7 +144,7 @@ def _from_body(
     cloud = take.positions[posed][:, references]
     rotation = np.tile(np.eye(3), (take.frames, 1, 1))
     centre = np.zeros((take.frames, 3))
-    rotation[posed], centre[posed] = align(cloud, spread)
+    rotation[posed], centre[posed] = align(cloud, holding(spread))
     pose = np.zeros((take.frames, 3 * len(references)))
     pose[posed] = to_frame(cloud, rotation[posed], centre[posed]).reshape(len(cloud), -1)
     pose[posed] -= pose[posed].mean(axis=0)

@@ -1,8 +1,9 @@
 """Where the marker must have been, from the body around it and from its own way in and out.
 
-The marker is seen from a frame that moves with its nearest references. There its place is one
-Gaussian process of the references' pose and of time, conditioned on all frames near the interval
-and on an even sample of the rest of the take.
+The marker is seen from two frames that move with its nearest references: one held by those that
+are rigid to it, one by the nearest four alike. In each its place is a Gaussian process of the
+references' pose and of time, conditioned on all frames near the interval and on an even sample of
+the rest of the take; the two are averaged.
 """
 
 from __future__ import annotations
@@ -16,19 +17,23 @@ from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.artifact import Artifact
 from markermend.repairs.body_frame import (
     align,
-    describe_pose,
+    holding,
+    nearest,
     pick_references,
     rank_references,
     to_frame,
-    to_lab,
 )
-from markermend.repairs.kriging import condition
+from markermend.repairs.kriging import View, condition
+from markermend.repairs.pose import FORCE_S, describe_pose
 from markermend.repairs.registry import Evidence, Repair, register
 from markermend.repairs.result import make_repair, refuse
+from markermend.vertical import up_axis
 
 METHOD = "local_regression"
 # Fewer frames than this cannot tell how the marker follows its body.
 LEAST_FRAMES = 20
+# Markers that hold the second of the two frames from which the marker is seen.
+FRAME_MARKERS = 4
 # How far around the interval the noise is estimated, and its limits.
 NOISE_S = 2.0
 LEAST_NOISE_MM, MOST_NOISE_MM = 0.03, 1.0
@@ -39,7 +44,7 @@ class LocalRegressionParams:
     """How much of body and take the regression looks at."""
 
     references: int = field(
-        default=12, metadata={"min": 3, "max": 60, "help": "Markers whose pose is the input"}
+        default=18, metadata={"min": 3, "max": 60, "help": "Markers whose pose is the input"}
     )
     near_s: float = field(
         default=0.5,
@@ -51,7 +56,7 @@ class LocalRegressionParams:
         },
     )
     samples: int = field(
-        default=300,
+        default=200,
         metadata={"min": 50, "max": 5000, "help": "Frames used from the rest of the take"},
     )
 
@@ -87,20 +92,48 @@ def repair_local_regression(evidence: Evidence, artifact: Artifact, params: Any)
             f"{LEAST_FRAMES} are needed.",
             params,
         )
-    wanted = np.arange(artifact.start, artifact.stop)
-    frames = np.concatenate([known, wanted])
+    frames = np.concatenate([known, np.arange(artifact.start, artifact.stop)])
     cloud = take.positions[frames][:, references]
-    rotation, centre = align(cloud, spread)
-    pose = describe_pose(to_frame(cloud, rotation, centre), spread)
-    learnt, inside = slice(len(known)), slice(len(known), None)
-    own = take.positions[known, marker][:, None]
-    target = to_frame(own, rotation[learnt], centre[learnt])[:, 0]
+    reach = max(1, round(FORCE_S * take.rate))
+    earlier, later = (
+        take.positions[np.clip(frames + step, 0, take.frames - 1)][:, references]
+        for step in (-reach, reach)
+    )
+    # Where a reference is not seen a moment earlier or later, no force is as good as any.
+    force = np.nan_to_num(earlier - 2.0 * cloud + later)
+    own, up = take.positions[known, marker], up_axis(take)
+    views = [
+        _view(cloud, force, own, spread, weight, up)
+        for weight in (holding(spread), nearest(spread, FRAME_MARKERS))
+    ]
     noise = _noise(take.positions[:, marker], seen[:, marker], artifact, take.rate)
     near = _near(known, artifact, take.rate, params)
-    result = condition(frames, take.rate, pose, target, noise, artifact.length, near)
-    values = to_lab(result.mean, rotation[inside], centre[inside])
-    deviation = np.repeat(result.deviation[:, None], 3, axis=1)
-    return make_repair(METHOD, evidence, artifact, values, params, deviation)
+    values, deviation = condition(frames, take.rate, views, noise, artifact.length, near)
+    return make_repair(
+        METHOD, evidence, artifact, values, params, np.repeat(deviation[:, None], 3, axis=1)
+    )
+
+
+def _view(
+    cloud: FloatArray,
+    force: FloatArray,
+    own: FloatArray,
+    spread: FloatArray,
+    weight: FloatArray,
+    up: int,
+) -> View:
+    """Look at references and marker from a frame that is held by some weights."""
+    rotation, centre = align(cloud, weight)
+    pushed = np.einsum("fki,k->fi", force, weight / weight.sum())
+    linear, curved = describe_pose(
+        to_frame(cloud, rotation, centre),
+        spread,
+        rotation[:, up],
+        np.einsum("fi,fij->fj", pushed, rotation),
+    )
+    known = len(own)
+    target = to_frame(own[:, None], rotation[:known], centre[:known])[:, 0]
+    return View(linear, curved, target, rotation, centre)
 
 
 def _too_few_references(artifact: Artifact, count: int) -> str:

@@ -67,7 +67,7 @@ def repair_rigid(evidence: Evidence, artifact: Artifact, params: Any) -> Repair:
         return refuse(METHOD, reason, params)
     cloud = take.positions[posed][:, group]
     rotation, centre = np.zeros((take.frames, 3, 3)), np.zeros((take.frames, 3))
-    rotation[posed], centre[posed] = align(cloud, np.zeros(len(group)))
+    rotation[posed], centre[posed] = align(cloud, np.ones(len(group)))
     width = _width(to_frame(cloud, rotation[posed], centre[posed]).mean(axis=0))
     if width < params.least_width:
         reason = f"The other markers of the group lie on a line, within {width:.0f} mm."
