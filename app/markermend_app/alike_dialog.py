@@ -28,6 +28,7 @@ from markermend.alike import alike
 from markermend.artifact import Artifact
 from markermend_app import theme, units
 from markermend_app.document import Document
+from markermend_app.words import tr
 
 MARKER, FRAMES, SURE, OUTCOME = range(4)
 SURE_ENOUGH = 50
@@ -210,7 +211,7 @@ class AlikeDialog(QDialog):
             return self.tr("left as it is: {0}").format(repair.reason)
         from markermend.repairs import REPAIRS
 
-        label = REPAIRS[repair.method].label
+        label = tr(REPAIRS[repair.method].label)
         return label if repair.error_mm is None else f"{label}, ± {units.length(repair.error_mm)}"
 
     def _count(self) -> None:

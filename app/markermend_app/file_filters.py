@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QCoreApplication
+from markermend_app.words import tr
 
 
 def open_filter() -> str:
@@ -11,9 +11,7 @@ def open_filter() -> str:
 
     endings = [*(f".{name}" for name in OURS), *formats()]
     patterns = " ".join(f"*{e} *{e.upper()}" for e in endings)
-    tr = QCoreApplication.translate
-    takes, everything = tr("Dialogs", "Takes"), tr("Dialogs", "All files")
-    return f"{takes} ({patterns});;{everything} (*)"
+    return f"{tr('Takes')} ({patterns});;{tr('All files')} (*)"
 
 
 def export_filter() -> str:

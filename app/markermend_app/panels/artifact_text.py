@@ -7,7 +7,7 @@ from markermend.take import Take
 from markermend_app import theme
 from markermend_app.words import tr as _tr
 
-_STATUS = {
+STATUS_NAME = {
     Status.PENDING: "open",
     Status.ACCEPTED: "accepted",
     Status.REJECTED: "rejected",
@@ -23,6 +23,6 @@ def describe(take: Take, artifact: Artifact) -> str:
         first=take.frame_number(artifact.start),
         last=take.frame_number(artifact.stop - 1),
         sure=artifact.confidence,
-        status=_tr(_STATUS[artifact.status]),
+        status=_tr(STATUS_NAME[artifact.status]),
     )
     return f"{text}\n{artifact.why}" if artifact.why else text

@@ -12,6 +12,7 @@ from markermend_app.comparison import MOST, Comparison
 from markermend_app.items.curve import curve
 from markermend_app.panels.plot_row import PlotRow
 from markermend_app.panels.trajectories import TrajectoryPanel
+from markermend_app.words import tr
 
 _MARGIN = 8
 
@@ -60,7 +61,7 @@ class Candidates(QFrame):
             color, chosen = theme.marker_color(i + 1), i == place
             error = found[i].error_mm
             labels[0].setPixmap(_stroke(color))
-            labels[1].setText(REPAIRS[found[i].method].label)
+            labels[1].setText(tr(REPAIRS[found[i].method].label))
             labels[2].setText("–" if error is None else f"± {units.length(error)}")
             for label in labels[1:]:
                 font = label.font()

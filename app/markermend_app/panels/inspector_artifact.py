@@ -28,6 +28,7 @@ from markermend_app.panels.inspector_methods import MethodList
 from markermend_app.panels.inspector_take import heading, plain
 from markermend_app.panels.note_line import NoteLine
 from markermend_app.shortcuts import KeyTip
+from markermend_app.words import tr
 
 
 class ArtifactPage(QWidget):
@@ -166,7 +167,8 @@ class ArtifactPage(QWidget):
         if a.status is Status.REPAIRED and note is not None:
             from markermend.repairs.registry import REPAIRS
 
-            label = REPAIRS[note.method].label if note.method in REPAIRS else note.method
+            known = note.method in REPAIRS
+            label = tr(REPAIRS[note.method].label) if known else note.method
             return self.tr("Repaired: {0}").format(label)
         return {
             Status.PENDING: self.tr("Open: not decided yet"),

@@ -16,6 +16,7 @@ from markermend.artifact import Status
 from markermend_app import units
 from markermend_app.document import Document
 from markermend_app.panels.inspector_take import heading, plain
+from markermend_app.words import tr
 
 # A repair expected to be off by more than a marker is wide is worth a second look.
 DOUBTFUL_MM = 20.0
@@ -67,13 +68,13 @@ class MethodList(QWidget):
         keyed = [method for method in REPAIRS.values() if method.key is not None]
         half = (len(keyed) + 1) // 2
         for i, method in enumerate(keyed):
-            tip = self.tr("{0} (key {1})").format(method.summary, method.key)
-            button = self._made(method.name, f"{method.key} {method.label}", tip)
+            tip = self.tr("{0} (key {1})").format(tr(method.summary), method.key)
+            button = self._made(method.name, f"{method.key} {tr(method.label)}", tip)
             self._grid.addWidget(button, 1 + i % half, i // half)
         others = (method for method in REPAIRS.values() if method.key is None)
-        for row, method in enumerate(sorted(others, key=lambda m: m.label.lower())):
-            self.more.addItem(method.label, method.name)
-            self.more.setItemData(row, method.summary, Qt.ItemDataRole.ToolTipRole)
+        for row, method in enumerate(sorted(others, key=lambda m: tr(m.label).lower())):
+            self.more.addItem(tr(method.label), method.name)
+            self.more.setItemData(row, tr(method.summary), Qt.ItemDataRole.ToolTipRole)
 
     def _made(self, name: str, label: str, tip: str) -> QRadioButton:
         """Make the button of a method."""
@@ -129,7 +130,7 @@ class MethodList(QWidget):
         from markermend.repairs import REPAIRS
 
         method = proposal.method
-        text = REPAIRS[method].label if method in REPAIRS else method
+        text = tr(REPAIRS[method].label) if method in REPAIRS else method
         if proposal.error_mm is not None:
             text += self.tr(", expected error {0}").format(units.length(proposal.error_mm))
         followed = self._document.preview.references

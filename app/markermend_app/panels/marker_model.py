@@ -18,6 +18,7 @@ from markermend.take import Take, is_unlabelled
 from markermend_app import theme
 from markermend_app.panels.badge import dot_icon
 from markermend_app.panels.plot_beside import analog_key, point_key
+from markermend_app.words import tr
 
 Index = QModelIndex | QPersistentModelIndex
 NAME, OPEN, MISSING = range(3)
@@ -57,7 +58,7 @@ class Node:
         return [self] if self.label else [m for n in self.rows for m in n.all_markers()]
 
 
-def grow(take: Take, mesh: Mesh | None, tr: Callable[[str], str]) -> Node:
+def grow(take: Take, mesh: Mesh | None) -> Node:
     """Arrange a take's trajectories by body and group; the rest stands apart."""
     root = Node("")
     placed: set[int] = set()
@@ -88,7 +89,7 @@ def grow(take: Take, mesh: Mesh | None, tr: Callable[[str], str]) -> Node:
         section = root.add(Node(f"{tr('Unlabelled')} ({len(unlabelled)})", "unlabelled"))
         for i in unlabelled:
             section.add(_marker(take, i))
-    _add_others(root, take, tr)
+    _add_others(root, take)
     return root
 
 
@@ -98,7 +99,7 @@ def _marker(take: Take, column: int) -> Node:
     return Node(label.rpartition(":")[2] or label, label=label)
 
 
-def _add_others(root: Node, take: Take, tr: Callable[[str], str]) -> None:
+def _add_others(root: Node, take: Take) -> None:
     """Add points that are not markers and analog channels: to be seen, not to be reviewed."""
     if take.points is not None and take.points.labels:
         section = root.add(Node(f"{tr('Other points')} ({len(take.points.labels)})", "point"))

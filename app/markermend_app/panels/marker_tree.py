@@ -130,7 +130,7 @@ class MarkerTree(QWidget):
         self._pages.setCurrentIndex(0 if session is None else 1)
         if session is None:
             return
-        root = grow(session.original, self._document.mesh, self.tr)
+        root = grow(session.original, self._document.mesh)
         flat = self.worst_first.isChecked()
         self._syncing = True
         self._model.set_root(flatten(root) if flat else root)

@@ -21,6 +21,7 @@ from markermend_app.items.intervals import Intervals
 from markermend_app.panels.plot_frame import PlotFrame
 from markermend_app.panels.plot_quantity import Quantity, Way
 from markermend_app.panels.plot_range import value_range
+from markermend_app.words import tr
 
 _SPARE = 2
 """Markers whose empty curves are kept for the next ones: making curves takes long."""
@@ -80,7 +81,7 @@ class PlotRow(PlotFrame):
     def __init__(self, quantity: Quantity) -> None:
         super().__init__()
         self.quantity = quantity
-        self.title = quantity.title
+        self.title = tr(quantity.title)
         self.column = AXES.index(quantity.name) if quantity.name in AXES else None
         self.intervals = Intervals()
         self.band = Band()

@@ -23,6 +23,7 @@ from markermend.take import Take
 from markermend_app import theme, units
 from markermend_app.panels.badge import dot_icon
 from markermend_app.panels.naming import short_names
+from markermend_app.words import tr
 
 Index = QModelIndex | QPersistentModelIndex
 STATUS, KIND, MARKER, AXES, FRAMES, TIME, LENGTH, SIZE, CONFIDENCE, REPAIR, WHY = range(11)
@@ -252,7 +253,8 @@ class QueueModel(QAbstractTableModel):
             return ""
         from markermend.repairs.registry import REPAIRS
 
-        label = REPAIRS[note.method].label if note.method in REPAIRS else note.method
+        known = note.method in REPAIRS
+        label = tr(REPAIRS[note.method].label) if known else note.method
         return label if note.error_mm is None else f"{label}, ± {units.length(note.error_mm)}"
 
 

@@ -1,0 +1,71 @@
+"""Bring the translations up to date: ``python packaging/translate.py``.
+
+Reads every string of the application into ``translations/*.ts``, where what is new stands as
+unfinished, and makes the ``*.qm`` files that the application loads. Translate with Qt Linguist
+(``pyside6-linguist``) or any editor, and run it again.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+FOLDER = ROOT / "resources" / "markermend_resources" / "translations"
+for source in ("core", "app", "resources"):
+    sys.path.insert(0, str(ROOT / source))
+
+
+def table_strings() -> list[str]:
+    """What is translated from tables rather than where it is written."""
+    from markermend.repairs import REPAIRS
+    from markermend_app import actions, detection, theme
+    from markermend_app.panels import artifact_text, plot_quantity
+
+    found = list(theme.KIND_NAME.values())
+    found += [name.lower() for name in theme.KIND_NAME.values()]
+    for spec in actions.ACTIONS:
+        found += [spec.text, spec.tip or spec.text.rstrip("…"), *spec.menu.lstrip("|").split("/")]
+    for method in REPAIRS.values():
+        found += [method.label, method.summary]
+    for quantity in plot_quantity.QUANTITIES.values():
+        found += [quantity.title, quantity.meaning]
+    found += [*artifact_text.STATUS_NAME.values(), *detection.DIALS]
+    return list(dict.fromkeys(text for text in found if text))
+
+
+def tool(name: str) -> str:
+    """A program of PySide6, beside this Python."""
+    return str(Path(sys.executable).with_name(name + (".exe" if os.name == "nt" else "")))
+
+
+def update(ts: Path) -> None:
+    """Read the strings of the application into a translation file."""
+    files = sorted((ROOT / "app").rglob("*.py"))
+    with tempfile.TemporaryDirectory() as name:
+        table = Path(name) / "tables.py"
+        lines = [f"QCoreApplication.translate({''!r}, {text!r})" for text in table_strings()]
+        table.write_text("\n".join(lines), encoding="utf-8")
+        listed = Path(name) / "files.lst"
+        listed.write_text("\n".join(map(str, [*files, table])), encoding="utf-8")
+        options = ["-locations", "none", "-no-obsolete", "-tr-function-alias", "tr+=_tr"]
+        command = [tool("pyside6-lupdate"), *options, f"@{listed}", "-ts", str(ts)]
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+
+
+def main() -> int:
+    """Update and compile every translation there is."""
+    for ts in sorted(FOLDER.glob("*.ts")):
+        update(ts)
+        unfinished = ts.read_text(encoding="utf-8").count('type="unfinished"')
+        command = [tool("pyside6-lrelease"), "-silent", str(ts), "-qm", str(ts.with_suffix(".qm"))]
+        subprocess.run(command, check=True)
+        print(f"{ts.name}: {unfinished} strings are not translated yet")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
