@@ -5,2242 +5,2285 @@
     <name></name>
     <message>
         <source>Markermend</source>
-        <translation type="unfinished"></translation>
+        <translation>Markermend</translation>
     </message>
     <message>
         <source>That did not work; nothing was changed. The details tell what happened.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ging nicht; nichts wurde geändert. Die Einzelheiten sagen, was geschah.</translation>
     </message>
     <message>
         <source>This take</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Aufnahme</translation>
     </message>
     <message>
         <source>Damaged file</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschädigte Datei</translation>
     </message>
     <message>
         <source>{0} is damaged. What can be read of it is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ist beschädigt. Gezeigt wird, was sich davon lesen lässt.</translation>
     </message>
     <message>
         <source>The original is never replaced; repairs can be exported to another file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Original wird nie ersetzt; Reparaturen lassen sich in eine andere Datei exportieren.</translation>
     </message>
     <message>
         <source>Work not yet exported</source>
-        <translation type="unfinished"></translation>
+        <translation>Arbeit noch nicht exportiert</translation>
     </message>
     <message>
         <source>this take</source>
-        <translation type="unfinished"></translation>
+        <translation>dieser Aufnahme</translation>
     </message>
     <message>
         <source>Your repairs of {0} are not exported yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Reparaturen an {0} sind noch nicht exportiert.</translation>
     </message>
     <message>
         <source>Keep the review to go on later: it is saved beside the take, with its full history.</source>
-        <translation type="unfinished"></translation>
+        <translation>Behalten Sie die Durchsicht, um später weiterzumachen: Sie wird mit ihrem ganzen Verlauf neben der Aufnahme gespeichert.</translation>
     </message>
     <message>
         <source>Export…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportieren…</translation>
     </message>
     <message>
         <source>Keep review</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchsicht behalten</translation>
     </message>
     <message>
         <source>Discard review</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchsicht verwerfen</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportieren</translation>
     </message>
     <message>
         <source>Export as floats</source>
-        <translation type="unfinished"></translation>
+        <translation>Als Gleitkommazahlen exportieren</translation>
     </message>
     <message>
         <source>{0} is there already. Replace it?</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} gibt es schon. Ersetzen?</translation>
     </message>
     <message>
         <source>Replace the original</source>
-        <translation type="unfinished"></translation>
+        <translation>Original ersetzen</translation>
     </message>
     <message>
         <source>{0} is the take you opened. Replace it?</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ist die geöffnete Aufnahme. Ersetzen?</translation>
     </message>
     <message>
         <source>A backup of the original is kept beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Sicherung des Originals bleibt daneben liegen.</translation>
     </message>
     <message>
         <source>Replace</source>
-        <translation type="unfinished"></translation>
+        <translation>Ersetzen</translation>
     </message>
     <message>
         <source>About Markermend</source>
-        <translation type="unfinished"></translation>
+        <translation>Über Markermend</translation>
     </message>
     <message>
         <source>&lt;h3&gt;Markermend {0}&lt;/h3&gt;&lt;p&gt;Finds damaged intervals in optical motion capture takes, says what they are and how sure it is, and repairs them under your eyes.&lt;/p&gt;&lt;p&gt;Free software under the MIT licence.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;h3&gt;Markermend {0}&lt;/h3&gt;&lt;p&gt;Findet beschädigte Abschnitte in optischen Bewegungsaufnahmen, sagt, was sie sind und wie sicher das ist, und repariert sie unter Ihren Augen.&lt;/p&gt;&lt;p&gt;Freie Software unter der MIT-Lizenz.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>marker</source>
-        <translation type="unfinished"></translation>
+        <translation>Marker</translation>
     </message>
     <message>
         <source>{0} on {1}, frames {2}–{3}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} an {1}, Frames {2}–{3}</translation>
     </message>
     <message>
         <source>{marker} · {kind} · frames {first}–{last} · {sure:.0%} sure · {status}</source>
-        <translation type="unfinished"></translation>
+        <translation>{marker} · {kind} · Frames {first}–{last} · zu {sure:.0%} sicher · {status}</translation>
     </message>
     <message>
         <source>Without subject</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Person</translation>
     </message>
     <message>
         <source>Kept as it is; not a marker</source>
-        <translation type="unfinished"></translation>
+        <translation>Bleibt, wie es ist; kein Marker</translation>
     </message>
     <message>
         <source>Kept as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Bleibt, wie es ist</translation>
     </message>
     <message>
         <source>Class</source>
-        <translation type="unfinished"></translation>
+        <translation>Art</translation>
     </message>
     <message>
         <source>Damaged axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschädigte Achsen</translation>
     </message>
     <message>
         <source>Selection on {marker}</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswahl an {marker}</translation>
     </message>
     <message>
         <source>Mark as {kind}</source>
-        <translation type="unfinished"></translation>
+        <translation>Kennzeichnen als: {kind}</translation>
     </message>
     <message>
         <source>Frame {0} · {1} s</source>
-        <translation type="unfinished"></translation>
+        <translation>Frame {0} · {1} s</translation>
     </message>
     <message>
         <source>missing</source>
-        <translation type="unfinished"></translation>
+        <translation>fehlt</translation>
     </message>
     <message>
         <source>Distance to {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand zu {0}</translation>
     </message>
     <message>
         <source>Measure the distance to</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand messen zu</translation>
     </message>
     <message>
         <source>A marker that suits</source>
-        <translation type="unfinished"></translation>
+        <translation>Einem passenden Marker</translation>
     </message>
     <message>
         <source>X, Y and Z only</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur X, Y und Z</translation>
     </message>
     <message>
         <source>Others</source>
-        <translation type="unfinished"></translation>
+        <translation>Übrige</translation>
     </message>
     <message>
         <source>Analog channels</source>
-        <translation type="unfinished"></translation>
+        <translation>Analogkanäle</translation>
     </message>
     <message>
         <source>Model outputs: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Modellausgaben: {0}</translation>
     </message>
     <message>
         <source>Hide all channels</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Kanäle ausblenden</translation>
     </message>
     <message>
         <source>  or  </source>
-        <translation type="unfinished"></translation>
+        <translation>  oder  </translation>
     </message>
     <message>
         <source>In the plots</source>
-        <translation type="unfinished"></translation>
+        <translation>In den Kurven</translation>
     </message>
     <message>
         <source>Click on an interval</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick auf einen Abschnitt</translation>
     </message>
     <message>
         <source>Select it; double click repairs</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswählen; Doppelklick repariert</translation>
     </message>
     <message>
         <source>Wheel, Ctrl+wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Rad, Strg+Rad</translation>
     </message>
     <message>
         <source>Zoom time, zoom values</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit zoomen, Werte zoomen</translation>
     </message>
     <message>
         <source>Middle or right drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit mittlerer oder rechter Taste ziehen</translation>
     </message>
     <message>
         <source>Pan</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschieben</translation>
     </message>
     <message>
         <source>Shift+drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Umschalt+Ziehen</translation>
     </message>
     <message>
         <source>Select a range of frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Bereich von Frames auswählen</translation>
     </message>
     <message>
         <source>Drag an edge</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kante ziehen</translation>
     </message>
     <message>
         <source>Move the edge of the selected artifact</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kante des gewählten Artefakts verschieben</translation>
     </message>
     <message>
         <source>In the 3D view</source>
-        <translation type="unfinished"></translation>
+        <translation>In der 3D-Ansicht</translation>
     </message>
     <message>
         <source>Drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen</translation>
     </message>
     <message>
         <source>Orbit</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehen</translation>
     </message>
     <message>
         <source>Shift+drag or middle drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Umschalt+Ziehen oder mittlere Taste</translation>
     </message>
     <message>
         <source>Wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Rad</translation>
     </message>
     <message>
         <source>Zoom</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoomen</translation>
     </message>
     <message>
         <source>Ctrl+drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg+Ziehen</translation>
     </message>
     <message>
         <source>Scrub through time</source>
-        <translation type="unfinished"></translation>
+        <translation>Durch die Zeit fahren</translation>
     </message>
     <message>
         <source>Gap</source>
-        <translation type="unfinished"></translation>
+        <translation>Lücke</translation>
     </message>
     <message>
         <source>Peak</source>
-        <translation type="unfinished"></translation>
+        <translation>Spitze</translation>
     </message>
     <message>
         <source>Noise</source>
-        <translation type="unfinished"></translation>
+        <translation>Rauschen</translation>
     </message>
     <message>
         <source>Step</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprung</translation>
     </message>
     <message>
         <source>Slow drift</source>
-        <translation type="unfinished"></translation>
+        <translation>Langsame Drift</translation>
     </message>
     <message>
         <source>gap</source>
-        <translation type="unfinished"></translation>
+        <translation>Lücke</translation>
     </message>
     <message>
         <source>peak</source>
-        <translation type="unfinished"></translation>
+        <translation>Spitze</translation>
     </message>
     <message>
         <source>noise</source>
-        <translation type="unfinished"></translation>
+        <translation>Rauschen</translation>
     </message>
     <message>
         <source>step</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprung</translation>
     </message>
     <message>
         <source>slow drift</source>
-        <translation type="unfinished"></translation>
+        <translation>langsame Drift</translation>
     </message>
     <message>
         <source>Open take…</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahme öffnen…</translation>
     </message>
     <message>
         <source>Open a take</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Aufnahme öffnen</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei</translation>
     </message>
     <message>
         <source>Open the demo take</source>
-        <translation type="unfinished"></translation>
+        <translation>Beispielaufnahme öffnen</translation>
     </message>
     <message>
         <source>Export repaired take…</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparierte Aufnahme exportieren…</translation>
     </message>
     <message>
         <source>Write a copy in which only repaired samples differ</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kopie schreiben, in der sich nur reparierte Werte unterscheiden</translation>
     </message>
     <message>
         <source>Close take</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahme schließen</translation>
     </message>
     <message>
         <source>Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>Beenden</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückgängig</translation>
     </message>
     <message>
         <source>Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>Bearbeiten</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholen</translation>
     </message>
     <message>
         <source>Clear selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswahl aufheben</translation>
     </message>
     <message>
         <source>Forget the swept range</source>
-        <translation type="unfinished"></translation>
+        <translation>Den überstrichenen Bereich vergessen</translation>
     </message>
     <message>
         <source>Find a command, marker or artifact…</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehl, Marker oder Artefakt finden…</translation>
     </message>
     <message>
         <source>Type a few letters to do anything or go anywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Wenige Buchstaben tippen, um alles zu tun oder überall hinzukommen</translation>
     </message>
     <message>
         <source>Preferences…</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen…</translation>
     </message>
     <message>
         <source>Look, language, units, detection and saving</source>
-        <translation type="unfinished"></translation>
+        <translation>Aussehen, Sprache, Einheiten, Erkennung und Speichern</translation>
     </message>
     <message>
         <source>Detect artifacts</source>
-        <translation type="unfinished"></translation>
+        <translation>Artefakte suchen</translation>
     </message>
     <message>
         <source>Look for gaps, peaks, heavy noise and steps in the whole take</source>
-        <translation type="unfinished"></translation>
+        <translation>In der ganzen Aufnahme nach Lücken, Spitzen, starkem Rauschen und Sprüngen suchen</translation>
     </message>
     <message>
         <source>Review</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchsicht</translation>
     </message>
     <message>
         <source>Detect slow drifts too</source>
-        <translation type="unfinished"></translation>
+        <translation>Auch langsame Drift suchen</translation>
     </message>
     <message>
         <source>Look for every class; slow drifts take some seconds longer than all the others</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach allen Arten suchen; langsame Drift dauert einige Sekunden länger als alle anderen</translation>
     </message>
     <message>
         <source>Detect after opening</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach dem Öffnen suchen</translation>
     </message>
     <message>
         <source>Look for gaps, peaks, noise and steps as soon as a take is open</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Lücken, Spitzen, Rauschen und Sprüngen suchen, sobald eine Aufnahme offen ist</translation>
     </message>
     <message>
         <source>Accept</source>
-        <translation type="unfinished"></translation>
+        <translation>Annehmen</translation>
     </message>
     <message>
         <source>The flag is right; the samples stay for now</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Befund stimmt; die Werte bleiben vorerst</translation>
     </message>
     <message>
         <source>Reject</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablehnen</translation>
     </message>
     <message>
         <source>A false alarm</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Fehlalarm</translation>
     </message>
     <message>
         <source>Repair</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparieren</translation>
     </message>
     <message>
         <source>Replace the samples by the repair shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Werte durch die gezeigte Reparatur ersetzen</translation>
     </message>
     <message>
         <source>Repair method 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparaturverfahren 1</translation>
     </message>
     <message>
         <source>Preview this repair method for the artifact under review</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Verfahren am aktuellen Artefakt vorab zeigen</translation>
     </message>
     <message>
         <source>Repair method</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparaturverfahren</translation>
     </message>
     <message>
         <source>Repair method 2</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparaturverfahren 2</translation>
     </message>
     <message>
         <source>Repair method 3</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparaturverfahren 3</translation>
     </message>
     <message>
         <source>Repair method 4</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparaturverfahren 4</translation>
     </message>
     <message>
         <source>Repair method 5</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparaturverfahren 5</translation>
     </message>
     <message>
         <source>Repair method 6</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparaturverfahren 6</translation>
     </message>
     <message>
         <source>Repair method 7</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparaturverfahren 7</translation>
     </message>
     <message>
         <source>Repair method 8</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparaturverfahren 8</translation>
     </message>
     <message>
         <source>Repair method 9</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparaturverfahren 9</translation>
     </message>
     <message>
         <source>Compare repairs</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparaturen vergleichen</translation>
     </message>
     <message>
         <source>While the key is held, see what every method would do; ↑ and ↓ choose</source>
-        <translation type="unfinished"></translation>
+        <translation>Solange die Taste gedrückt ist, sehen, was jedes Verfahren täte; ↑ und ↓ wählen</translation>
     </message>
     <message>
         <source>Reopen</source>
-        <translation type="unfinished"></translation>
+        <translation>Wieder öffnen</translation>
     </message>
     <message>
         <source>Take the decision back</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Entscheidung zurücknehmen</translation>
     </message>
     <message>
         <source>Remove from the list</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus der Liste entfernen</translation>
     </message>
     <message>
         <source>Repair all accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle angenommenen reparieren</translation>
     </message>
     <message>
         <source>Repair every accepted artifact with its best method, as one step</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedes angenommene Artefakt mit seinem besten Verfahren reparieren, als ein Schritt</translation>
     </message>
     <message>
         <source>Repair all like this…</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle ähnlichen reparieren…</translation>
     </message>
     <message>
         <source>List the open artifacts of its class, and repair them in one step</source>
-        <translation type="unfinished"></translation>
+        <translation>Die offenen Artefakte derselben Art auflisten und in einem Schritt reparieren</translation>
     </message>
     <message>
         <source>Reject all like this…</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle ähnlichen ablehnen…</translation>
     </message>
     <message>
         <source>List the open artifacts of its class, and reject them in one step</source>
-        <translation type="unfinished"></translation>
+        <translation>Die offenen Artefakte derselben Art auflisten und in einem Schritt ablehnen</translation>
     </message>
     <message>
         <source>Lower what was rejected several times</source>
-        <translation type="unfinished"></translation>
+        <translation>Mehrfach Abgelehntes zurückstufen</translation>
     </message>
     <message>
         <source>Answer yes when asked whether the rest of a sort is to come last</source>
-        <translation type="unfinished"></translation>
+        <translation>Ja sagen auf die Frage, ob der Rest dieser Sorte ans Ende soll</translation>
     </message>
     <message>
         <source>Previous artifact</source>
-        <translation type="unfinished"></translation>
+        <translation>Voriges Artefakt</translation>
     </message>
     <message>
         <source>Next artifact</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächstes Artefakt</translation>
     </message>
     <message>
         <source>Write a note</source>
-        <translation type="unfinished"></translation>
+        <translation>Notiz schreiben</translation>
     </message>
     <message>
         <source>Say something about it</source>
-        <translation type="unfinished"></translation>
+        <translation>Etwas dazu sagen</translation>
     </message>
     <message>
         <source>Mark selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswahl kennzeichnen</translation>
     </message>
     <message>
         <source>Make an artifact of the swept range</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus dem überstrichenen Bereich ein Artefakt machen</translation>
     </message>
     <message>
         <source>By hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Hand</translation>
     </message>
     <message>
         <source>Repair selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswahl reparieren</translation>
     </message>
     <message>
         <source>Replace the swept range of the marker by the best repair</source>
-        <translation type="unfinished"></translation>
+        <translation>Den überstrichenen Bereich des Markers durch die beste Reparatur ersetzen</translation>
     </message>
     <message>
         <source>Smooth selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswahl glätten</translation>
     </message>
     <message>
         <source>Take the noise out of the swept range</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Rauschen aus dem überstrichenen Bereich nehmen</translation>
     </message>
     <message>
         <source>Cut selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswahl ausschneiden</translation>
     </message>
     <message>
         <source>Make the swept range missing; the gap comes under review</source>
-        <translation type="unfinished"></translation>
+        <translation>Den überstrichenen Bereich entfernen; die Lücke kommt in die Durchsicht</translation>
     </message>
     <message>
         <source>Swap selection with another marker…</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswahl mit anderem Marker tauschen…</translation>
     </message>
     <message>
         <source>Exchange the swept range with that of another marker, from here to there</source>
-        <translation type="unfinished"></translation>
+        <translation>Den überstrichenen Bereich mit dem eines anderen Markers tauschen, von hier bis dort</translation>
     </message>
     <message>
         <source>Give selection to another marker…</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswahl einem anderen Marker geben…</translation>
     </message>
     <message>
         <source>The swept range has the wrong name: it becomes part of another marker</source>
-        <translation type="unfinished"></translation>
+        <translation>Der überstrichene Bereich trägt den falschen Namen: Er wird Teil eines anderen Markers</translation>
     </message>
     <message>
         <source>Rename marker…</source>
-        <translation type="unfinished"></translation>
+        <translation>Marker umbenennen…</translation>
     </message>
     <message>
         <source>Give the foremost marker another name in the whole take</source>
-        <translation type="unfinished"></translation>
+        <translation>Dem vordersten Marker in der ganzen Aufnahme einen anderen Namen geben</translation>
     </message>
     <message>
         <source>Merge marker into another…</source>
-        <translation type="unfinished"></translation>
+        <translation>Marker in einen anderen aufnehmen…</translation>
     </message>
     <message>
         <source>Give all samples of the foremost marker to another one that is missing there</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Werte des vordersten Markers einem anderen geben, der dort fehlt</translation>
     </message>
     <message>
         <source>Choose the markers to follow</source>
-        <translation type="unfinished"></translation>
+        <translation>Marker wählen, denen gefolgt wird</translation>
     </message>
     <message>
         <source>Click markers in the 3D view; the repair follows these only</source>
-        <translation type="unfinished"></translation>
+        <translation>Marker in der 3D-Ansicht anklicken; die Reparatur folgt nur diesen</translation>
     </message>
     <message>
         <source>Split artifact at the cursor</source>
-        <translation type="unfinished"></translation>
+        <translation>Artefakt am Cursor teilen</translation>
     </message>
     <message>
         <source>Make two artifacts of the one under review</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus dem aktuellen Artefakt zwei machen</translation>
     </message>
     <message>
         <source>Join artifacts</source>
-        <translation type="unfinished"></translation>
+        <translation>Artefakte verbinden</translation>
     </message>
     <message>
         <source>Make one of those selected in the queue, else of this one and the next on its marker</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus den in der Prüfliste gewählten eines machen, sonst aus diesem und dem nächsten an seinem Marker</translation>
     </message>
     <message>
         <source>Begin one frame earlier</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Frame früher beginnen</translation>
     </message>
     <message>
         <source>Edges</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanten</translation>
     </message>
     <message>
         <source>Begin one frame later</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Frame später beginnen</translation>
     </message>
     <message>
         <source>End one frame earlier</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Frame früher enden</translation>
     </message>
     <message>
         <source>End one frame later</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Frame später enden</translation>
     </message>
     <message>
         <source>Call the artifact under review this</source>
-        <translation type="unfinished"></translation>
+        <translation>Das aktuelle Artefakt so nennen</translation>
     </message>
     <message>
         <source>Play or pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Abspielen oder anhalten</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>One frame forward</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Frame vor</translation>
     </message>
     <message>
         <source>One frame back</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Frame zurück</translation>
     </message>
     <message>
         <source>Ten frames forward</source>
-        <translation type="unfinished"></translation>
+        <translation>Zehn Frames vor</translation>
     </message>
     <message>
         <source>Ten frames back</source>
-        <translation type="unfinished"></translation>
+        <translation>Zehn Frames zurück</translation>
     </message>
     <message>
         <source>To the first frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum ersten Frame</translation>
     </message>
     <message>
         <source>To the last frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum letzten Frame</translation>
     </message>
     <message>
         <source>Show the whole take</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganze Aufnahme zeigen</translation>
     </message>
     <message>
         <source>View</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht</translation>
     </message>
     <message>
         <source>Zoom in</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergrößern</translation>
     </message>
     <message>
         <source>Zoom out</source>
-        <translation type="unfinished"></translation>
+        <translation>Verkleinern</translation>
     </message>
     <message>
         <source>Show the samples before repair</source>
-        <translation type="unfinished"></translation>
+        <translation>Werte vor der Reparatur zeigen</translation>
     </message>
     <message>
         <source>Swap the curves before and after repair</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen den Kurven vor und nach der Reparatur wechseln</translation>
     </message>
     <message>
         <source>Show the body&apos;s prediction</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorhersage des Körpers zeigen</translation>
     </message>
     <message>
         <source>Where the rest of the body says the marker should be</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo der Marker nach dem übrigen Körper sein müsste</translation>
     </message>
     <message>
         <source>Change the overview</source>
-        <translation type="unfinished"></translation>
+        <translation>Übersicht wechseln</translation>
     </message>
     <message>
         <source>Overview of damage, of gaps, or of distances to the body&apos;s prediction</source>
-        <translation type="unfinished"></translation>
+        <translation>Übersicht der Schäden, der Lücken oder der Abstände zur Vorhersage des Körpers</translation>
     </message>
     <message>
         <source>Choose plots…</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurven wählen…</translation>
     </message>
     <message>
         <source>Choose what the plots show</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen, was die Kurven zeigen</translation>
     </message>
     <message>
         <source>Light theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Helles Aussehen</translation>
     </message>
     <message>
         <source>Dark theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Dunkles Aussehen</translation>
     </message>
     <message>
         <source>High contrast theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Hoher Kontrast</translation>
     </message>
     <message>
         <source>Theme of the system</source>
-        <translation type="unfinished"></translation>
+        <translation>Aussehen des Systems</translation>
     </message>
     <message>
         <source>Reset the layout</source>
-        <translation type="unfinished"></translation>
+        <translation>Anordnung zurücksetzen</translation>
     </message>
     <message>
         <source>Manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Handbuch</translation>
     </message>
     <message>
         <source>The page about the panel in use</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Seite zum gerade benutzten Bereich</translation>
     </message>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfe</translation>
     </message>
     <message>
         <source>Keyboard and mouse…</source>
-        <translation type="unfinished"></translation>
+        <translation>Tastatur und Maus…</translation>
     </message>
     <message>
         <source>Keyboard and mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>Tastatur und Maus</translation>
     </message>
     <message>
         <source>Local regression</source>
-        <translation type="unfinished"></translation>
+        <translation>Örtliche Regression</translation>
     </message>
     <message>
         <source>Follows the body around it and joins its own way in and out; the usual choice.</source>
-        <translation type="unfinished"></translation>
+        <translation>Folgt dem Körper ringsum und schließt an den eigenen Weg davor und danach an; die übliche Wahl.</translation>
     </message>
     <message>
         <source>Cubic spline</source>
-        <translation type="unfinished"></translation>
+        <translation>Kubischer Spline</translation>
     </message>
     <message>
         <source>Smooth curve of continuous acceleration; best for peaks and up to about 0.1 s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Glatte Kurve mit stetiger Beschleunigung; am besten für Spitzen und bis etwa 0,1 s.</translation>
     </message>
     <message>
         <source>PCHIP</source>
-        <translation type="unfinished"></translation>
+        <translation>PCHIP</translation>
     </message>
     <message>
         <source>Piecewise cubic that never overshoots; safer than the spline over longer intervals.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stückweise kubisch, schwingt nie über; über längere Abschnitte sicherer als der Spline.</translation>
     </message>
     <message>
         <source>Modified Akima</source>
-        <translation type="unfinished"></translation>
+        <translation>Akima, abgewandelt</translation>
     </message>
     <message>
         <source>Piecewise cubic between spline and PCHIP: smooth, with little overshoot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stückweise kubisch zwischen Spline und PCHIP: glatt, mit wenig Überschwingen.</translation>
     </message>
     <message>
         <source>Straight line</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerade</translation>
     </message>
     <message>
         <source>Joins the last good sample before and the first after; for the shortest intervals.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbindet den letzten guten Wert davor mit dem ersten danach; für die kürzesten Abschnitte.</translation>
     </message>
     <message>
         <source>Swap markers</source>
-        <translation type="unfinished"></translation>
+        <translation>Marker tauschen</translation>
     </message>
     <message>
         <source>Exchanges the marker with its counterpart over the interval; nothing is invented.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tauscht den Marker im Abschnitt mit seinem Gegenstück; nichts wird erfunden.</translation>
     </message>
     <message>
         <source>Savitzky–Golay</source>
-        <translation type="unfinished"></translation>
+        <translation>Savitzky–Golay</translation>
     </message>
     <message>
         <source>Smooths the damaged samples themselves; for noise that still holds the movement.</source>
-        <translation type="unfinished"></translation>
+        <translation>Glättet die beschädigten Werte selbst; für Rauschen, in dem die Bewegung noch steckt.</translation>
     </message>
     <message>
         <source>Loose network</source>
-        <translation type="unfinished"></translation>
+        <translation>Loses Netz</translation>
     </message>
     <message>
         <source>A small network trained on this take predicts the marker from its body; slow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein kleines, an dieser Aufnahme gelerntes Netz sagt den Marker aus seinem Körper vorher; langsam.</translation>
     </message>
     <message>
         <source>Leave empty</source>
-        <translation type="unfinished"></translation>
+        <translation>Leer lassen</translation>
     </message>
     <message>
         <source>Removes the wrong samples and leaves a gap, where no honest repair exists.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernt die falschen Werte und lässt eine Lücke, wo es keine redliche Reparatur gibt.</translation>
     </message>
     <message>
         <source>BiLSTM</source>
-        <translation type="unfinished"></translation>
+        <translation>BiLSTM</translation>
     </message>
     <message>
         <source>Long short-term memory in both directions predict the marker from its parent and siblings; trains for seconds.</source>
-        <translation type="unfinished"></translation>
+        <translation>Langes Kurzzeitgedächtnis in beiden Richtungen sagt den Marker aus Eltern und Geschwistern vorher; lernt einige Sekunden.</translation>
     </message>
     <message>
         <source>BoLeRO</source>
-        <translation type="unfinished"></translation>
+        <translation>BoLeRO</translation>
     </message>
     <message>
         <source>DynaMMo held softly to the distances that markers of a segment keep.</source>
-        <translation type="unfinished"></translation>
+        <translation>DynaMMo, sanft an die Abstände gebunden, die Marker eines Segments halten.</translation>
     </message>
     <message>
         <source>Cyclic</source>
-        <translation type="unfinished"></translation>
+        <translation>Zyklisch</translation>
     </message>
     <message>
         <source>Copies the same movement from elsewhere in the take; for gait and other repetitions.</source>
-        <translation type="unfinished"></translation>
+        <translation>Übernimmt dieselbe Bewegung von anderswo in der Aufnahme; für Gang und andere Wiederholungen.</translation>
     </message>
     <message>
         <source>DynaMMo</source>
-        <translation type="unfinished"></translation>
+        <translation>DynaMMo</translation>
     </message>
     <message>
         <source>One hidden movement of the whole body; crosses intervals in which nothing is seen.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine verborgene Bewegung des ganzen Körpers; überbrückt Abschnitte, in denen nichts zu sehen ist.</translation>
     </message>
     <message>
         <source>Linear network</source>
-        <translation type="unfinished"></translation>
+        <translation>Lineares Netz</translation>
     </message>
     <message>
         <source>A network of 8 linear neurons predicts the marker from its parent and siblings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Netz aus 8 linearen Neuronen sagt den Marker aus Eltern und Geschwistern vorher.</translation>
     </message>
     <message>
         <source>Tanh network</source>
-        <translation type="unfinished"></translation>
+        <translation>Tanh-Netz</translation>
     </message>
     <message>
         <source>A network of 8 tanh neurons predicts the marker from its parent and siblings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Netz aus 8 Tanh-Neuronen sagt den Marker aus Eltern und Geschwistern vorher.</translation>
     </message>
     <message>
         <source>Global linear regression</source>
-        <translation type="unfinished"></translation>
+        <translation>Globale lineare Regression</translation>
     </message>
     <message>
         <source>Least squares on all markers whose distance varies little.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinste Quadrate über alle Marker, deren Abstand wenig schwankt.</translation>
     </message>
     <message>
         <source>GRU</source>
-        <translation type="unfinished"></translation>
+        <translation>GRU</translation>
     </message>
     <message>
         <source>60 gated recurrent neurons predict the marker from its parent and siblings; trains for seconds.</source>
-        <translation type="unfinished"></translation>
+        <translation>60 rückgekoppelte Neuronen mit Toren sagen den Marker aus Eltern und Geschwistern vorher; lernt einige Sekunden.</translation>
     </message>
     <message>
         <source>Kalman smoother</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalman-Glätter</translation>
     </message>
     <message>
         <source>Moves on under constant acceleration from both sides; for short intervals, with band.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geht von beiden Seiten mit konstanter Beschleunigung weiter; für kurze Abschnitte, mit Band.</translation>
     </message>
     <message>
         <source>Local GRNN</source>
-        <translation type="unfinished"></translation>
+        <translation>Örtliches GRNN</translation>
     </message>
     <message>
         <source>Average of similar poses of three references in their own system.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittel ähnlicher Haltungen dreier Bezugsmarker in deren eigenem System.</translation>
     </message>
     <message>
         <source>Local interpolation</source>
-        <translation type="unfinished"></translation>
+        <translation>Örtliche Interpolation</translation>
     </message>
     <message>
         <source>A straight line in a system of three references.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Gerade im System dreier Bezugsmarker.</translation>
     </message>
     <message>
         <source>Local polynomial regression</source>
-        <translation type="unfinished"></translation>
+        <translation>Örtliche polynomiale Regression</translation>
     </message>
     <message>
         <source>Quadratic regression on three references in their own system.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quadratische Regression auf drei Bezugsmarker in deren eigenem System.</translation>
     </message>
     <message>
         <source>LSTM</source>
-        <translation type="unfinished"></translation>
+        <translation>LSTM</translation>
     </message>
     <message>
         <source>60 long short-term memory neurons predict the marker from its parent and siblings; trains for seconds.</source>
-        <translation type="unfinished"></translation>
+        <translation>60 Neuronen mit langem Kurzzeitgedächtnis sagen den Marker aus Eltern und Geschwistern vorher; lernt einige Sekunden.</translation>
     </message>
     <message>
         <source>Low rank</source>
-        <translation type="unfinished"></translation>
+        <translation>Niedriger Rang</translation>
     </message>
     <message>
         <source>Completes the matrix of all markers by its main components; for long intervals.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergänzt die Matrix aller Marker durch ihre Hauptkomponenten; für lange Abschnitte.</translation>
     </message>
     <message>
         <source>Pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Muster</translation>
     </message>
     <message>
         <source>Follows one other marker and joins both borders; for markers that move alike.</source>
-        <translation type="unfinished"></translation>
+        <translation>Folgt einem anderen Marker und schließt an beiden Rändern an; für Marker, die sich ähnlich bewegen.</translation>
     </message>
     <message>
         <source>Weighted PCA</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewichtete PCA</translation>
     </message>
     <message>
         <source>Rebuilds the marker from the main components of the others.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellt den Marker aus den Hauptkomponenten der übrigen wieder her.</translation>
     </message>
     <message>
         <source>Model averaging</source>
-        <translation type="unfinished"></translation>
+        <translation>Modellmittelung</translation>
     </message>
     <message>
         <source>Averages local polynomial, local GRNN, global linear and PCA by likely distances.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittelt örtliches Polynom, örtliches GRNN, globale Regression und PCA nach wahrscheinlichen Abständen.</translation>
     </message>
     <message>
         <source>Model averaging, all models</source>
-        <translation type="unfinished"></translation>
+        <translation>Modellmittelung, alle Modelle</translation>
     </message>
     <message>
         <source>Averages all five models by likely distances.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittelt alle fünf Modelle nach wahrscheinlichen Abständen.</translation>
     </message>
     <message>
         <source>Model averaging without PCA</source>
-        <translation type="unfinished"></translation>
+        <translation>Modellmittelung ohne PCA</translation>
     </message>
     <message>
         <source>Averages all models but PCA by likely distances.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittelt alle Modelle außer PCA nach wahrscheinlichen Abständen.</translation>
     </message>
     <message>
         <source>Rigid body</source>
-        <translation type="unfinished"></translation>
+        <translation>Starrer Körper</translation>
     </message>
     <message>
         <source>Moves the marker with three or more others of its group; for rigid segments.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegt den Marker mit drei oder mehr anderen seiner Gruppe; für starre Segmente.</translation>
     </message>
     <message>
         <source>X</source>
-        <translation type="unfinished"></translation>
+        <translation>X</translation>
     </message>
     <message>
         <source>X coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>X-Koordinate</translation>
     </message>
     <message>
         <source>Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Y</translation>
     </message>
     <message>
         <source>Y coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>Y-Koordinate</translation>
     </message>
     <message>
         <source>Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Z</translation>
     </message>
     <message>
         <source>Z coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>Z-Koordinate</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo</translation>
     </message>
     <message>
         <source>Accel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschl.</translation>
     </message>
     <message>
         <source>Acceleration</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigung</translation>
     </message>
     <message>
         <source>Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand</translation>
     </message>
     <message>
         <source>Distance to another marker</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand zu einem anderen Marker</translation>
     </message>
     <message>
         <source>Off body</source>
-        <translation type="unfinished"></translation>
+        <translation>Vom Körper</translation>
     </message>
     <message>
         <source>Distance to the body&apos;s prediction</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand zur Vorhersage des Körpers</translation>
     </message>
     <message>
         <source>Moved</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegt</translation>
     </message>
     <message>
         <source>Difference to the samples before repair</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterschied zu den Werten vor der Reparatur</translation>
     </message>
     <message>
         <source>Residual</source>
-        <translation type="unfinished"></translation>
+        <translation>Residuum</translation>
     </message>
     <message>
         <source>Residual in the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Residuum in der Datei</translation>
     </message>
     <message>
         <source>Cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>Kameras</translation>
     </message>
     <message>
         <source>Number of cameras in the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl der Kameras in der Datei</translation>
     </message>
     <message>
         <source>open</source>
-        <translation type="unfinished"></translation>
+        <translation>offen</translation>
     </message>
     <message>
         <source>accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>angenommen</translation>
     </message>
     <message>
         <source>rejected</source>
-        <translation type="unfinished"></translation>
+        <translation>abgelehnt</translation>
     </message>
     <message>
         <source>repaired</source>
-        <translation type="unfinished"></translation>
+        <translation>repariert</translation>
     </message>
     <message>
         <source>Only what is nearly certain</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur fast Sicheres</translation>
     </message>
     <message>
         <source>Balanced</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgewogen</translation>
     </message>
     <message>
         <source>All that looks odd</source>
+        <translation>Alles Auffällige</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Markers in one colour</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coloured by group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coloured by damage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ghost of the other version</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Segments of wrong length in red</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axis that points up</source>
+        <translation type="unfinished">Achse nach oben</translation>
+    </message>
+    <message>
+        <source>As the take suggests</source>
+        <translation type="unfinished">Wie die Aufnahme nahelegt</translation>
     </message>
 </context>
 <context>
     <name>AlikeDialog</name>
     <message>
         <source>Repair all like this: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle ähnlichen reparieren: {0}</translation>
     </message>
     <message>
         <source>Reject all like this: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle ähnlichen ablehnen: {0}</translation>
     </message>
     <message>
         <source>Where</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo</translation>
     </message>
     <message>
         <source>At least this sure</source>
-        <translation type="unfinished"></translation>
+        <translation>Mindestens so sicher</translation>
     </message>
     <message>
         <source>Marker</source>
-        <translation type="unfinished"></translation>
+        <translation>Marker</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Frames</translation>
     </message>
     <message>
         <source>Sure</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicher</translation>
     </message>
     <message>
         <source>What will happen</source>
-        <translation type="unfinished"></translation>
+        <translation>Was geschehen wird</translation>
     </message>
     <message>
         <source>rejected as a false alarm, left as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>als Fehlalarm abgelehnt, bleibt, wie es ist</translation>
     </message>
     <message>
         <source>working it out…</source>
-        <translation type="unfinished"></translation>
+        <translation>wird berechnet…</translation>
     </message>
     <message>
         <source>left as it is: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>bleibt, wie es ist: {0}</translation>
     </message>
     <message>
         <source>Repair {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} reparieren</translation>
     </message>
     <message>
         <source>Reject {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ablehnen</translation>
     </message>
     <message>
         <source>No open artifact is like this; look further or be less strict.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein offenes Artefakt ist ähnlich; weiter suchen oder weniger streng sein.</translation>
     </message>
     <message>
         <source>Working out {0} repairs…</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Reparaturen werden berechnet…</translation>
     </message>
     <message>
         <source>One step, undone by one Ctrl+Z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Schritt, mit einem Strg+Z rückgängig.</translation>
     </message>
     <message>
         <source>{0} are left as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} bleiben, wie sie sind.</translation>
     </message>
 </context>
 <context>
     <name>ArtifactPage</name>
     <message>
         <source>Class</source>
-        <translation type="unfinished"></translation>
+        <translation>Art</translation>
     </message>
     <message>
         <source>Class of the artifact</source>
-        <translation type="unfinished"></translation>
+        <translation>Art des Artefakts</translation>
     </message>
     <message>
         <source>Whether {0} is wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob {0} falsch ist</translation>
     </message>
     <message>
         <source>Axis {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse {0}</translation>
     </message>
     <message>
         <source>First frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Erster Frame</translation>
     </message>
     <message>
         <source>Last frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzter Frame</translation>
     </message>
     <message>
         <source>{0}, as numbered in the file</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, wie in der Datei gezählt</translation>
     </message>
     <message>
         <source>Confidence</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicherheit</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Frames</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>Sure</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicher</translation>
     </message>
     <message>
         <source>Why</source>
-        <translation type="unfinished"></translation>
+        <translation>Warum</translation>
     </message>
     <message>
         <source>Note</source>
-        <translation type="unfinished"></translation>
+        <translation>Notiz</translation>
     </message>
     <message>
         <source>{0} frames, {1:.2f} s</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Frames, {1:.2f} s</translation>
     </message>
     <message>
         <source>No reason was given.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wurde kein Grund angegeben.</translation>
     </message>
     <message>
         <source>nearly certain</source>
-        <translation type="unfinished"></translation>
+        <translation>fast sicher</translation>
     </message>
     <message>
         <source>likely</source>
-        <translation type="unfinished"></translation>
+        <translation>wahrscheinlich</translation>
     </message>
     <message>
         <source>possible</source>
-        <translation type="unfinished"></translation>
+        <translation>möglich</translation>
     </message>
     <message>
         <source>doubtful</source>
-        <translation type="unfinished"></translation>
+        <translation>zweifelhaft</translation>
     </message>
     <message>
         <source>Repaired: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Repariert: {0}</translation>
     </message>
     <message>
         <source>Open: not decided yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Offen: noch nicht entschieden</translation>
     </message>
     <message>
         <source>Accepted: to be repaired</source>
-        <translation type="unfinished"></translation>
+        <translation>Angenommen: zu reparieren</translation>
     </message>
     <message>
         <source>Rejected: a false alarm</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgelehnt: ein Fehlalarm</translation>
     </message>
     <message>
         <source>Repaired</source>
-        <translation type="unfinished"></translation>
+        <translation>Repariert</translation>
     </message>
 </context>
 <context>
     <name>Bulk</name>
     <message>
         <source>{0} artifacts come last now.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Artefakte kommen jetzt zuletzt.</translation>
     </message>
     <message>
         <source>Repair {0} artifacts alike ({1})</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ähnliche Artefakte reparieren ({1})</translation>
     </message>
     <message>
         <source>{0} repaired.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} repariert.</translation>
     </message>
     <message>
         <source>{0} rejected.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} abgelehnt.</translation>
     </message>
 </context>
 <context>
     <name>Candidates</name>
     <message>
         <source>Repairs compared</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparaturen im Vergleich</translation>
     </message>
     <message>
         <source>Working out what every method would do…</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wird berechnet, was jedes Verfahren täte…</translation>
     </message>
     <message>
         <source>No method has an answer here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Verfahren hat hier eine Antwort.</translation>
     </message>
     <message>
         <source>↑ ↓ choose, F repairs.</source>
-        <translation type="unfinished"></translation>
+        <translation>↑ ↓ wählen, F repariert.</translation>
     </message>
     <message>
         <source>{0} more have no answer here.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} weitere haben hier keine Antwort.</translation>
     </message>
 </context>
 <context>
     <name>Commands</name>
     <message>
         <source>Open take</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahme öffnen</translation>
     </message>
     <message>
         <source>Opening {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} wird geöffnet</translation>
     </message>
     <message>
         <source>Looking at the body</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Körper wird betrachtet</translation>
     </message>
     <message>
         <source>Markers were renamed meanwhile; detect again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Inzwischen wurden Marker umbenannt; bitte erneut suchen.</translation>
     </message>
     <message>
         <source>all kinds</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Arten</translation>
     </message>
     <message>
         <source>sudden</source>
-        <translation type="unfinished"></translation>
+        <translation>plötzliche</translation>
     </message>
     <message>
         <source>1 artifact found.</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Artefakt gefunden.</translation>
     </message>
     <message>
         <source>{0} artifacts found.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Artefakte gefunden.</translation>
     </message>
     <message>
         <source>Looking for artifacts</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche nach Artefakten</translation>
     </message>
     <message>
         <source>Repair all accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle angenommenen reparieren</translation>
     </message>
     <message>
         <source>There is nothing to repair: no artifact is accepted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt nichts zu reparieren: Kein Artefakt ist angenommen.</translation>
     </message>
     <message>
         <source>The review changed meanwhile; repair again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Durchsicht hat sich inzwischen geändert; bitte erneut reparieren.</translation>
     </message>
     <message>
         <source>Repair {0} artifacts</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Artefakte reparieren</translation>
     </message>
     <message>
         <source>{0} repaired.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} repariert.</translation>
     </message>
     <message>
         <source>{0} left as they are: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} bleiben, wie sie sind: {1}</translation>
     </message>
     <message>
         <source>Repairing</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparatur</translation>
     </message>
     <message>
         <source>Undone: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückgängig gemacht: {0}</translation>
     </message>
     <message>
         <source>Done again: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholt: {0}</translation>
     </message>
     <message>
         <source>{0} markers, {1} frames at {2:g} Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Marker, {1} Frames mit {2:g} Hz.</translation>
     </message>
     <message>
         <source>Open in another window: this one is read-only.</source>
-        <translation type="unfinished"></translation>
+        <translation>In einem anderen Fenster offen: Hier lässt sich nur lesen.</translation>
     </message>
     <message>
         <source>An interrupted review was recovered; last step: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine abgebrochene Durchsicht wurde wiederhergestellt; letzter Schritt: {0}.</translation>
     </message>
     <message>
         <source>opened</source>
-        <translation type="unfinished"></translation>
+        <translation>geöffnet</translation>
     </message>
 </context>
 <context>
     <name>Decisions</name>
     <message>
         <source>Accept</source>
-        <translation type="unfinished"></translation>
+        <translation>Annehmen</translation>
     </message>
     <message>
         <source>The flag is right; the samples stay for now</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Befund stimmt; die Werte bleiben vorerst</translation>
     </message>
     <message>
         <source>Reject</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablehnen</translation>
     </message>
     <message>
         <source>A false alarm, never touched</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Fehlalarm, wird nie angerührt</translation>
     </message>
     <message>
         <source>Repair</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparieren</translation>
     </message>
     <message>
         <source>Replace the samples by the repair shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Werte durch die gezeigte Reparatur ersetzen</translation>
     </message>
     <message>
         <source>Reopen</source>
-        <translation type="unfinished"></translation>
+        <translation>Wieder öffnen</translation>
     </message>
     <message>
         <source>Take the decision back</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Entscheidung zurücknehmen</translation>
     </message>
 </context>
 <context>
     <name>ExportDialog</name>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportieren</translation>
     </message>
     <message>
         <source>Export repairs nothing by itself: only what you repaired differs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Export repariert nichts von selbst: Nur was Sie repariert haben, unterscheidet sich.</translation>
     </message>
     <message>
         <source>Model outputs in this file (angles, forces, moments…) were computed from the markers before their repair and no longer match: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Modellausgaben in dieser Datei (Winkel, Kräfte, Momente…) wurden aus den Markern vor der Reparatur berechnet und passen nicht mehr: {0}.</translation>
     </message>
     <message>
         <source>Write into the file what was repaired, and how</source>
-        <translation type="unfinished"></translation>
+        <translation>In die Datei schreiben, was repariert wurde und wie</translation>
     </message>
     <message>
         <source>Name in the file the model outputs that no longer match</source>
-        <translation type="unfinished"></translation>
+        <translation>In der Datei die Modellausgaben nennen, die nicht mehr passen</translation>
     </message>
     <message>
         <source>Export…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportieren…</translation>
     </message>
     <message>
         <source>Show list</source>
-        <translation type="unfinished"></translation>
+        <translation>Liste zeigen</translation>
     </message>
     <message>
         <source>{0} not decided</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} nicht entschieden</translation>
     </message>
     <message>
         <source>{0} accepted but not repaired</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} angenommen, aber nicht repariert</translation>
     </message>
     <message>
         <source>Every artifact is decided. Export?</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedes Artefakt ist entschieden. Exportieren?</translation>
     </message>
     <message>
         <source>Export with artifacts left as they are: {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportieren, obwohl Artefakte bleiben: {0}?</translation>
     </message>
 </context>
 <context>
     <name>Exporter</name>
     <message>
         <source>Exporting {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} wird exportiert</translation>
     </message>
     <message>
         <source>Exported to {0}; 1 sample differs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach {0} exportiert; 1 Wert unterscheidet sich.</translation>
     </message>
     <message>
         <source>Exported to {0}; {1} samples differ.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach {0} exportiert; {1} Werte unterscheiden sich.</translation>
     </message>
     <message>
         <source>The original is kept as {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Original bleibt als {0} erhalten.</translation>
     </message>
     <message>
         <source>Export repaired take</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparierte Aufnahme exportieren</translation>
     </message>
 </context>
 <context>
     <name>FloatingButtons</name>
     <message>
         <source>Decide about this artifact</source>
-        <translation type="unfinished"></translation>
+        <translation>Über dieses Artefakt entscheiden</translation>
     </message>
     <message>
         <source>Accept: the flag is right</source>
-        <translation type="unfinished"></translation>
+        <translation>Annehmen: Der Befund stimmt</translation>
     </message>
     <message>
         <source>Reject: a false alarm</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablehnen: ein Fehlalarm</translation>
     </message>
     <message>
         <source>Repair: replace the samples as shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparieren: die Werte wie gezeigt ersetzen</translation>
     </message>
 </context>
 <context>
     <name>HandWork</name>
     <message>
         <source>Repairing</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparatur</translation>
     </message>
     <message>
         <source>Smoothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Glättung</translation>
     </message>
     <message>
         <source>Swap {0} with</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} tauschen mit</translation>
     </message>
     <message>
         <source>marked by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>von Hand gekennzeichnet</translation>
     </message>
     <message>
         <source>Frames of {0} are in truth</source>
-        <translation type="unfinished"></translation>
+        <translation>Frames von {0} gehören in Wahrheit zu</translation>
     </message>
     <message>
         <source>Rename {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} umbenennen</translation>
     </message>
     <message>
         <source>Merge {0} into</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} aufnehmen in</translation>
     </message>
     <message>
         <source>{0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}.</translation>
     </message>
     <message>
         <source>The review changed meanwhile; do it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Durchsicht hat sich inzwischen geändert; bitte noch einmal.</translation>
     </message>
     <message>
         <source>There is no other marker to choose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keinen anderen Marker zur Wahl.</translation>
     </message>
 </context>
 <context>
     <name>HistoryPanel</name>
     <message>
         <source>History</source>
-        <translation type="unfinished"></translation>
+        <translation>Verlauf</translation>
     </message>
     <message>
         <source>Click a step to go there; it is undone and done again in order.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf einen Schritt klicken, um dorthin zu gehen; dazwischen wird der Reihe nach zurückgenommen oder wiederholt.</translation>
     </message>
     <message>
         <source>What you do appears here; every step can be undone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was Sie tun, erscheint hier; jeder Schritt lässt sich zurücknehmen.</translation>
     </message>
 </context>
 <context>
     <name>Inspector</name>
     <message>
         <source>Open a take to see what there is to say about it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Aufnahme öffnen, um zu sehen, was es darüber zu sagen gibt.</translation>
     </message>
 </context>
 <context>
     <name>MainWindow</name>
     <message>
         <source>Markers</source>
-        <translation type="unfinished"></translation>
+        <translation>Marker</translation>
     </message>
     <message>
         <source>History</source>
-        <translation type="unfinished"></translation>
+        <translation>Verlauf</translation>
     </message>
     <message>
         <source>3D view</source>
-        <translation type="unfinished"></translation>
+        <translation>3D-Ansicht</translation>
     </message>
     <message>
         <source>Details</source>
-        <translation type="unfinished"></translation>
+        <translation>Einzelheiten</translation>
     </message>
     <message>
         <source>Review queue</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfliste</translation>
     </message>
     <message>
         <source>Toolbar</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeugleiste</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportieren</translation>
     </message>
     <message>
         <source>Detect</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorher</translation>
     </message>
     <message>
         <source>Prediction</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorhersage</translation>
     </message>
     <message>
         <source>Panels</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereiche</translation>
     </message>
     <message>
         <source>Recent takes</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzte Aufnahmen</translation>
     </message>
     <message>
         <source>None yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine</translation>
     </message>
     <message>
         <source>take</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahme</translation>
     </message>
     <message>
         <source> (read-only)</source>
-        <translation type="unfinished"></translation>
+        <translation> (nur lesen)</translation>
     </message>
 </context>
 <context>
     <name>Manual</name>
     <message>
         <source>Markermend&apos;s manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Handbuch von Markermend</translation>
     </message>
     <message>
         <source>Page of the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Seite des Handbuchs</translation>
     </message>
     <message>
         <source>Contents</source>
-        <translation type="unfinished"></translation>
+        <translation>Inhalt</translation>
     </message>
     <message>
         <source>Find in the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Handbuch suchen</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück</translation>
     </message>
 </context>
 <context>
     <name>MarkerModel</name>
     <message>
         <source>Marker</source>
-        <translation type="unfinished"></translation>
+        <translation>Marker</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>Artifacts that are not decided yet, by class</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nicht entschiedene Artefakte nach Art</translation>
     </message>
     <message>
         <source>Share of the frames in which the marker is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Frames, in denen der Marker fehlt</translation>
     </message>
     <message>
         <source>Open: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Offen: {0}</translation>
     </message>
     <message>
         <source>Missing in {0:.2f} % of the frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehlt in {0:.2f} % der Frames</translation>
     </message>
 </context>
 <context>
     <name>MarkerTree</name>
     <message>
         <source>Filter markers</source>
-        <translation type="unfinished"></translation>
+        <translation>Marker filtern</translation>
     </message>
     <message>
         <source>Worst first: a flat list, the markers with most open artifacts on top</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlimmste zuerst: eine flache Liste, oben die Marker mit den meisten offenen Artefakten</translation>
     </message>
     <message>
         <source>Worst first</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlimmste zuerst</translation>
     </message>
     <message>
         <source>Markers</source>
-        <translation type="unfinished"></translation>
+        <translation>Marker</translation>
     </message>
     <message>
         <source>Open a take to see its markers here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Aufnahme öffnen, um hier ihre Marker zu sehen.</translation>
     </message>
 </context>
 <context>
     <name>MethodList</name>
     <message>
         <source>More methods…</source>
-        <translation type="unfinished"></translation>
+        <translation>Weitere Verfahren…</translation>
     </message>
     <message>
         <source>More methods</source>
-        <translation type="unfinished"></translation>
+        <translation>Weitere Verfahren</translation>
     </message>
     <message>
         <source>Repair methods without a key of their own</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparaturverfahren ohne eigene Taste</translation>
     </message>
     <message>
         <source>Repair</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparieren</translation>
     </message>
     <message>
         <source>The method that is expected to err least here</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Verfahren, das hier am wenigsten fehlgehen dürfte</translation>
     </message>
     <message>
         <source>Best for this artifact</source>
-        <translation type="unfinished"></translation>
+        <translation>Bestes für dieses Artefakt</translation>
     </message>
     <message>
         <source>{0} (key {1})</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} (Taste {1})</translation>
     </message>
     <message>
         <source>Working out the repair… {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Reparatur wird berechnet… {0}</translation>
     </message>
     <message>
         <source>Repaired. Reopen it to try another method.</source>
-        <translation type="unfinished"></translation>
+        <translation>Repariert. Wieder öffnen, um ein anderes Verfahren zu versuchen.</translation>
     </message>
     <message>
         <source>Working out the repair…</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Reparatur wird berechnet…</translation>
     </message>
     <message>
         <source>No repair: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Reparatur: {0}</translation>
     </message>
     <message>
         <source>no answer here</source>
-        <translation type="unfinished"></translation>
+        <translation>hier keine Antwort</translation>
     </message>
     <message>
         <source>, expected error {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>, erwarteter Fehler {0}</translation>
     </message>
     <message>
         <source>, following {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>, folgt {0}</translation>
     </message>
 </context>
 <context>
     <name>ModeButton</name>
     <message>
         <source>Damage</source>
-        <translation type="unfinished"></translation>
+        <translation>Schäden</translation>
     </message>
     <message>
         <source>Gaps</source>
-        <translation type="unfinished"></translation>
+        <translation>Lücken</translation>
     </message>
     <message>
         <source>Residual</source>
-        <translation type="unfinished"></translation>
+        <translation>Residuum</translation>
     </message>
     <message>
         <source>What the overview shows</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Übersicht zeigt</translation>
     </message>
     <message>
         <source>Overview: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Übersicht: {0}</translation>
     </message>
 </context>
 <context>
     <name>NoteLine</name>
     <message>
         <source>Nothing written yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nichts geschrieben</translation>
     </message>
     <message>
         <source>Note</source>
-        <translation type="unfinished"></translation>
+        <translation>Notiz</translation>
     </message>
     <message>
         <source>Kept with the review; shown in the queue and in reports</source>
-        <translation type="unfinished"></translation>
+        <translation>Bleibt bei der Durchsicht; steht in Prüfliste und Berichten</translation>
     </message>
 </context>
 <context>
     <name>Notice</name>
     <message>
         <source>Leave them</source>
-        <translation type="unfinished"></translation>
+        <translation>So lassen</translation>
     </message>
     <message>
         <source>You rejected {0} of {1} decided as {2} on {3}. Make the other {4} less sure, so that they come last?</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie haben {0} von {1} entschiedenen ({2} an {3}) abgelehnt. Die übrigen {4} als unsicherer einstufen, damit sie zuletzt kommen?</translation>
     </message>
     <message>
         <source>Lower them ({0})</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurückstufen ({0})</translation>
     </message>
 </context>
 <context>
     <name>Overview</name>
     <message>
         <source>Overview of the whole take</source>
-        <translation type="unfinished"></translation>
+        <translation>Übersicht der ganzen Aufnahme</translation>
     </message>
     <message>
         <source>Frame {frame} · {time:.2f} s</source>
-        <translation type="unfinished"></translation>
+        <translation>Frame {frame} · {time:.2f} s</translation>
     </message>
     <message>
         <source>{0} off its body</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} neben seinem Körper</translation>
     </message>
     <message>
         <source>The whole take appears here once one is open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier erscheint die ganze Aufnahme, sobald eine offen ist.</translation>
     </message>
     <message>
         <source>Working out residuals… {0:.0%}</source>
-        <translation type="unfinished"></translation>
+        <translation>Residuen werden berechnet… {0:.0%}</translation>
     </message>
 </context>
 <context>
     <name>Palette</name>
     <message>
         <source>Find a command, marker or artifact</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehl, Marker oder Artefakt finden</translation>
     </message>
     <message>
         <source>Found</source>
-        <translation type="unfinished"></translation>
+        <translation>Gefunden</translation>
     </message>
 </context>
 <context>
     <name>PlotHeader</name>
     <message>
         <source>Readout</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzeige</translation>
     </message>
     <message>
         <source>Plots</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurven</translation>
     </message>
     <message>
         <source>Choose what the plots show</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen, was die Kurven zeigen</translation>
     </message>
     <message>
         <source>Bring {marker} to the front</source>
-        <translation type="unfinished"></translation>
+        <translation>{marker} nach vorn holen</translation>
     </message>
     <message>
         <source>and {count} more</source>
-        <translation type="unfinished"></translation>
+        <translation>und {count} weitere</translation>
     </message>
 </context>
 <context>
     <name>Preferences</name>
     <message>
         <source>Preferences</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>As delivered</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie ausgeliefert</translation>
     </message>
     <message>
         <source>Look</source>
-        <translation type="unfinished"></translation>
+        <translation>Aussehen</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben</translation>
     </message>
     <message>
         <source>As the system</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie das System</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>Hell</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Dunkel</translation>
     </message>
     <message>
         <source>High contrast</source>
-        <translation type="unfinished"></translation>
+        <translation>Hoher Kontrast</translation>
     </message>
     <message>
         <source>Colours for colour-blind eyes</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben für farbenblinde Augen</translation>
     </message>
     <message>
         <source>Choose the colour of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe wählen für: {0}</translation>
     </message>
     <message>
         <source>Classes</source>
-        <translation type="unfinished"></translation>
+        <translation>Arten</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprache</translation>
     </message>
     <message>
         <source>Holds from the next start on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gilt ab dem nächsten Start.</translation>
     </message>
     <message>
         <source>Numbers and space</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahlen und Raum</translation>
     </message>
     <message>
         <source>Lengths in</source>
-        <translation type="unfinished"></translation>
+        <translation>Längen in</translation>
     </message>
     <message>
         <source>millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Millimetern</translation>
     </message>
     <message>
         <source>centimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Zentimetern</translation>
     </message>
     <message>
         <source>metres</source>
-        <translation type="unfinished"></translation>
+        <translation>Metern</translation>
     </message>
     <message>
         <source>What the window shows; files keep their own unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was das Fenster zeigt; Dateien behalten ihre eigene Einheit.</translation>
     </message>
     <message>
         <source>Axis that points up</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse nach oben</translation>
     </message>
     <message>
         <source>As the take suggests</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Aufnahme nahelegt</translation>
     </message>
     <message>
         <source>Detection</source>
-        <translation type="unfinished"></translation>
+        <translation>Erkennung</translation>
     </message>
     <message>
         <source>Detect after opening a take</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach dem Öffnen einer Aufnahme suchen</translation>
     </message>
     <message>
         <source>How</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie</translation>
     </message>
     <message>
         <source>Sensitivity</source>
-        <translation type="unfinished"></translation>
+        <translation>Empfindlichkeit</translation>
     </message>
     <message>
         <source>Higher finds more and raises more false alarms.</source>
-        <translation type="unfinished"></translation>
+        <translation>Höher findet mehr und schlägt öfter falschen Alarm.</translation>
     </message>
     <message>
         <source>Work</source>
-        <translation type="unfinished"></translation>
+        <translation>Arbeit</translation>
     </message>
     <message>
         <source>only when a take is closed</source>
-        <translation type="unfinished"></translation>
+        <translation>nur beim Schließen einer Aufnahme</translation>
     </message>
     <message>
         <source>every </source>
-        <translation type="unfinished"></translation>
+        <translation>alle </translation>
     </message>
     <message>
         <source> min</source>
-        <translation type="unfinished"></translation>
+        <translation> min</translation>
     </message>
     <message>
         <source>Save the review</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchsicht speichern</translation>
     </message>
     <message>
         <source>Each step is kept at once in any case, also through a crash.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Schritt ist ohnehin sofort gesichert, auch über einen Absturz hinweg.</translation>
     </message>
     <message>
         <source>as many as there are cores</source>
-        <translation type="unfinished"></translation>
+        <translation>so viele, wie es Kerne gibt</translation>
     </message>
     <message>
         <source>Processes</source>
-        <translation type="unfinished"></translation>
+        <translation>Prozesse</translation>
     </message>
     <message>
         <source>Used to look for slow drifts in long takes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Für die Suche nach langsamer Drift in langen Aufnahmen.</translation>
     </message>
     <message>
         <source>Preset “{0}”</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorgabe „{0}“</translation>
     </message>
     <message>
         <source>Preset “{0}”, which is gone</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorgabe „{0}“, die es nicht mehr gibt</translation>
     </message>
     <message>
         <source>As dialled</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie eingestellt</translation>
     </message>
     <message>
         <source>Colour of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe von: {0}</translation>
     </message>
 </context>
 <context>
     <name>QueueModel</name>
     <message>
         <source>Status</source>
-        <translation type="unfinished"></translation>
+        <translation>Stand</translation>
     </message>
     <message>
         <source>Class</source>
-        <translation type="unfinished"></translation>
+        <translation>Art</translation>
     </message>
     <message>
         <source>Marker</source>
-        <translation type="unfinished"></translation>
+        <translation>Marker</translation>
     </message>
     <message>
         <source>Axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Achsen</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Frames</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>Length</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>Confidence</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicherheit</translation>
     </message>
     <message>
         <source>Repair</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparieren</translation>
     </message>
     <message>
         <source>Why</source>
-        <translation type="unfinished"></translation>
+        <translation>Warum</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>Accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>Angenommen</translation>
     </message>
     <message>
         <source>Rejected</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgelehnt</translation>
     </message>
     <message>
         <source>Repaired</source>
-        <translation type="unfinished"></translation>
+        <translation>Repariert</translation>
     </message>
     <message>
         <source>Open ones first, the worst on top: size times confidence</source>
-        <translation type="unfinished"></translation>
+        <translation>Offene zuerst, das Schlimmste oben: Größe mal Sicherheit</translation>
     </message>
 </context>
 <context>
     <name>References</name>
     <message>
         <source>Click the markers in the 3D view that {0} is to follow.</source>
-        <translation type="unfinished"></translation>
+        <translation>In der 3D-Ansicht die Marker anklicken, denen {0} folgen soll.</translation>
     </message>
 </context>
 <context>
     <name>ReviewQueue</name>
     <message>
         <source>Review queue</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfliste</translation>
     </message>
     <message>
         <source>Which decisions are listed</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Entscheidungen aufgeführt sind</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>Accepted, not repaired</source>
-        <translation type="unfinished"></translation>
+        <translation>Angenommen, nicht repariert</translation>
     </message>
     <message>
         <source>Decided</source>
-        <translation type="unfinished"></translation>
+        <translation>Entschieden</translation>
     </message>
     <message>
         <source>All</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle</translation>
     </message>
     <message>
         <source>Only: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur: {0}</translation>
     </message>
     <message>
         <source>Filter by marker</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Marker filtern</translation>
     </message>
     <message>
         <source>Repair, each by its best method</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparieren, jedes mit seinem besten Verfahren</translation>
     </message>
     <message>
         <source>{0} of {1} decided</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} von {1} entschieden</translation>
     </message>
     <message>
         <source>Open a take to review its artifacts here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Aufnahme öffnen, um hier ihre Artefakte durchzusehen.</translation>
     </message>
     <message>
         <source>This file has no markers, so there is nothing to review.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Datei hat keine Marker, also gibt es nichts durchzusehen.</translation>
     </message>
     <message>
         <source>Nothing was found. Sweep over a curve with Shift to mark by hand.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts gefunden. Mit Umschalt über eine Kurve streichen, um von Hand zu kennzeichnen.</translation>
     </message>
     <message>
         <source>Nothing found yet. {0} looks for artifacts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nichts gefunden. {0} sucht nach Artefakten.</translation>
     </message>
     <message>
         <source>Review: Detect artifacts</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchsicht: Artefakte suchen</translation>
     </message>
     <message>
         <source>All {0} artifacts are decided. {1} exports the repaired take.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle {0} Artefakte sind entschieden. {1} exportiert die reparierte Aufnahme.</translation>
     </message>
     <message>
         <source>File: Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei: Exportieren</translation>
     </message>
     <message>
         <source>No artifact matches these filters.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Artefakt passt zu diesen Filtern.</translation>
     </message>
 </context>
 <context>
     <name>Scene</name>
     <message>
         <source>3D view</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Show everything (double click)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keep the body in the middle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Trails of all markers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Names of all markers</source>
-        <translation type="unfinished"></translation>
+        <translation>3D-Ansicht</translation>
     </message>
     <message>
         <source>Open a take to see it in space.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Aufnahme öffnen, um sie im Raum zu sehen.</translation>
     </message>
     <message>
         <source>One square: {0}</source>
+        <translation>Ein Quadrat: {0}</translation>
+    </message>
+    <message>
+        <source>Before repair</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SceneButtons</name>
+    <message>
+        <source>Show everything (double click)</source>
+        <translation type="unfinished">Alles zeigen (Doppelklick)</translation>
+    </message>
+    <message>
+        <source>Keep the body in the middle</source>
+        <translation type="unfinished">Den Körper in der Mitte halten</translation>
+    </message>
+    <message>
+        <source>Trails of all markers</source>
+        <translation type="unfinished">Spuren aller Marker</translation>
+    </message>
+    <message>
+        <source>Names of all markers</source>
+        <translation type="unfinished">Namen aller Marker</translation>
+    </message>
+    <message>
+        <source>Select markers with a box (Esc ends it)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Axis that points up</source>
+        <source>Select markers with a lasso (Esc ends)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>As the take suggests</source>
+        <source>Colours, ghost, segments, vertical axis</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2248,291 +2291,284 @@
     <name>SelectionPage</name>
     <message>
         <source>Mark the swept frames as: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Die überstrichenen Frames kennzeichnen als: {0}</translation>
     </message>
     <message>
         <source>Repair</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparieren</translation>
     </message>
     <message>
         <source>Smooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Glätten</translation>
     </message>
     <message>
         <source>Cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausschneiden</translation>
     </message>
     <message>
         <source>Swap…</source>
-        <translation type="unfinished"></translation>
+        <translation>Tauschen…</translation>
     </message>
     <message>
         <source>Give away…</source>
-        <translation type="unfinished"></translation>
+        <translation>Weggeben…</translation>
     </message>
     <message>
         <source>Mark the selection as</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswahl kennzeichnen als</translation>
     </message>
     <message>
         <source>Do something to it</source>
-        <translation type="unfinished"></translation>
+        <translation>Etwas damit tun</translation>
     </message>
     <message>
         <source>Selection on {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswahl an {0}</translation>
     </message>
     <message>
         <source>Frames {0} to {1}: {2} frames, {3:.2f} s</source>
-        <translation type="unfinished"></translation>
+        <translation>Frames {0} bis {1}: {2} Frames, {3:.2f} s</translation>
     </message>
 </context>
 <context>
     <name>ShortcutSheet</name>
     <message>
         <source>Keyboard and mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>Tastatur und Maus</translation>
     </message>
     <message>
         <source>Find by name or key</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Name oder Taste suchen</translation>
     </message>
     <message>
         <source>Keys as in</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten wie in</translation>
     </message>
     <message>
         <source>Actions and keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktionen und Tasten</translation>
     </message>
     <message>
         <source>What</source>
-        <translation type="unfinished"></translation>
+        <translation>Was</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten</translation>
     </message>
     <message>
         <source>New key</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Taste</translation>
     </message>
     <message>
         <source>Use this key</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Taste verwenden</translation>
     </message>
     <message>
         <source>No key</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Taste</translation>
     </message>
     <message>
         <source>As in the preset</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie in der Vorgabe</translation>
     </message>
     <message>
         <source>Take this key</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Taste wegnehmen</translation>
     </message>
     <message>
         <source>{0} belongs to “{1}”, which would lose it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} gehört „{1}“, das sie verlöre.</translation>
     </message>
 </context>
 <context>
     <name>StatusLine</name>
     <message>
         <source>Progress</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Artifacts decided, time for each, and time spent on the take without pauses</source>
-        <translation type="unfinished"></translation>
+        <translation>Entschiedene Artefakte, Zeit für jedes und Zeit für die Aufnahme ohne Pausen</translation>
     </message>
     <message>
         <source>Cancelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgebrochen.</translation>
     </message>
     <message>
         <source>{0} of {1} decided</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} von {1} entschieden</translation>
     </message>
     <message>
         <source> · {0:.1f} s each · {1:.1f} min</source>
-        <translation type="unfinished"></translation>
+        <translation> · je {0:.1f} s · {1:.1f} min</translation>
     </message>
 </context>
 <context>
     <name>TakePage</name>
     <message>
         <source>Take</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahme</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Frames</translation>
     </message>
     <message>
         <source>Rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Rate</translation>
     </message>
     <message>
         <source>Duration</source>
-        <translation type="unfinished"></translation>
+        <translation>Dauer</translation>
     </message>
     <message>
         <source>Markers</source>
-        <translation type="unfinished"></translation>
+        <translation>Marker</translation>
     </message>
     <message>
         <source>Subjects</source>
-        <translation type="unfinished"></translation>
+        <translation>Personen</translation>
     </message>
     <message>
         <source>Other points</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere Punkte</translation>
     </message>
     <message>
         <source>Analog</source>
-        <translation type="unfinished"></translation>
+        <translation>Analog</translation>
     </message>
     <message>
         <source>Events</source>
-        <translation type="unfinished"></translation>
+        <translation>Ereignisse</translation>
     </message>
     <message>
         <source>Missing</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehlend</translation>
     </message>
     <message>
         <source>{0:.2f} % of all samples</source>
-        <translation type="unfinished"></translation>
+        <translation>{0:.2f} % aller Werte</translation>
     </message>
 </context>
 <context>
     <name>TrajectoryPanel</name>
     <message>
         <source>Trajectories</source>
-        <translation type="unfinished"></translation>
+        <translation>Trajektorien</translation>
     </message>
     <message>
         <source>Plots of the shown markers</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurven der gezeigten Marker</translation>
     </message>
     <message>
         <source>No take is open</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Aufnahme ist offen</translation>
     </message>
     <message>
         <source>Open a take, or drop one onto the window.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Aufnahme öffnen oder auf das Fenster ziehen.</translation>
     </message>
     <message>
         <source>No marker is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Marker wird gezeigt</translation>
     </message>
     <message>
         <source>Check markers in the tree, or go to an artifact in the review queue.</source>
-        <translation type="unfinished"></translation>
+        <translation>Marker im Baum ankreuzen oder zu einem Artefakt der Prüfliste gehen.</translation>
     </message>
     <message>
         <source>To {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu {0}</translation>
     </message>
 </context>
 <context>
     <name>Transport</name>
     <message>
         <source>Frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Frame</translation>
     </message>
     <message>
         <source>Frame number</source>
-        <translation type="unfinished"></translation>
+        <translation>Framenummer</translation>
     </message>
     <message>
         <source>Frame number, as in the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Framenummer wie in der Datei</translation>
     </message>
     <message>
         <source>Time since the first frame, and length of the take</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit seit dem ersten Frame und Länge der Aufnahme</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo</translation>
     </message>
     <message>
         <source>Speed of playback</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo der Wiedergabe</translation>
     </message>
     <message>
         <source>To the first frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum ersten Frame</translation>
     </message>
     <message>
         <source>One frame back</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Frame zurück</translation>
     </message>
     <message>
         <source>One frame forward</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Frame vor</translation>
     </message>
     <message>
         <source>To the last frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum letzten Frame</translation>
     </message>
     <message>
         <source>Repeat what the plots show</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholen, was die Kurven zeigen</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhalten</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation type="unfinished"></translation>
+        <translation>Abspielen</translation>
     </message>
 </context>
 <context>
     <name>Welcome</name>
     <message>
         <source>Open a take to mend</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Aufnahme zum Ausbessern öffnen</translation>
     </message>
     <message>
         <source>Drop a C3D, TRC or CSV file here, or begin with the demo take.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine C3D-, TRC- oder CSV-Datei hierher ziehen oder mit der Beispielaufnahme beginnen.</translation>
     </message>
     <message>
         <source>Open take…</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahme öffnen…</translation>
     </message>
     <message>
         <source>Open a take</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Aufnahme öffnen</translation>
     </message>
     <message>
         <source>Open the demo take</source>
-        <translation type="unfinished"></translation>
+        <translation>Beispielaufnahme öffnen</translation>
     </message>
 </context>
 <context>
     <name>_Steps</name>
     <message>
         <source>As opened</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>self._panel</name>
-    <message>
-        <source>Plots</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie geöffnet</translation>
     </message>
 </context>
 </TS>

@@ -1,4 +1,4 @@
-"""Bring the translations up to date: ``python packaging/translate.py``.
+"""Bring the translations up to date: ``python docs/translate.py``.
 
 Reads every string of the application into ``translations/*.ts``, where what is new stands as
 unfinished, and makes the ``*.qm`` files that the application loads. Translate with Qt Linguist

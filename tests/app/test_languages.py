@@ -1,0 +1,153 @@
+"""The window in other languages: everything can be translated, and the German is whole."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+import xml.etree.ElementTree as ET
+from importlib.resources import files
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QCoreApplication, QTranslator
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QComboBox, QWidget
+
+from markermend.mesh import infer_mesh
+from markermend.session_file import open_session
+from markermend_app import languages, settings, shortcuts, theme
+from markermend_app.preferences import Preferences
+from markermend_app.shortcut_sheet import ShortcutSheet
+from markermend_app.window import MainWindow
+
+ROOT = Path(__file__).resolve().parents[2]
+FOLDER = Path(str(files("markermend_resources"))) / "translations"
+LEAST_DONE = 0.9
+
+
+def messages(ts):
+    """Context, source and translation of each message."""
+    root = ET.parse(ts).getroot()
+    return [
+        (context.findtext("name"), m.findtext("source"), m.find("translation"))
+        for context in root.findall("context")
+        for m in context.findall("message")
+    ]
+
+
+@pytest.fixture
+def german(qapp):
+    """The app in German for one test."""
+    settings.remember(languages.SETTING, "de")
+    loaded = languages.install(qapp)
+    yield
+    for translator in loaded:
+        qapp.removeTranslator(translator)
+
+
+@pytest.fixture
+def open_window(qtbot, damaged, tmp_path):
+    """Make a window with a take under review."""
+
+    def make():
+        take, truth = damaged
+        window = MainWindow()
+
+        def quiet(window):
+            window.document.session.mark_exported()
+
+        qtbot.addWidget(window, before_close_func=quiet)
+        window.document.open(open_session(take, folder=tmp_path), infer_mesh(take))
+        window.document.add_detected(truth, "truth")
+        window.document.step(1)
+        return window
+
+    return make
+
+
+@pytest.mark.parametrize("ts", sorted(FOLDER.glob("*.ts")), ids=lambda p: p.stem)
+def test_placeholders_survive_translation(ts):
+    for _context, source, translation in messages(ts):
+        if translation.get("type") != "unfinished":
+            wanted, had = (re.findall(r"\{[^}]*\}", t) for t in (source, translation.text))
+            assert sorted(wanted) == sorted(had), source
+
+
+@pytest.mark.parametrize("ts", sorted(FOLDER.glob("*.ts")), ids=lambda p: p.stem)
+def test_what_is_loaded_is_what_was_translated(ts):
+    translator = QTranslator()
+    assert translator.load(str(ts.with_suffix(".qm")))
+    for context, source, translation in messages(ts):
+        if translation.get("type") != "unfinished":
+            assert translator.translate(context or "", source) == translation.text
+
+
+def test_nearly_all_strings_of_the_app_are_translated(tmp_path):
+    sys.path.insert(0, str(ROOT / "docs"))
+    import translate
+
+    ts = tmp_path / "de.ts"
+    ts.write_bytes((FOLDER / "de.ts").read_bytes())
+    try:
+        translate.update(ts)
+    except (OSError, subprocess.CalledProcessError) as error:
+        pytest.skip(f"Qt's lupdate does not run here ({error})")
+    done = [m[2].get("type") != "unfinished" for m in messages(ts)]
+    assert sum(done) / len(done) > LEAST_DONE
+
+
+def test_the_window_speaks_german(german, open_window):
+    window = open_window()
+    assert window.menus["File"].title() == "&Datei"
+    assert window.actions_by_name["repair"].text() == "Reparieren"
+    assert window.docks["queue"].windowTitle() == "Prüfliste"
+    texts = {a.text() for a in window.menuBar().actions()}
+    assert "&Hilfe" in texts
+
+
+class Brackets(QTranslator):
+    """Puts every string it is asked for into brackets."""
+
+    def translate(self, context, source, disambiguation=None, n=-1):
+        """The string in brackets."""
+        return f"⟦{source}⟧" if source else ""
+
+    def isEmpty(self):
+        """It has something for everything."""
+        return False
+
+
+def words_of(widget):
+    """Texts that a widget shows or tells."""
+    for name in ("text", "title", "toolTip", "accessibleName", "placeholderText", "windowTitle"):
+        get = getattr(widget, name, None)
+        value = get() if callable(get) else None
+        if isinstance(value, str):
+            yield value
+    if isinstance(widget, QComboBox):
+        yield from (widget.itemText(i) for i in range(widget.count()))
+
+
+def test_everything_in_the_window_can_be_translated(qapp, open_window, qtbot, damaged):
+    brackets = Brackets()
+    QCoreApplication.installTranslator(brackets)
+    try:
+        window = open_window()
+        sheet, page = ShortcutSheet(window), Preferences(window)
+        for dialog in (sheet, page):
+            qtbot.addWidget(dialog)
+        take, truth = damaged
+        names = {*take.labels, *(a.why for a in truth), *shortcuts.PRESET_LABEL.values()}
+        names |= {*languages.LANGUAGES.values(), "Markermend", "100 Hz"}
+        plain = set()
+        for top in (window, sheet, page):
+            for widget in (top, *top.findChildren(QWidget), *top.findChildren(QAction)):
+                for text in words_of(widget):
+                    known = text in names or "⟦" in text or text.startswith(("qt_", "box"))
+                    if not known and re.search(r"[A-Za-z]{2}", text):
+                        plain.add((type(widget).__name__, text))
+        assert plain == set()
+    finally:
+        QCoreApplication.removeTranslator(brackets)
+    assert theme.kind_name(next(iter(theme.KIND_NAME))) == "Gap"
