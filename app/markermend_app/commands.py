@@ -331,7 +331,8 @@ class Commands(QObject):
         )
         if file.read_only:
             text = self.tr("Open in another window: this one is read-only.")
-        elif file.recovered:
+        elif file.recovered and not file.session.exported:
+            # A detection run that was cut short is no work of the operator's.
             text = self.tr("An interrupted review was recovered; last step: {0}.").format(
                 file.session.history[-1] if file.session.history else self.tr("opened")
             )

@@ -53,6 +53,7 @@ class Document(QObject):
     frame_changed(int) : the cursor moved
     frame_requested(int, int) : bring these frames into view (start, stop)
     failed(object) : a verb could not be done; an exception
+    said(str) : a verb did something else than its name says; a sentence
     """
 
     opened = Signal()
@@ -68,6 +69,7 @@ class Document(QObject):
     frame_changed = Signal(int)
     frame_requested = Signal(int, int)
     failed = Signal(object)
+    said = Signal(str)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -285,7 +287,8 @@ class Document(QObject):
     def repair_current(self) -> None:
         """Replace the current artifact's samples by the previewed repair and move on.
 
-        When the preview is still being made, it is used as soon as it is there.
+        When the preview is still being made, it is used as soon as it is there. Where no method
+        has a repair, the flag is accepted and its samples are left, so that the review goes on.
         """
         artifact = self.current
         if artifact is None or not self.editable or artifact.status is Status.REPAIRED:
@@ -296,8 +299,18 @@ class Document(QObject):
             return
         self._repair_when_ready = None
         following = self._following(artifact.id)
-        if self.do(lambda s: s.repair([(artifact.id, proposal)])):
+        if not proposal.patches and self.preview.best:
+            self._leave(artifact, proposal.reason, following)
+        elif self.do(lambda s: s.repair([(artifact.id, proposal)])):
             self._move_on(following)
+
+    def _leave(self, artifact: Artifact, reason: str, following: str | None) -> None:
+        """Accept what cannot be repaired, say why it stays as it is, and move on."""
+        accepted = artifact.status is Status.ACCEPTED
+        if accepted or self.do(lambda s: s.set_status([artifact.id], Status.ACCEPTED)):
+            self._move_on(following)
+            text = self.tr("The flag on {0} is accepted, the samples are left. {1}")
+            self.said.emit(text.format(artifact.marker, reason))
 
     def repair_many(self, repairs: Sequence[tuple[str, Any]], label: str) -> None:
         """Apply many proposals as one step."""

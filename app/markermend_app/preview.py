@@ -37,6 +37,11 @@ class Preview(QObject):
         self.proposals = Proposals(self)
         self.proposals.ready.connect(self.ready)
 
+    @property
+    def best(self) -> bool:
+        """Whether the methods are left to compete, rather than one of them looked at."""
+        return self.method == AUTO and not self.references
+
     def reset(self) -> None:
         """Go back to the best method and the references it takes by itself."""
         self.method, self.references = AUTO, ()

@@ -201,6 +201,7 @@ class MainWindow(QMainWindow):
 
     def _connect(self) -> None:
         document = self.document
+        document.said.connect(self.status.say)
         self.commands.said.connect(self.status.say)
         self.bulk.said.connect(self.status.say)
         self.hand.said.connect(self.status.say)

@@ -62,6 +62,50 @@ def test_a_hundred_artifacts_take_one_key_each_and_no_mouse(hundred, qtbot):
     assert len(document.session.with_status(Status.PENDING)) == 100
 
 
+@pytest.fixture
+def hopeless(review, damaged):
+    """The window on a take in which a marker is never seen, so that nothing can repair it."""
+    take = damaged[0]
+    positions = take.positions.copy()
+    positions[:, 3] = np.nan
+    found = [
+        Artifact(take.labels[3], "xyz", 20, 60, Kind.GAP, 1.0),
+        Artifact(take.labels[5], "y", 150, 151, Kind.PEAK, 0.95, 25.0),
+    ]
+    window = review(Take(positions, take.labels, take.rate), found)
+    gap = next(a for a in window.document.session.artifacts if a.kind is Kind.GAP)
+    window.document.select(gap.id)
+    return window, gap.id
+
+
+def test_the_repair_key_accepts_what_cannot_be_repaired_and_goes_on(hopeless, qtbot):
+    window, gap = hopeless
+    document = window.document
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    assert not document.proposal.patches
+    why, before = document.proposal.reason, document.session.positions.copy()
+    assert "F accepts the flag" in window.inspector.artifact.methods.outcome.text()
+    qtbot.keyClick(window, Qt.Key.Key_F)
+    assert document.session.artifact(gap).status is Status.ACCEPTED
+    assert document.current.id != gap
+    assert why
+    assert why in window.status._said.text()
+    assert np.array_equal(document.session.positions, before, equal_nan=True)
+    qtbot.keyClick(window, Qt.Key.Key_Z, CTRL)
+    assert document.session.artifact(gap).status is Status.PENDING
+
+
+def test_a_method_chosen_by_hand_that_has_no_repair_decides_nothing(hopeless, qtbot):
+    window, gap = hopeless
+    document = window.document
+    document.choose_method("spline")
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    assert not document.proposal.patches
+    qtbot.keyClick(window, Qt.Key.Key_F)
+    assert document.session.artifact(gap).status is Status.PENDING
+    assert "cannot be repaired" in window.status._said.text()
+
+
 def test_the_first_is_framed_closely_with_its_repair_and_band(hundred, qtbot):
     document, rows = hundred.document, hundred.trajectories.rows
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)

@@ -155,7 +155,7 @@ def test_a_method_without_answer_says_why_and_cannot_be_applied(inspector, docum
     monkeypatch.setattr(Document, "proposal", property(lambda self: nothing))
     select(document, Kind.STEP)
     said = inspector.artifact.methods.outcome.text()
-    assert said == "No repair: no marker carries the other half of this step"
+    assert said.splitlines()[0] == "No repair: no marker carries the other half of this step"
     assert not inspector.decisions.repair.isEnabled()
     assert inspector.decisions.accept.isEnabled()
 

@@ -142,7 +142,8 @@ class ArtifactPage(QWidget):
                 field.setRange(low, high)
                 field.setValue(value)
             field.setEnabled(editable)
-        length = self.tr("{0} frames, {1:.2f} s").format(a.length, a.length / take.rate)
+        length = self.tr("1 frame") if a.length == 1 else self.tr("{0} frames").format(a.length)
+        length += self.tr(", {0:.2f} s").format(a.length / take.rate)
         if math.isfinite(a.amplitude_mm):
             length += ", " + units.length(a.amplitude_mm)
         self.extent.setText(length)

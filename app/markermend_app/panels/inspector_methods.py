@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from markermend.artifact import Status
-from markermend_app import units
+from markermend_app import shortcuts, units
 from markermend_app.document import Document
 from markermend_app.panels.inspector_take import heading, plain
 from markermend_app.words import tr
@@ -126,7 +126,12 @@ class MethodList(QWidget):
         if proposal is None:
             return self.tr("Working out the repair…")
         if not proposal.patches:
-            return self.tr("No repair: {0}").format(proposal.reason or self.tr("no answer here"))
+            why = proposal.reason or self.tr("no answer here")
+            text = self.tr("No repair: {0}").format(why)
+            if self._document.preview.best:
+                goes_on = self.tr("{0} accepts the flag, leaves the samples and goes on.")
+                text += "\n" + goes_on.format(shortcuts.first("repair"))
+            return text
         from markermend.repairs import REPAIRS
 
         method = proposal.method

@@ -112,11 +112,12 @@ class SelectionPage(QWidget):
         n = swept.stop - swept.start
         first, last = take.frame_number(swept.start), take.frame_number(swept.stop - 1)
         self.title.setText(self.tr("Selection on {0}").format(swept.marker))
-        self.about.setText(
-            self.tr("Frames {0} to {1}: {2} frames, {3:.2f} s").format(
-                first, last, n, n / take.rate
-            )
-        )
+        if n == 1:
+            text = self.tr("Frame {0}, {1:.2f} s").format(first, 1 / take.rate)
+        else:
+            text = self.tr("Frames {0} to {1}: {2} frames, {3:.2f} s")
+            text = text.format(first, last, n, n / take.rate)
+        self.about.setText(text)
         for button in (*self.buttons.values(), *self.verbs.values()):
             button.setEnabled(self._document.editable)
 
