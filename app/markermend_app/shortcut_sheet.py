@@ -230,6 +230,8 @@ def _gestures() -> list[tuple[str, list[tuple[str, str]]]]:
                 (tr("Shift+drag or middle drag"), tr("Pan")),
                 (tr("Wheel"), tr("Zoom")),
                 (tr("Ctrl+drag"), tr("Scrub through time")),
+                (tr("Alt+arrows, with Shift"), tr("Orbit, pan, once the view has the focus")),
+                (tr("+ and −"), tr("Zoom, once the view has the focus")),
             ],
         ),
     ]

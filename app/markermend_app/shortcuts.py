@@ -37,14 +37,13 @@ PRESETS: Mapping[str, Mapping[str, Keys]] = MappingProxyType(
             "frames_forward": ("Shift+Right", "PgDown"),
             "frames_back": ("Shift+Left", "PgUp"),
         },
-        # The Trajectory Editor: gaps are stepped through with Alt, one hand stays on the arrows.
+        # One hand stays on the arrows, G fills.
         "qtm": {
-            "next": ("Alt+Right", "N", "Ctrl+Right"),
-            "previous": ("Alt+Left", "P", "Ctrl+Left"),
+            "next": ("Ctrl+Right", "N"),
+            "previous": ("Ctrl+Left", "P"),
             "repair": ("G", "F"),
             "frames_forward": ("Shift+Right", "PgDown"),
             "frames_back": ("Shift+Left", "PgUp"),
-            "fit": ("Ctrl+0", "Alt+Home"),
         },
         # F frames what is selected, as in programs for animation; so that repairing moves to I,
         # for interpolating.

@@ -84,7 +84,8 @@ QToolButton { background: transparent; border: 1px solid transparent; border-rad
 QToolButton:hover { background: $hover; }
 QToolButton:pressed { background: $pressed; }
 QToolButton:checked { background: $checked; border-color: $accent; }
-QToolButton:focus { border-color: $accent; }
+QToolButton:focus { border: 2px solid $accent; padding: 3px; }
+QToolButton:checked:focus { border-color: $text; }
 QToolButton:disabled { color: $dimmed; }
 QToolButton::menu-indicator { image: none; }
 
@@ -93,10 +94,12 @@ QPushButton { background: $raised; border: 1px solid $border; border-radius: 4px
 QPushButton:hover { background: $hover; }
 QPushButton:pressed { background: $pressed; }
 QPushButton:checked { background: $checked; border-color: $accent; }
-QPushButton:focus { border-color: $accent; }
+QPushButton:focus { border: 2px solid $accent; padding: 3px 11px; }
+QPushButton:checked:focus { border-color: $text; }
 QPushButton:disabled { color: $dimmed; }
 QPushButton:default, QPushButton[role="primary"] { background: $accent; color: $on_accent;
     border-color: $accent; }
+QPushButton:default:focus, QPushButton[role="primary"]:focus { border-color: $text; }
 QPushButton:default:hover, QPushButton[role="primary"]:hover { background: $accent_hover; }
 QPushButton:default:disabled, QPushButton[role="primary"]:disabled { background: $raised;
     color: $dimmed; border-color: $border; }
@@ -172,6 +175,8 @@ QTabBar::tab { background: transparent; color: $muted; padding: 4px 12px;
 QTabBar::tab:hover { color: $text; }
 QTabBar::tab:selected { color: $text; border-bottom-color: $accent; }
 
+PlotStack, Inspector QScrollArea { border: 1px solid transparent; }
+PlotStack:focus, Inspector QScrollArea:focus { border-color: $accent; }
 QScrollBar { background: transparent; border: none; }
 QScrollBar:vertical { width: 12px; }
 QScrollBar:horizontal { height: 12px; }

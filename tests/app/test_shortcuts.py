@@ -131,7 +131,7 @@ def test_a_preset_chosen_in_the_sheet_stays(qtbot, window):
     sheet.preset.setCurrentIndex(place)
     sheet.preset.activated.emit(place)
     assert shortcuts.preset() == "qtm"
-    assert window.actions_by_name["next"].shortcut() == QKeySequence("Alt+Right")
+    assert window.actions_by_name["next"].shortcut() == QKeySequence("Ctrl+Right")
 
 
 def test_every_action_stands_in_a_menu_with_its_key(window):

@@ -65,7 +65,7 @@ class Scene(QWidget):
         self._dragged = False
         self._scrub_from = 0
         self.setMinimumSize(200, 160)
-        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName(self.tr("3D view"))
         self._make_buttons()
 
@@ -195,6 +195,7 @@ class Scene(QWidget):
             paint.paint_title(sight, self.tr("Before repair"))
         if self._outline is not None:
             self._outline.paint(painter)
+        paint.paint_focus(sight, self.hasFocus())
 
     def _paint_body(self, sight: paint.Sight, now: FloatArray) -> None:
         """Paint the segments; those of the wrong length in red."""
@@ -360,13 +361,16 @@ class Scene(QWidget):
         menu.popup(event.globalPos())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Esc lets the selecting tool go."""
+        """Turn, move and zoom; Esc lets the selecting tool go."""
+        moved = self.camera.by_key(Qt.Key(event.key()), event.modifiers(), self.height())
         if event.key() == Qt.Key.Key_Escape and self.buttons.tool:
             self.buttons.drop_tool()
             self._outline = None
-            self.update()
+        elif moved is not None:
+            self.camera = moved
         else:
             super().keyPressEvent(event)
+        self.update()
 
     # Following the document
 

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
+from PySide6.QtCore import Qt
 
 from markermend.arrays import FloatArray
 
@@ -14,6 +15,15 @@ NEAR = 0.02
 
 FOV = math.radians(35.0)
 _MAX_PITCH = math.radians(89.0)
+
+_KEY_PX = 24.0
+_ARROWS = {
+    Qt.Key.Key_Left: (-1, 0),
+    Qt.Key.Key_Right: (1, 0),
+    Qt.Key.Key_Up: (0, -1),
+    Qt.Key.Key_Down: (0, 1),
+}
+_ZOOM = {Qt.Key.Key_Plus: 0.85, Qt.Key.Key_Equal: 0.85, Qt.Key.Key_Minus: 1 / 0.85}
 
 
 @dataclass(frozen=True)
@@ -94,6 +104,17 @@ class Camera:
         across, up, _ = self.axes()
         mm = self.distance / self.scale(height)
         return self.moved(-across * dx * mm + up * dy * mm)
+
+    def by_key(self, key: Qt.Key, held: Qt.KeyboardModifier, height: float) -> Camera | None:
+        """Turned by Alt and an arrow, moved with Shift besides, zoomed by + and −; else None."""
+        if key in _ZOOM:
+            return self.zoomed(_ZOOM[key])
+        if key not in _ARROWS or not held & Qt.KeyboardModifier.AltModifier:
+            return None
+        dx, dy = (_KEY_PX * step for step in _ARROWS[key])
+        if held & Qt.KeyboardModifier.ShiftModifier:
+            return self.panned(dx, dy, height)
+        return self.orbited(dx, dy)
 
     def moved(self, by: FloatArray) -> Camera:
         """Target and eye moved by mm."""

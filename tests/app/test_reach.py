@@ -1,0 +1,153 @@
+"""Everything is reached by the keyboard, shows the focus, and has a name for screen readers."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QAbstractScrollArea,
+    QAbstractSlider,
+    QAbstractSpinBox,
+    QApplication,
+    QComboBox,
+    QHeaderView,
+    QLineEdit,
+    QScrollBar,
+    QWidget,
+)
+
+from markermend.mesh import infer_mesh
+from markermend.session_file import open_session
+from markermend_app import theme
+from markermend_app.looks import LOOKS
+from markermend_app.preferences import Preferences
+from markermend_app.shortcut_sheet import ShortcutSheet
+from markermend_app.window import MainWindow
+
+USED = (
+    QAbstractButton,
+    QAbstractItemView,
+    QAbstractSlider,
+    QAbstractSpinBox,
+    QComboBox,
+    QHeaderView,
+    QLineEdit,
+)
+
+
+@pytest.fixture(autouse=True)
+def light_again(qapp: QApplication):
+    yield
+    theme.apply(qapp, "light")
+
+
+@pytest.fixture
+def window(qtbot, damaged, tmp_path):
+    """A window with a take under review."""
+    take, truth = damaged
+    made = MainWindow()
+
+    def quiet(window):
+        window.document.session.mark_exported()
+
+    qtbot.addWidget(made, before_close_func=quiet)
+    made.show()
+    made.activateWindow()
+    qtbot.waitExposed(made)
+    made.document.open(open_session(take, folder=tmp_path), infer_mesh(take))
+    made.document.add_detected(truth, "truth")
+    made.document.step(1)
+    return made
+
+
+def parts(top):
+    """Widgets a hand uses, in a window or dialog, without the inner parts of others."""
+    for widget in top.findChildren(QWidget):
+        above = widget.parent()
+        inner = isinstance(above, (QAbstractSpinBox, QComboBox, QLineEdit))
+        inner = inner or widget.objectName().startswith("qt_")
+        # Lists of combo boxes are read with their box, headers with their view.
+        inner = inner or type(above).__name__ in ("QFrame", "Notice")
+        inner = inner or isinstance(widget, (QScrollBar, QHeaderView))
+        if isinstance(widget, USED) and not inner:
+            yield widget
+
+
+def called(widget):
+    """For an assertion's message."""
+    return f"{type(widget).__name__} {widget.objectName()!r} in {type(widget.parent()).__name__}"
+
+
+def test_everything_has_a_name(window, qtbot):
+    page, sheet = Preferences(window), ShortcutSheet(window)
+    for dialog in (page, sheet):
+        qtbot.addWidget(dialog)
+    without = []
+    for top in (window, page, sheet):
+        for widget in parts(top):
+            text = widget.text() if isinstance(widget, QAbstractButton) else ""
+            label = getattr(widget, "accessibleName", str)()
+            if not (text or label) and not widget.objectName().startswith("ScrollLeft"):
+                without.append(called(widget))
+    assert not without, "\n".join(without)
+
+
+def reached(window, steps=400):
+    """Widgets that Tab walks through."""
+    found, focus = set(), window.focusWidget() or window
+    for _ in range(steps):
+        if not window.focusNextChild():
+            break
+        focus = window.focusWidget()
+        if focus in found:
+            break
+        found.add(focus)
+    return found
+
+
+def test_tab_reaches_everything_that_is_used(window, qtbot):
+    window.tree.filter.setFocus()
+    found = reached(window)
+    missed = []
+    for widget in parts(window):
+        # The decisions beside an interval are those of the keys and of the details' buttons.
+        beside = window.trajectories.buttons.isAncestorOf(widget)
+        inner = isinstance(widget, QAbstractButton) and "Title" in type(widget).__name__
+        toolbar = window.toolbar.isAncestorOf(widget)
+        usable = widget.isVisible() and widget.isEnabled()
+        if usable and not (beside or inner or toolbar) and widget not in found:
+            radio = getattr(widget, "autoExclusive", bool)()
+            if not radio:
+                missed.append(called(widget))
+    assert not missed, "\n".join(missed)
+    assert window.trajectories.canvas in found
+    assert window.scene in found
+
+
+@pytest.mark.parametrize("look", LOOKS)
+def test_the_focus_is_seen(window, qtbot, qapp, look):
+    theme.watcher.name = ""
+    theme._wear(qapp, LOOKS[look])
+    plain = []
+    for widget in [*reached(window)]:
+        if not isinstance(widget, (*USED, QAbstractScrollArea)) and widget is not window.scene:
+            continue
+        window.setFocus()
+        without = widget.grab().toImage()
+        widget.setFocus(Qt.FocusReason.TabFocusReason)
+        if window.focusWidget() is widget and widget.grab().toImage() == without:
+            plain.append(called(widget))
+    assert not plain, "\n".join(plain)
+
+
+def test_the_body_is_turned_moved_and_zoomed_by_keys(window, qtbot):
+    scene, alt = window.scene, Qt.KeyboardModifier.AltModifier
+    before = scene.camera
+    qtbot.keyClick(scene, Qt.Key.Key_Left, alt)
+    assert scene.camera.yaw > before.yaw
+    qtbot.keyClick(scene, Qt.Key.Key_Up, alt | Qt.KeyboardModifier.ShiftModifier)
+    assert scene.camera.target != before.target
+    qtbot.keyClick(scene, Qt.Key.Key_Plus)
+    assert scene.camera.distance < before.distance
