@@ -36,7 +36,10 @@ def main():
         *("--distpath", str(OUTPUT), "--workpath", str(BUILD / "bundle-work")),
         str(HERE / "markermend.spec"),
     )
+    if os.name != "nt":
+        (PROGRAM / "markermend-window").symlink_to("markermend")
     if sys.platform.startswith("linux"):
+        strip_python()
         for name in ("markermend.desktop", "markermend-c3d.xml", "install.sh"):
             shutil.copy(str(HERE / "linux" / name), str(PROGRAM / name))
         shutil.copytree(str(BUILD / "bundle-icons"), str(PROGRAM / "icons"), dirs_exist_ok=True)
@@ -62,6 +65,14 @@ def make_environment():
         *("--requirement", str(HERE / "requirements.txt"), "%s[app]" % ROOT),
     )
     return python
+
+
+def strip_python():
+    """Take the debugging symbols out of Python itself; NumPy's libraries do not survive it."""
+    inside = PROGRAM / "_internal"
+    found = [*inside.glob("libpython*.so*"), *inside.glob("python3*/lib-dynload/*.so")]
+    if shutil.which("strip"):
+        run("strip", "--strip-unneeded", *map(str, found))
 
 
 def try_out():
