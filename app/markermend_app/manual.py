@@ -39,6 +39,7 @@ PAGES: Mapping[str, str] = MappingProxyType(
         "markers": "window.md#markers",
         "scene": "window.md#3d-view",
         "queue": "artifacts.md",
+        "quality": "window.md#quality",
         "inspector": "repairs.md",
         "history": "by-hand.md",
         "ExportDialog": "files.md#what-is-written",

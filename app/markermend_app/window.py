@@ -42,6 +42,7 @@ from markermend_app.panels.inspector import Inspector
 from markermend_app.panels.marker_tree import MarkerTree
 from markermend_app.panels.notice import Notice
 from markermend_app.panels.overview import Overview
+from markermend_app.panels.quality import QualityPanel
 from markermend_app.panels.review_queue import ReviewQueue
 from markermend_app.panels.scene import Scene
 from markermend_app.panels.status import StatusLine
@@ -52,7 +53,7 @@ from markermend_app.preferred import Preferred
 from markermend_app.references import References
 from markermend_app.shortcut_sheet import ShortcutSheet
 
-LAYOUT_VERSION = 1
+LAYOUT_VERSION = 2
 ROOMY = QSize(1500, 940)
 
 
@@ -106,6 +107,7 @@ class MainWindow(QMainWindow):
         self.tree = MarkerTree(document)
         self.queue = ReviewQueue(document)
         self.inspector = Inspector(document)
+        self.quality = QualityPanel(document)
         self.history = HistoryPanel(document)
         self.scene = Scene(document)
         self.transport = Transport(document)
@@ -145,7 +147,10 @@ class MainWindow(QMainWindow):
             "scene": self._dock("scene", self.tr("3D view"), view, right),
             "inspector": self._dock("inspector", self.tr("Details"), self.inspector, right),
             "queue": self._dock("queue", self.tr("Review queue"), self.queue, bottom),
+            "quality": self._dock("quality", self.tr("Quality"), self.quality, bottom),
         }
+        self.tabifyDockWidget(self.docks["queue"], self.docks["quality"])
+        self.docks["queue"].raise_()
         self.setCorner(Qt.Corner.BottomLeftCorner, left)
         self.setCorner(Qt.Corner.BottomRightCorner, right)
         self.resizeDocks([self.docks["markers"], self.docks["history"]], [640, 200], _V)

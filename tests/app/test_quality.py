@@ -1,0 +1,149 @@
+"""The quality panel: what it counts, how it sorts, and where a click goes."""
+
+from __future__ import annotations
+
+import time
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+
+from markermend.artifact import Artifact, Kind
+from markermend.mesh import Mesh
+from markermend.patch import Patch
+from markermend.repairs import Repair
+from markermend.session_file import open_session
+from markermend.take import Take
+from markermend_app import settings
+from markermend_app.document import Document
+from markermend_app.panels.quality import QualityPanel
+from markermend_app.panels.quality_model import BEFORE, DECIDED, MARKER, MEAN, MENDED, NOW, OPEN
+
+
+@pytest.fixture
+def document(tmp_path, damaged, qtbot):
+    take, found = damaged
+    document = Document()
+    document.open(open_session(take, folder=tmp_path), Mesh(take.labels, ()))
+    document.add_detected(found, "paper")
+    yield document
+    document.open(None, None)
+    document.proposals.close()
+
+
+@pytest.fixture
+def panel(document, qtbot):
+    panel = QualityPanel(document)
+    qtbot.addWidget(panel)
+    panel.resize(1100, 300)
+    panel.show()
+    qtbot.waitExposed(panel)
+    return panel
+
+
+def row(panel, marker):
+    model = panel.model if marker else panel.total
+    return [model.index(model.row_of(marker), c).data() for c in range(8)]
+
+
+def click(qtbot, panel, marker, press):
+    index = panel.model.index(panel.model.row_of(marker), MARKER)
+    press(
+        panel.view.viewport(),
+        Qt.MouseButton.LeftButton,
+        pos=panel.view.visualRect(index).center(),
+    )
+
+
+def test_a_decision_is_counted_once_it_has_settled(qtbot, panel, document):
+    assert row(panel, "CLAV")[BEFORE] == "7.5 %"
+    assert row(panel, "CLAV")[OPEN] == "1 gap"
+    assert row(panel, "")[MARKER] == "Whole take"
+    gap = next(a for a in document.session.artifacts if a.kind is Kind.GAP)
+    patch = Patch("CLAV", "xyz", 60, 90, np.ones((30, 3)))
+    document.repair_many([(gap.id, Repair("linear", (patch,), error_mm=2.5))], "Repair")
+    qtbot.waitUntil(lambda: row(panel, "CLAV")[OPEN] == "", timeout=2000)
+    clav = row(panel, "CLAV")
+    assert (clav[BEFORE], clav[NOW], clav[MENDED], clav[MEAN]) == ("7.5 %", "0 %", "7.5 %", "2.5")
+    assert clav[DECIDED] == "1 gap"
+    assert row(panel, "")[NOW] == "0 %"
+    document.undo()
+    qtbot.waitUntil(lambda: row(panel, "CLAV")[NOW] == "7.5 %", timeout=2000)
+    assert row(panel, "CLAV")[MEAN] == "–"
+
+
+def test_click_on_a_column_sorts_by_it(qtbot, panel):
+    assert panel.model.rows[0].marker == "CLAV"
+    header = panel.head.horizontalHeader()
+    at = header.rect().center()
+    for expected in (sorted, lambda names: sorted(names, reverse=True)):
+        at.setX(header.sectionViewportPosition(MARKER) + 30)
+        qtbot.mouseClick(header.viewport(), Qt.MouseButton.LeftButton, pos=at)
+        names = [s.marker for s in panel.model.rows]
+        assert names == expected(names)
+
+
+def test_click_shows_a_marker_and_double_click_its_worst(qtbot, panel, document):
+    click(qtbot, panel, "LWRA", qtbot.mouseClick)
+    assert document.shown == ("LWRA",)
+    assert document.current is None
+    click(qtbot, panel, "LELB", qtbot.mouseClick)
+    click(qtbot, panel, "LELB", qtbot.mouseDClick)
+    assert document.current.marker == "LELB"
+    document.show(("C7",))
+    assert panel.view.currentIndex().row() == panel.model.row_of("C7")
+
+
+def test_lengths_are_written_in_the_unit_chosen(qtbot, panel, document):
+    header = panel.model.headerData(MEAN, Qt.Orientation.Horizontal)
+    assert header == "Error (mm)"
+    settings.remember("unit", "cm")
+    assert panel.model.headerData(MEAN, Qt.Orientation.Horizontal) == "Error (cm)"
+
+
+def test_nothing_is_counted_while_nobody_looks(qtbot, panel, document):
+    panel.hide()
+    document.accept([a.id for a in document.session.artifacts])
+    qtbot.wait(150)
+    assert row(panel, "CLAV")[OPEN] == "1 gap"
+    panel.show()
+    qtbot.waitUntil(lambda: row(panel, "CLAV")[OPEN] == "", timeout=2000)
+
+
+@pytest.mark.parametrize("markers", [0, 1, 2])
+def test_takes_of_few_markers_and_frames(qtbot, tmp_path, markers):
+    labels = ("A", "*7")[:markers]
+    document = Document()
+    panel = QualityPanel(document)
+    qtbot.addWidget(panel)
+    panel.show()
+    document.open(
+        open_session(Take(np.ones((1, markers, 3)), labels, 100.0), folder=tmp_path), None
+    )
+    assert [s.marker for s in panel.model.rows] == ["A"][:markers]
+    assert len(panel.total.rows) == 1
+    document.open(None, None)
+    assert panel.model.rows == panel.total.rows == ()
+    document.proposals.close()
+
+
+def test_a_long_take_is_counted_within_a_frame_or_two(qtbot, tmp_path):
+    rng = np.random.default_rng(0)
+    take = Take(rng.normal(size=(36000, 60, 3)), tuple(f"M{i}" for i in range(60)), 240.0)
+    document = Document()
+    panel = QualityPanel(document)
+    qtbot.addWidget(panel)
+    panel.show()
+    document.open(open_session(take, folder=tmp_path), None)
+    found = [
+        Artifact(f"M{i % 60}", "x", 10 * i, 10 * i + 5, Kind.PEAK, 0.9, 9.0) for i in range(3000)
+    ]
+    document.add_detected(found, "test")
+    best = np.inf
+    for _ in range(3):
+        before = time.process_time()
+        panel._count()
+        best = min(best, time.process_time() - before)
+    assert best < 0.05
+    document.open(None, None)
+    document.proposals.close()
