@@ -25,10 +25,12 @@ class RepairNote:
     ----------
     method : name in the registry
     error_mm : expected mean error, or None when unknown
+    leaves : what the detector still found there after the repair, in words; may be empty
     """
 
     method: str
     error_mm: float | None = None
+    leaves: str = ""
 
 
 class State:

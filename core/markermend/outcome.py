@@ -8,8 +8,9 @@ from typing import Any
 
 from markermend.arrays import FloatArray
 from markermend.artifact import Artifact, Status
-from markermend.artifact_json import document
+from markermend.artifact_json import document, to_dict
 from markermend.repairs import Repair
+from markermend.repairs.look_again import in_words
 from markermend.take import Take
 
 
@@ -24,6 +25,7 @@ class Outcome:
     error_mm : expected error, or None when unknown
     reason : why it was left, or why another method than usual was taken; may be empty
     band_mm : (stop - start,) expected deviation per frame (one standard deviation), or None
+    leaves : sudden artifacts that the detector found there after the repair
     """
 
     artifact: Artifact
@@ -31,6 +33,12 @@ class Outcome:
     error_mm: float | None
     reason: str
     band_mm: FloatArray | None = None
+    leaves: tuple[Artifact, ...] = ()
+
+    @property
+    def note(self) -> str:
+        """Reason and what the repair leaves, in words; may be empty."""
+        return " ".join(filter(None, (self.reason, in_words(self.leaves))))
 
 
 def outcomes(
@@ -66,6 +74,7 @@ def outcomes(
                 repair.error_mm if done else None,
                 repair.reason,
                 repair.band_mm if done else None,
+                (repair.leaves or ()) if done else (),
             )
         )
     return tuple(result)
@@ -87,13 +96,19 @@ def cleaned_document(
     Returns
     -------
     dict of :func:`markermend.artifact_json.document`; each artifact has a ``repair`` with the
-    keys ``method, error_mm, reason``
+    keys ``method, error_mm, reason, leaves``; the last lists what the detector found there after
+        the repair, as artifacts
     """
     known = tuple(done)
     described = document(take, (o.artifact for o in known), method, version, name=name)
     for item, o in zip(described["artifacts"], known, strict=True):
         error = None if o.error_mm is None else float(o.error_mm)
-        item["repair"] = {"method": o.method, "error_mm": error, "reason": o.reason}
+        item["repair"] = {
+            "method": o.method,
+            "error_mm": error,
+            "reason": o.reason,
+            "leaves": [to_dict(a) for a in o.leaves],
+        }
     return described
 
 

@@ -346,9 +346,12 @@ def _repairing(artifact: Artifact, proposal: Repair) -> tuple[Edit, ...]:
         why = proposal.reason or "the method has no answer here"
         raise DataError(f"The {describe([artifact])} cannot be repaired: {why}")
     _check_within(artifact, proposal)
+    from markermend.repairs.look_again import in_words
+
+    note = RepairNote(proposal.method, proposal.error_mm, in_words(proposal.leaves or ()))
     return (
         SetSamples(proposal.patches),
-        SetNotes({artifact.id: RepairNote(proposal.method, proposal.error_mm)}),
+        SetNotes({artifact.id: note}),
         SetArtifacts({artifact.id: artifact.with_status(Status.REPAIRED)}),
     )
 

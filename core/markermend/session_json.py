@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 from collections.abc import Mapping
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
@@ -46,12 +47,7 @@ def _edit_to_dict(edit: Edit) -> dict[str, Any]:
         return {
             "artifacts": {i: None if a is None else to_dict(a) for i, a in edit.changes.items()}
         }
-    return {
-        "notes": {
-            i: None if n is None else {"method": n.method, "error_mm": n.error_mm}
-            for i, n in edit.changes.items()
-        }
-    }
+    return {"notes": {i: None if n is None else asdict(n) for i, n in edit.changes.items()}}
 
 
 def _edit_from_dict(entry: Mapping[str, Any]) -> Edit:
@@ -69,7 +65,7 @@ def _edit_from_dict(entry: Mapping[str, Any]) -> Edit:
         )
     return SetNotes(
         {
-            i: None if n is None else RepairNote(n["method"], n["error_mm"])
+            i: None if n is None else RepairNote(n["method"], n["error_mm"], n.get("leaves", ""))
             for i, n in entry["notes"].items()
         }
     )

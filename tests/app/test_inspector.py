@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication
 
-from markermend.artifact import Kind, Status
+from markermend.artifact import Artifact, Kind, Status
 from markermend.mesh import Mesh
+from markermend.patch import Patch
 from markermend.repairs.registry import REPAIRS, Repair
 from markermend.session_file import open_session
 from markermend.take import Take
@@ -158,6 +160,24 @@ def test_a_method_without_answer_says_why_and_cannot_be_applied(inspector, docum
     assert said.splitlines()[0] == "No repair: no marker carries the other half of this step"
     assert not inspector.decisions.repair.isEnabled()
     assert inspector.decisions.accept.isEnabled()
+
+
+def test_what_a_repair_leaves_is_told_before_and_after(inspector, document, monkeypatch):
+    gap = select(document, Kind.GAP)
+    a = document.session.artifact(gap)
+    values = np.zeros((a.length, 3))
+    left = (Artifact(a.marker, "x", a.start, a.stop, Kind.STEP, amplitude_mm=12.0),)
+    spoiled = Repair(
+        "linear", (Patch(a.marker, "xyz", a.start, a.stop, values),), error_mm=3.0, leaves=left
+    )
+    monkeypatch.setattr(Document, "proposal", property(lambda self: spoiled))
+    document.proposal_changed.emit()
+    shown = inspector.artifact.methods.outcome
+    assert "still finds damage there: a step of 12 mm" in shown.text()
+    assert shown.property("role") == "warning"
+    document.repair_many([(gap, spoiled)], "Repair")
+    document.select(gap)
+    assert "still finds damage there: a step of 12 mm" in shown.text()
 
 
 def test_buttons_decide_and_move_on(qtbot, inspector, document):

@@ -107,7 +107,11 @@ class MethodList(QWidget):
         self.more.setCurrentIndex(self.more.findData(chosen))
         self.outcome.setText(self._promise())
         proposal = self._document.proposal
-        doubtful = offered and proposal is not None and (proposal.error_mm or 0.0) > DOUBTFUL_MM
+        doubtful = (
+            offered
+            and proposal is not None
+            and ((proposal.error_mm or 0.0) > DOUBTFUL_MM or bool(proposal.leaves))
+        )
         role = "warning" if doubtful else "muted"
         if self.outcome.property("role") != role:
             self.outcome.setProperty("role", role)
@@ -122,7 +126,10 @@ class MethodList(QWidget):
         """What the preview is expected to achieve, or why there is none."""
         a, proposal = self._document.current, self._document.proposal
         if a is not None and a.status is Status.REPAIRED:
-            return self.tr("Repaired. Reopen it to try another method.")
+            session = self._document.session
+            note = None if session is None else session.notes.get(a.id)
+            text = self.tr("Repaired. Reopen it to try another method.")
+            return f"{text} {note.leaves}" if note is not None and note.leaves else text
         if proposal is None:
             return self.tr("Working out the repair…")
         if not proposal.patches:
@@ -141,4 +148,7 @@ class MethodList(QWidget):
         followed = self._document.preview.references
         if followed:
             text += self.tr(", following {0}").format(", ".join(followed))
-        return f"{text}. {proposal.reason}" if proposal.reason else text
+        from markermend.repairs.look_again import in_words
+
+        said = " ".join(filter(None, (proposal.reason, in_words(proposal.leaves or ()))))
+        return f"{text}. {said}" if said else text

@@ -21,7 +21,7 @@ from markermend.cli.console import (
 )
 from markermend.cli.detect import find, summary
 from markermend.cli.detection import choose
-from markermend.cli.repairing import left_over, listing, summary_table
+from markermend.cli.repairing import left_over, listing, seen_again, summary_table
 from markermend.mesh import Mesh
 from markermend.outcome import cleaned_document, outcomes
 from markermend.patch import patched
@@ -72,7 +72,13 @@ def run(options: argparse.Namespace) -> int:
         for line in listing(take, done) if options.list else ():
             say(line)
         say(summary([o.artifact for o in done]))
-        for line in [*summary_table(done), *left_over(done), "", *written(export)]:
+        for line in [
+            *summary_table(done),
+            *seen_again(done),
+            *left_over(done),
+            "",
+            *written(export),
+        ]:
             say(line)
     return 0
 

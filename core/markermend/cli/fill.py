@@ -6,7 +6,7 @@ import argparse
 
 import markermend as mm
 from markermend.cli.console import Bar, check_outputs, check_take_output, count, say, written
-from markermend.cli.repairing import left_over, listing, summary_table
+from markermend.cli.repairing import left_over, listing, seen_again, summary_table
 from markermend.outcome import outcomes
 from markermend.patch import patched
 from markermend.repairs import find_gaps, find_method, repair_all
@@ -31,7 +31,7 @@ def run(options: argparse.Namespace) -> int:
     done = outcomes(short, pairs)
     for line in listing(take, done) if options.list else ():
         say(line)
-    for line in [*summary_table(done), *left_over(done), ""]:
+    for line in [*summary_table(done), *seen_again(done), *left_over(done), ""]:
         say(line)
     if len(gaps) > len(short):
         say(f"Longer than asked for and left: {count(len(gaps) - len(short), 'gap')}.")

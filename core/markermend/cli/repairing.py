@@ -46,12 +46,20 @@ def listing(take: Take, done: Sequence[Outcome]) -> list[str]:
             o.artifact.kind.value,
             o.method or "left",
             "" if o.error_mm is None else f"{o.error_mm:.2f}",
-            o.reason,
+            o.note,
         ]
         for o in done
     ]
     head = ["Frames", "Seconds", "Marker", "Axes", "Class", "Repair", "mm", "Note"]
     return [*table(head, rows, "rrllllrl"), ""] if rows else []
+
+
+def seen_again(done: Sequence[Outcome]) -> list[str]:
+    """Say how many repairs the detector still finds damage in."""
+    spoiled = sum(bool(o.leaves) for o in done)
+    if not spoiled:
+        return []
+    return ["", f"Damage was found again after {count(spoiled, 'repair')}; --list names them."]
 
 
 def left_over(done: Sequence[Outcome]) -> list[str]:

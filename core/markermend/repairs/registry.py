@@ -55,6 +55,8 @@ class Repair:
     error_mm : expected mean Euclidean error over the interval, or None when unknown
     band_mm : (stop - start,) expected deviation per frame (one standard deviation), or None
     params : parameters used
+    leaves : sudden artifacts that the detector would find there once it is carried out; None
+        when it did not look
     """
 
     method: str
@@ -63,6 +65,7 @@ class Repair:
     error_mm: float | None = None
     band_mm: FloatArray | None = None
     params: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
+    leaves: tuple[Artifact, ...] | None = None
 
     def __reduce__(self) -> tuple[Any, ...]:
         # A read-only mapping cannot be pickled, and plugins repair in another process.

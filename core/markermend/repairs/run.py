@@ -17,6 +17,7 @@ from markermend.patch import Patch, patched
 from markermend.progress import Progress, quiet
 from markermend.repairs.advice import with_expected_error
 from markermend.repairs.choice import alternatives, choose
+from markermend.repairs.look_again import looked_at
 from markermend.repairs.registry import Evidence, Repair, find_method
 from markermend.repairs.result import read_params, refuse, without_own
 from markermend.take import AXES, Take, is_unlabelled
@@ -26,6 +27,8 @@ AUTO = "auto"
 TRUSTED_REPAIR_S = 0.1
 # What is expected to be further off than this is left, unless a method is named.
 MOST_ERROR_MM = 50.0
+# A repair that leaves damage gives way to one that leaves none and errs up to this much more.
+HARDLY_FURTHER = 1.5
 
 
 def evidence_for(
@@ -144,15 +147,8 @@ def propose_from(
         if method != AUTO:
             found = find_method(method)
             done = found.run(evidence, artifact, read_params(found, params))
-            return with_expected_error(evidence, artifact, done)
-        first = _if_good(_by_defaults(evidence, artifact, choose(artifact)))
-        if first.patches:
-            return first
-        for name in alternatives(evidence.take, artifact):
-            other = _if_good(_by_defaults(evidence, artifact, name))
-            if other.patches:
-                return replace(other, reason=first.reason)
-    return first
+            return looked_at(evidence.take, with_expected_error(evidence, artifact, done))
+        return _best(evidence, artifact)
 
 
 def repair_all(
@@ -335,11 +331,41 @@ def _as_good_as_new(take: Take, artifact: Artifact) -> bool:
     return swap or artifact.kind is Kind.PEAK or artifact.length <= TRUSTED_REPAIR_S * take.rate
 
 
+def _best(evidence: Evidence, artifact: Artifact) -> Repair:
+    """The usual method's proposal, or that of the first other that does better.
+
+    Another is taken where the usual one cannot repair, or where the detector would find damage
+    in its result, none in the other's, and the other is expected to be hardly further off.
+    """
+    usual = _by_defaults(evidence, artifact, choose(artifact))
+    if usual.patches and not usual.leaves:
+        return usual
+    best = usual
+    for name in alternatives(evidence.take, artifact):
+        other = _by_defaults(evidence, artifact, name)
+        if not other.patches:
+            continue
+        if not usual.patches and not (best.patches and other.leaves):
+            best = replace(other, reason=usual.reason)
+        elif not other.leaves and _as_near(other, usual):
+            best = replace(other, reason=f"{find_method(usual.method).label} would leave damage.")
+        if not best.leaves:
+            break
+    return best
+
+
+def _as_near(other: Repair, usual: Repair) -> bool:
+    """Whether a proposal is expected to be hardly further off than another."""
+    if other.error_mm is None or usual.error_mm is None:
+        return False
+    return other.error_mm <= HARDLY_FURTHER * usual.error_mm
+
+
 def _by_defaults(evidence: Evidence, artifact: Artifact, name: str) -> Repair:
-    """Run a method with its default parameters."""
+    """Run a method with its default parameters; none where it would be too far off."""
     method = find_method(name)
     done = method.run(evidence, artifact, method.params())
-    return with_expected_error(evidence, artifact, done)
+    return looked_at(evidence.take, _if_good(with_expected_error(evidence, artifact, done)))
 
 
 def _if_good(proposed: Repair) -> Repair:

@@ -183,7 +183,7 @@ def _where(take: Take, o: Outcome) -> list[str]:
 
 def _error_and_note(o: Outcome) -> list[str]:
     """Cells for a repair's expected error and what else is to be known about it."""
-    return [page.number(o.error_mm, error(o.error_mm)), escape(o.reason)]
+    return [page.number(o.error_mm, error(o.error_mm)), escape(o.note)]
 
 
 def _cut(number: int) -> list[str]:
