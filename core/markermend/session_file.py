@@ -189,23 +189,10 @@ def open_session(take: Take, *, folder: Path | None = None) -> SessionFile:
     result = SessionFile(session, path, digest, _markers=marker_hashes(take))
     result.read_only = handle is None
     try:
-        stored = _load(path)
-        if stored is None:
-            stored = _moved(digest, path, beside)
-            if stored is not None:
-                where = stored["source"]["path"]
-                result.warning = f"The review made of this take at “{where}” goes on here."
-        if stored is not None and stored["source"]["sha256"] != digest:
-            result.warning = carry_over(session, stored, path)
-            if handle is not None:
-                os.replace(path, path.with_name(path.name + ".old"))
-                handle.truncate(0)
-        elif stored is not None:
-            result.generation = int(stored["generation"])
-            try:
-                _replay_document(session, stored)
-            except (KeyError, TypeError, ValueError, AttributeError, DataError) as error:
-                raise _unreadable(path) from error
+        changed = _restore(result, beside)
+        if changed and handle is not None:
+            os.replace(path, path.with_name(path.name + ".old"))
+            handle.truncate(0)
         if handle is not None:
             handle.seek(0)
             result.recovered = _replay_journal(session, handle.read(), result.generation, digest)
@@ -221,6 +208,58 @@ def open_session(take: Take, *, folder: Path | None = None) -> SessionFile:
             handle.close()
         raise
     return result
+
+
+def read_review(take: Take, *, folder: Path | None = None) -> Session:
+    """Read the review of a take as it is saved and journalled; nothing is locked or written.
+
+    Parameters
+    ----------
+    take : the recording
+    folder : where the session file lies; see :func:`open_session`
+
+    Returns
+    -------
+    A session of its own; an empty one when the take was never reviewed
+
+    Raises
+    ------
+    FileFormatError
+        when the session file is not one, or of a newer version
+    """
+    digest = source_hash(take)
+    beside = session_path(take, digest, folder)
+    own = own_path(take, digest)
+    kept = any(p.exists() for p in (beside, journal_path(beside)))
+    path = beside if kept or not own.exists() else own
+    result = SessionFile(Session(take), path, digest, read_only=True)
+    if not _restore(result, beside):
+        with contextlib.suppress(FileNotFoundError):
+            text = journal_path(path).read_bytes()
+            _replay_journal(result.session, text, result.generation, digest)
+    return result.session
+
+
+def _restore(result: SessionFile, beside: Path) -> bool:
+    """Do again what is saved of a review; whether it is of another version of the take."""
+    session, path = result.session, result.path
+    stored = _load(path)
+    if stored is None:
+        stored = _moved(result.hash, path, beside)
+        if stored is not None:
+            where = stored["source"]["path"]
+            result.warning = f"The review made of this take at “{where}” goes on here."
+    if stored is None:
+        return False
+    if stored["source"]["sha256"] != result.hash:
+        result.warning = carry_over(session, stored, path)
+        return True
+    result.generation = int(stored["generation"])
+    try:
+        _replay_document(session, stored)
+    except (KeyError, TypeError, ValueError, AttributeError, DataError) as error:
+        raise _unreadable(path) from error
+    return False
 
 
 def _open_locked(path: Path) -> IO[bytes] | None:

@@ -8,7 +8,18 @@ killed goes on where it stopped.
 from __future__ import annotations
 
 from markermend.batch.recipe import Recipe, read_recipe
+from markermend.batch.review import ToReview, take_over, takes_to_review
 from markermend.batch.run import BatchResult, run_batch
 from markermend.batch.sources import Source, find_takes
 
-__all__ = ["BatchResult", "Recipe", "Source", "find_takes", "read_recipe", "run_batch"]
+__all__ = [
+    "BatchResult",
+    "Recipe",
+    "Source",
+    "ToReview",
+    "find_takes",
+    "read_recipe",
+    "run_batch",
+    "take_over",
+    "takes_to_review",
+]

@@ -173,7 +173,8 @@ def _sum_up(
             "json": job.json.relative_to(folder).as_posix(),
             "report": job.report.relative_to(folder).as_posix(),
         }
-        index.append(place | {"source_sha256": note["source_sha256"]} | note["quality"])
+        place["source_sha256"] = note["source_sha256"]
+        index.append(place | note["quality"])
         if note["review"]:
             review.append({"name": job.source.name, **place, "artifacts": note["review"]})
     failed = [{"name": name, "why": why} for name, why in failures.items()]
