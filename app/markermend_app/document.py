@@ -157,9 +157,7 @@ class Document(QObject):
         artifact = self.current
         if artifact is not None:
             self.preview.reset()
-            names = [artifact.marker]
-            if artifact.counterpart:
-                names.append(artifact.counterpart)
+            names = artifact.markers
             if artifact.marker not in self.shown:
                 self.show(names)
             elif not set(names) <= set(self.shown):

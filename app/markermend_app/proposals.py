@@ -98,7 +98,7 @@ class Proposals(QObject):
         touched = set(markers)
         if touched:
             self._asked.clear()
-        for key in [k for k in self._known if touched & {k[0].marker, k[0].counterpart, *k[2]}]:
+        for key in [k for k in self._known if touched & {*k[0].markers, *k[2]}]:
             del self._known[key]
 
     def forget(self) -> None:

@@ -47,7 +47,9 @@ class Artifact:
     confidence : in [0, 1], share of such flags that are real
     amplitude_mm : size of the deviation; NaN where it has none (a gap)
     why : the evidence in one sentence
-    counterpart : for a swap, the marker that carries the complementary step
+    counterpart : for a swap, the marker under whose name its own samples are
+    further_counterparts : for a swap of three or more, the markers after ``counterpart``, each
+        under the name of the next; those of the last are under ``marker``
     status : what the operator decided
     note : what the operator wrote about it
     id : stable name; made from marker, axes, interval and kind when empty, kept by edits
@@ -55,7 +57,8 @@ class Artifact:
     Raises
     ------
     DataError
-        when the interval is empty or the axes are not a part of ``"xyz"``
+        when the interval is empty, the axes are not a part of ``"xyz"``, or there are further
+        counterparts without a first
     """
 
     marker: str
@@ -70,23 +73,33 @@ class Artifact:
     status: Status = Status.PENDING
     id: str = ""
     note: str = ""
+    further_counterparts: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         if not self.axes or "".join(a for a in AXES if a in self.axes) != self.axes:
             raise DataError(f"Axes must be a part of “xyz” in that order, not “{self.axes}”.")
         if not 0 <= self.start < self.stop:
             raise DataError(f"An artifact cannot reach from frame {self.start} to {self.stop}.")
+        if self.further_counterparts and self.counterpart is None:
+            raise DataError(f"A swap of {self.marker} with further markers needs a counterpart.")
         if not self.id:
             key = f"{self.marker}|{self.axes}|{self.start}|{self.stop}|{self.kind}"
             object.__setattr__(self, "id", hashlib.sha1(key.encode()).hexdigest()[:12])
 
     def __repr__(self) -> str:
         size = "" if math.isnan(self.amplitude_mm) else f", {self.amplitude_mm:.1f} mm"
-        other = f" with {self.counterpart}" if self.counterpart else ""
+        others = self.markers[1:]
+        other = f" with {' and '.join(others)}" if others else ""
         return (
             f"<{self.kind} {self.marker}.{self.axes}{other} [{self.start}, {self.stop}){size}, "
             f"{self.confidence:.0%} sure, {self.status}>"
         )
+
+    @property
+    def markers(self) -> tuple[str, ...]:
+        """The marker, and for a swap its counterparts after it."""
+        first = () if self.counterpart is None else (self.counterpart,)
+        return (self.marker, *first, *self.further_counterparts)
 
     @property
     def length(self) -> int:

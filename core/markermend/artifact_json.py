@@ -23,10 +23,13 @@ def to_dict(artifact: Artifact) -> dict[str, Any]:
     Returns
     -------
     dict with the keys ``marker, axes, start, stop, kind, confidence, amplitude_mm, why,
-    counterpart, status, id``, and ``note`` where the operator wrote one
+    counterpart, status, id``, ``note`` where the operator wrote one, and
+    ``further_counterparts`` for a swap of three or more
     """
     size = artifact.amplitude_mm
-    written = {"note": artifact.note} if artifact.note else {}
+    written: dict[str, Any] = {"note": artifact.note} if artifact.note else {}
+    if artifact.further_counterparts:
+        written["further_counterparts"] = list(artifact.further_counterparts)
     return {
         "marker": artifact.marker,
         "axes": artifact.axes,
@@ -75,6 +78,7 @@ def from_dict(values: Mapping[str, Any]) -> Artifact:
             status=Status(values.get("status", Status.PENDING)),
             id=str(values.get("id", "")),
             note=str(values.get("note", "")),
+            further_counterparts=tuple(str(m) for m in values.get("further_counterparts") or ()),
         )
     except (TypeError, ValueError) as error:
         raise DataError(

@@ -118,9 +118,10 @@ def rename(session: Session, names: Mapping[str, str]) -> Change:
             a,
             marker=names.get(a.marker, a.marker),
             counterpart=names.get(a.counterpart, a.counterpart) if a.counterpart else None,
+            further_counterparts=tuple(names.get(m, m) for m in a.further_counterparts),
         )
         for a in session.artifacts
-        if a.marker in names or a.counterpart in names
+        if names.keys() & set(a.markers)
     }
     label = "Rename " + ", ".join(f"{old} to {new}" for old, new in names.items())
     return session.perform(label, Group((SetNames(names), SetArtifacts(changes))))

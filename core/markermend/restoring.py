@@ -52,7 +52,7 @@ def _markers(state: State, artifact: Artifact) -> tuple[str, ...]:
     """Markers whose samples a repair of this artifact replaced."""
     note = state.notes.get(artifact.id)
     if artifact.counterpart and note is not None and note.method == "swap":
-        return (artifact.marker, artifact.counterpart)
+        return artifact.markers
     return (artifact.marker,)
 
 

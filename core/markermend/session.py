@@ -365,10 +365,9 @@ def describe(artifacts: Sequence[Artifact]) -> str:
 
 def _check_within(artifact: Artifact, proposal: Repair) -> None:
     """Refuse a proposal that would touch anything its artifact does not name."""
-    allowed = {artifact.marker, artifact.counterpart}
     for p in proposal.patches:
         inside = artifact.start <= p.start and p.stop <= artifact.stop
-        if p.marker not in allowed or not inside or not set(p.axes) <= set(artifact.axes):
+        if p.marker not in artifact.markers or not inside or not set(p.axes) <= set(artifact.axes):
             raise DataError(
                 f"The method “{proposal.method}” reached outside the artifact on "
                 f"{artifact.marker}; nothing was changed."

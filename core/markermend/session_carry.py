@@ -69,8 +69,7 @@ def _restricted(edit: Edit, markers: set[str], known: set[str]) -> Edit | None:
         changes = {
             i: a
             for i, a in edit.changes.items()
-            if (a is None and i in known)
-            or (a is not None and {a.marker, a.counterpart or a.marker} <= markers)
+            if (a is None and i in known) or (a is not None and set(a.markers) <= markers)
         }
         known |= set(changes)
         return SetArtifacts(changes) if changes else None

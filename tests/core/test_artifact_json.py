@@ -23,7 +23,8 @@ artifacts = st.builds(
     confidence=st.floats(0, 1),
     amplitude_mm=st.floats(0, 500),
     why=st.text(max_size=30),
-    counterpart=st.none() | st.just("RFHD"),
+    counterpart=st.just("RFHD"),
+    further_counterparts=st.sampled_from([(), ("LBHD",), ("LBHD", "C7")]),
     status=st.sampled_from(Status),
 )
 
@@ -31,6 +32,11 @@ artifacts = st.builds(
 @given(artifacts)
 def test_an_artifact_survives_json(artifact: Artifact) -> None:
     assert from_dict(json.loads(json.dumps(to_dict(artifact)))) == artifact
+
+
+def test_further_counterparts_need_a_first() -> None:
+    with pytest.raises(DataError, match="counterpart"):
+        Artifact("C7", "xyz", 1, 2, Kind.STEP, further_counterparts=("LBHD",))
 
 
 def test_no_amplitude_is_null_and_comes_back_as_nan() -> None:

@@ -22,7 +22,7 @@ from markermend.detectors.joint.steps import pair_jumps
 from markermend.detectors.joint.sudden import Sudden
 from markermend.detectors.joint.training import RARER, fit_curve, train_sudden
 from markermend.errors import Cancelled, DataError, MethodError
-from markermend.simulation import contaminate, simulate_clean
+from markermend.simulation import Amounts, contaminate, damage, simulate_clean
 from markermend.take import Take
 
 REVIEWED = Path(__file__).with_name("reviewed")
@@ -134,6 +134,38 @@ def test_a_swap_is_one_artifact_with_both_names(performer):
     swap = next(x for x in found if x.counterpart)
     assert {swap.marker, swap.counterpart} == {"LFHD", "RFHD"}
     assert (swap.start, swap.stop, swap.axes) == (500, 560, "xyz")
+
+
+@pytest.mark.parametrize("kind", ["swaps", "swaps_of_three", "brief_swaps", "swaps_with_gap"])
+def test_swaps_of_every_sort_are_found_and_taken_back(kind):
+    clean = simulate_clean(duration_s=12.0, rate=120.0, seed=41)
+    nothing = dict.fromkeys(Amounts.__dataclass_fields__, 0.0)
+    damaged, truth = damage(clean, amounts=Amounts(**(nothing | {kind: 16.0})), seed=3)
+    found = sudden(damaged)
+    assert {(frozenset(a.markers), a.start, a.stop) for a in found} == {
+        (frozenset(a.markers), a.start, a.stop) for a in truth if a.counterpart
+    }
+    repaired = mm.repair(damaged, found)
+    seen = repaired.present
+    assert np.array_equal(repaired.positions[seen], clean.positions[seen])
+
+
+def test_names_mixed_up_where_markers_were_lost_are_a_swap(performer):
+    positions = performer.positions.copy()
+    a, b = performer.index("LWRA"), performer.index("LWRB")
+    positions[500:560, [a, b]] = positions[500:560, [b, a]]
+    positions[495:506, b] = np.nan
+    positions[498:500, a] = np.nan
+    found = sudden(Take(positions, performer.labels, performer.rate))
+    assert [(x.markers, x.start, x.stop) for x in found] == [(("LWRA", "LWRB"), 500, 560)]
+
+
+def test_a_peak_onto_another_marker_is_no_swap(performer):
+    positions = performer.positions.copy()
+    a, b = performer.index("LWRA"), performer.index("LWRB")
+    positions[500, a] = positions[500, b]
+    (found,) = sudden(Take(positions, performer.labels, performer.rate))
+    assert (found.marker, found.kind, found.counterpart) == ("LWRA", Kind.PEAK, None)
 
 
 def test_sensitivity_only_adds(performer):

@@ -202,6 +202,29 @@ def test_swap_restores_the_truth_bit_for_bit(rigid: Take) -> None:
     assert "Already exchanged" in second.reason
 
 
+def test_swap_of_three_restores_the_truth_whoever_tells_it(rigid: Take) -> None:
+    mixed = rigid.positions.copy()
+    mixed[100:180, [1, 2, 3]] = mixed[100:180, [3, 1, 2]]
+    take = Take(mixed, rigid.labels, RATE)
+    names = ("M1", "M2", "M3")
+    told = [
+        Artifact(
+            names[i], "xyz", 100, 180, Kind.STEP,
+            counterpart=names[i - 2], further_counterparts=(names[i - 1],),
+        )
+        for i in range(3)
+    ]  # fmt: skip
+    for artifacts in (told, told[2:], told[:1]):
+        assert np.array_equal(repair(take, artifacts).positions, rigid.positions)
+
+
+def test_swap_refuses_the_same_name_twice(rigid: Take) -> None:
+    same = Artifact("M1", "xyz", 10, 20, Kind.STEP, counterpart="M2", further_counterparts=("M1",))
+    done = propose(rigid, same, method="swap")
+    assert not done.patches
+    assert "M2 and M1" in done.reason
+
+
 def test_swap_exchanges_a_gap_too(rigid: Take) -> None:
     truth = with_missing(rigid, "M1", 120, 140).positions
     mixed = truth.copy()

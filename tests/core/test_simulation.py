@@ -11,6 +11,7 @@ from scipy.signal import savgol_filter
 from markermend.artifact import Artifact, Kind, damage_mask
 from markermend.errors import Cancelled, DataError, MethodError
 from markermend.mesh import infer_mesh
+from markermend.repairs import repair
 from markermend.simulation import Activity, Amounts, damage, simulate, simulate_clean
 from markermend.simulation.damage import hann, rounded_triangle
 from markermend.simulation.markers import MARKER_SET
@@ -166,6 +167,19 @@ def test_swaps_name_each_other_and_swap_back() -> None:
         rows = slice(a.start, a.stop)
         there = damaged.positions[rows, clean.index(a.counterpart)]
         assert np.array_equal(there, clean.positions[rows, clean.index(a.marker)])
+
+
+@pytest.mark.parametrize("kind", ["swaps_of_three", "brief_swaps", "swaps_with_gap"])
+def test_rare_swaps_are_repaired_by_their_truth(kind: str) -> None:
+    clean = clean_take()
+    damaged, truth = damage(clean, amounts=only(**{kind: 4.0}), seed=6)
+    swaps = [a for a in truth if a.counterpart]
+    assert {len(a.markers) for a in swaps} == {3 if kind == "swaps_of_three" else 2}
+    assert not np.array_equal(damaged.positions, clean.positions, equal_nan=True)
+    repaired = repair(damaged, swaps)
+    seen = repaired.present
+    assert np.array_equal(repaired.positions[seen], clean.positions[seen])
+    assert seen.all() == (kind != "swaps_with_gap")
 
 
 def test_sizes_are_those_of_the_truth() -> None:

@@ -124,7 +124,7 @@ class ArtifactPage(QWidget):
         if a is None or session is None:
             return
         take = session.original
-        self.title.setText(f"{a.marker} ↔ {a.counterpart}" if a.counterpart else a.marker)
+        self.title.setText(" ↔ ".join(a.markers))
         self.status.setText(self._status_text(a))
         editable = self._document.editable
         with QSignalBlocker(self.kind):

@@ -52,7 +52,7 @@ class Wanted:
 
     def __call__(self, a: Artifact) -> bool:
         """Whether an artifact is listed."""
-        name = f"{a.marker} {a.counterpart or ''}".lower()
+        name = " ".join(a.markers).lower()
         return (
             (not self.kinds or a.kind in self.kinds)
             and (not self.statuses or a.status in self.statuses)
@@ -242,9 +242,8 @@ class QueueModel(QAbstractTableModel):
         }[column]()
 
     def _marker_text(self, a: Artifact) -> str:
-        """The marker, and the one it changes places with."""
-        names = [self._names.get(m, m) for m in (a.marker, a.counterpart) if m]
-        return " ↔ ".join(names)
+        """The marker, and those it changes places with."""
+        return " ↔ ".join(self._names.get(m, m) for m in a.markers)
 
     def _repair_text(self, a: Artifact) -> str:
         """How a repaired artifact was repaired."""

@@ -94,7 +94,7 @@ def class_map(take: Take, artifacts: Iterable[Artifact]) -> ByteArray:
     Parameters
     ----------
     take : the recording the artifacts belong to
-    artifacts : gaps and rejected ones are passed over; a swap covers its counterpart too; where
+    artifacts : gaps and rejected ones are passed over; a swap covers its counterparts too; where
         two overlap, the more confident one counts
 
     Returns
@@ -105,11 +105,10 @@ def class_map(take: Take, artifacts: Iterable[Artifact]) -> ByteArray:
     for a in sorted(artifacts, key=lambda a: a.confidence):
         if a.kind is Kind.GAP or a.status is Status.REJECTED:
             continue
-        for label in (a.marker, a.counterpart):
-            if label is not None:
-                marker = take.index(label)
-                for axis in axis_columns(a.axes):
-                    codes[a.start : a.stop, marker, axis] = CLASSES.index(a.kind.value)
+        for label in a.markers:
+            marker = take.index(label)
+            for axis in axis_columns(a.axes):
+                codes[a.start : a.stop, marker, axis] = CLASSES.index(a.kind.value)
     return codes
 
 

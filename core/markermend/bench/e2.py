@@ -160,11 +160,9 @@ def judge(
 
 
 def _same_place(flag: Artifact, entry: Artifact, slack: int) -> bool:
-    """Whether both are about the same samples; a swap is about either of its markers."""
-    ours = {flag.marker, flag.counterpart} - {None}
-    theirs = {entry.marker, entry.counterpart} - {None}
+    """Whether both are about the same samples; a swap is about each of its markers."""
     return (
-        bool(ours & theirs)
+        bool(set(flag.markers) & set(entry.markers))
         and bool(set(flag.axes) & set(entry.axes))
         and entry.overlaps(flag.start - slack, flag.stop + slack)
     )

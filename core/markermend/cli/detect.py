@@ -100,7 +100,7 @@ def to_csv(take: Take, artifacts: Iterable[Artifact]) -> str:
         amplitude = f"{a.amplitude_mm:.4g}" if math.isfinite(a.amplitude_mm) else ""
         where = (a.start, a.stop, take.frame_number(a.start), take.frame_number(a.stop - 1))
         seconds = (f"{a.start / take.rate:.6g}", f"{a.stop / take.rate:.6g}")
-        about = (f"{a.confidence:.4g}", amplitude, a.counterpart or "", a.status.value, a.why)
+        about = (f"{a.confidence:.4g}", amplitude, "; ".join(a.markers[1:]), a.status.value, a.why)
         rows.writerow((a.marker, a.axes, a.kind.value, *where, *seconds, *about))
     return text.getvalue()
 

@@ -1,109 +1,220 @@
-"""Swaps: a step whose complement another trajectory carries.
+"""Swaps: a jump whose complement another trajectory carries.
 
-When the labels of two markers are exchanged for a while, both trajectories jump at the same two
-frames, and exchanging them back makes both continuous. That is looked for here among all
-trajectories, named or not. A nameless trajectory may exist only during the swap; then it is
-enough that the marker's own trajectory becomes continuous.
+When the labels of markers are mixed up for a while, their trajectories jump at the same two
+frames, and giving each its own samples back makes all continuous. Starting from one that jumps,
+the chain is followed: under which name its own samples are, under which name those of that one
+are, until it closes. Trajectories without a name take part; one that exists only during the swap
+ends the chain. Names are mostly mixed up where markers were lost, so a gap at either end is
+looked across.
 """
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from markermend.arrays import FloatArray
+from markermend.arrays import BoolArray, FloatArray
 from markermend.artifact import Artifact, Kind
 from markermend.detectors.finding import how_long, in_mm, overlap
 from markermend.take import Take, is_unlabelled
 
 # What is left of each jump after the exchange, at most.
 LARGEST_REST = 0.3
-# Both trajectories jump at the same frames; intervals on either this much alike are one swap.
+# All trajectories jump at the same frames; intervals this much alike are one swap.
 SAME_STEP = 0.5
+MOST_MARKERS = 5
+ACROSS_S = 0.25
+"""Longest gap at an end of the swap that is looked across."""
+SUDDEN = (Kind.STEP, Kind.PEAK)
+
+
+@dataclass(frozen=True)
+class _Side:
+    """Where all trajectories are next to a border, as seen from one side of it.
+
+    Attributes
+    ----------
+    frame : (markers,) of the sample nearest to the border
+    place, speed : (markers, 3) mm, mm a frame; NaN where nothing is seen, or only one frame
+    """
+
+    frame: FloatArray
+    place: FloatArray
+    speed: FloatArray
+
+
+@dataclass(frozen=True)
+class _Border:
+    """Either side of one end of a swap."""
+
+    inside: _Side
+    outside: _Side
 
 
 def name_swaps(take: Take, artifacts: list[Artifact]) -> list[Artifact]:
-    """Turn steps that are swaps into one artifact a swap, naming both markers.
+    """Turn steps and peaks that are swaps into one artifact a swap, naming all its markers.
 
     Parameters
     ----------
     take : the recording
-    artifacts : of any kinds; only steps are looked at
+    artifacts : of any kinds; only steps and peaks are looked at
 
     Returns
     -------
-    The artifacts; a swap names all axes and its counterpart, and what else was read from the same
-    two jumps (steps or noise of either marker over the same interval) is gone. The one named first
-    in the take is the artifact's marker, a labelled one before a nameless one.
+    The artifacts; a swap is a step of all axes with its counterparts, as sure as the surest of
+    what else was read from the same jumps (steps, peaks or noise of its markers over the same
+    interval), which is gone. The one named first in the take is the artifact's marker, a
+    labelled one before a nameless one.
     """
-    steps = sorted(
-        (a for a in artifacts if a.kind is Kind.STEP),
-        key=lambda a: (-a.amplitude_mm, a.marker, a.start),
-    )
+    jumps = [a for a in artifacts if a.kind in SUDDEN]
+    found = {s.id: s for s in (_swap(take, jump) for jump in jumps) if s is not None}
     named: list[Artifact] = []
     explained: set[str] = set()
-    for step in steps:
-        if step.id in explained:
-            continue
-        swap = _swap(take, step)
-        if swap is None:
-            continue
-        pair = {swap.marker, swap.counterpart}
-        explained |= {
-            a.id
-            for a in artifacts
-            if a.kind in (Kind.STEP, Kind.NOISE)
-            and a.marker in pair
-            and overlap((a.start, a.stop), (step.start, step.stop)) >= SAME_STEP
-        }
-        named.append(swap)
+    for swap in _in_turn(found.values(), take.frames):
+        same = [a for a in artifacts if a.marker in swap.markers and _same_jumps(a, swap)]
+        explained |= {a.id for a in same}
+        sure = max(a.confidence for a in same)
+        named.append(replace(swap, confidence=sure))
     return [a for a in artifacts if a.id not in explained] + named
 
 
-def _swap(take: Take, step: Artifact) -> Artifact | None:
-    """Describe a step as a swap with the trajectory that explains it best, if one does."""
-    if step.start < 2 or step.stop > take.frames - 2:
+def _same_jumps(a: Artifact, swap: Artifact) -> bool:
+    """Whether something on one of a swap's markers was read from the swap's jumps."""
+    if overlap((a.start, a.stop), (swap.start, swap.stop)) >= SAME_STEP:
+        return a.kind in (*SUDDEN, Kind.NOISE)
+    # A gap may cut it short, or it is where the names are right, between two swaps.
+    ends = {swap.start, swap.stop}
+    return a.kind is Kind.STEP and bool({a.start, a.stop} & ends)
+
+
+def _in_turn(swaps: Iterable[Artifact], frames: int) -> list[Artifact]:
+    """Of swaps of the same markers that follow each other without a break, every other one.
+
+    Between two swaps the names are right, yet both ends jump just the same. The turn that
+    explains more jumps is right, of equals that in which names are wrong for a shorter time.
+    """
+    kept = []
+    together: dict[frozenset[str], list[Artifact]] = {}
+    for swap in swaps:
+        together.setdefault(frozenset(swap.markers), []).append(swap)
+    for same in together.values():
+        jumps = sorted({e for s in same for e in (s.start, s.stop)} - {0, frames})
+        ends = [0, *jumps, frames]
+        turns: list[list[Artifact]] = [[], []]
+        for s in same:
+            place = ends.index(s.start)
+            if ends[place + 1] == s.stop:
+                turns[place % 2].append(s)
+        kept += max(
+            turns,
+            key=lambda turn: (
+                len({e for s in turn for e in (s.start, s.stop)} & set(jumps)),
+                -sum(s.length for s in turn),
+            ),
+        )
+    return kept
+
+
+def _swap(take: Take, jump: Artifact) -> Artifact | None:
+    """Describe a jump as a swap with the trajectories that explain it, if they do."""
+    first = take.index(jump.marker)
+    borders = _borders(take, jump.start, jump.stop)
+    chain, rests = [first], []
+    size = _jump(borders, first)
+    while len(chain) <= MOST_MARKERS:
+        own = _jump(borders, chain[-1])
+        if np.isnan(own) and len(chain) > 1:
+            break
+        rest = _rests(borders, chain[-1])
+        fits = rest <= LARGEST_REST * own
+        fits[chain[1:]] = False
+        if len(chain) > 1 and fits[first]:
+            rests.append(rest[first])
+            break
+        fits[first] = False
+        if not fits.any():
+            return None
+        donor = int(np.argmin(np.where(fits, rest, np.inf)))
+        chain.append(donor)
+        rests.append(rest[donor])
+    else:
         return None
-    marker = take.index(step.marker)
-    around = [take.positions[frame - 2 : frame + 2] for frame in (step.start, step.stop)]
-    jump = np.array([_break(p[:, marker], p[:, marker]) for p in around])
-    into = np.array(
-        [_break(around[0][:, [marker]], around[0]), _break(around[1], around[1][:, [marker]])]
-    )
-    back = np.array(
-        [_break(around[0], around[0][:, [marker]]), _break(around[1][:, [marker]], around[1])]
-    )
-    with np.errstate(invalid="ignore"):
-        fits = (into <= LARGEST_REST * jump[:, None]).all(axis=0)
-        # Where the partner is absent outside the interval, only this marker has a say.
-        fits &= ((back <= LARGEST_REST * jump[:, None]) | np.isnan(back)).all(axis=0)
-    fits[marker] = False
-    if not fits.any():
-        return None
-    rest = np.where(fits, into.mean(axis=0), np.inf)
-    partner = int(np.argmin(rest))
-    first, second = sorted((marker, partner), key=lambda m: (is_unlabelled(take.labels[m]), m))
-    size = float(jump.mean())
+    return _described(take, jump, chain, size, float(max(rests)))
+
+
+def _described(
+    take: Take, jump: Artifact, chain: Sequence[int], size: float, rest: float
+) -> Artifact:
+    """The swap as an artifact."""
+    first = min(range(len(chain)), key=lambda i: (is_unlabelled(take.labels[chain[i]]), chain[i]))
+    marker, *others = (take.labels[i] for i in (*chain[first:], *chain[:first]))
     return replace(
-        step,
-        marker=take.labels[first],
+        jump,
+        kind=Kind.STEP,
+        marker=marker,
         axes="xyz",
-        counterpart=take.labels[second],
+        counterpart=others[0],
+        further_counterparts=tuple(others[1:]),
         amplitude_mm=size,
         why=(
-            f"changes places with {take.labels[second]} for {how_long(step.length, take.rate)}: "
-            f"exchanging them leaves {in_mm(float(rest[partner]))} of the {in_mm(size)} mm jump"
+            f"changes places with {' and '.join(others)} for {how_long(jump.length, take.rate)}: "
+            f"exchanging them leaves {in_mm(rest)} of the {in_mm(size)} mm jump"
         ),
         id="",
     )
 
 
-def _break(left: FloatArray, right: FloatArray) -> FloatArray:
-    """How far the right's third frame is from where the left's second one was going.
+def _borders(take: Take, start: int, stop: int) -> list[_Border]:
+    """The ends of a swap that lie within the take."""
+    reach = 2 + round(ACROSS_S * take.rate)
+    x = take.positions
+    before, after = x[max(0, start - reach) : start], x[stop : stop + reach]
+    early, late = x[start : min(stop, start + reach)], x[max(start, stop - reach) : stop]
+    borders = []
+    if start > 0:
+        borders.append(_Border(_side(early, start, 1), _side(before, start - 1, -1)))
+    if stop < take.frames:
+        borders.append(_Border(_side(late, stop - 1, -1), _side(after, stop, 1)))
+    return borders
 
-    Both (4, ..., 3) mm around a border between second and third; velocity is the mean of both
-    sides. Returns (...,) mm, NaN where a sample is missing.
+
+def _side(rows: FloatArray, nearest: int, way: int) -> _Side:
+    """Look at some frames from a border: ``nearest`` is next to it, ``way`` leads off it."""
+    rows = rows[::way]
+    seen: BoolArray = ~np.asarray(np.isnan(rows).any(axis=2))
+    at, every = seen.argmax(axis=0), np.arange(rows.shape[1])
+    place = rows[at, every]
+    following = np.minimum(at + 1, len(rows) - 1)
+    speed = np.where((following > at)[:, None], way * (rows[following, every] - place), np.nan)
+    return _Side(nearest + way * at.astype(np.float64), place, speed)
+
+
+def _jump(borders: list[_Border], marker: int) -> float:
+    """How far a trajectory jumps at the ends, their mean; NaN where it is seen on one side only."""
+    return float(np.mean([_breaks(b, marker)[marker] for b in borders])) if borders else np.nan
+
+
+def _rests(borders: list[_Border], marker: int) -> FloatArray:
+    """What is left of a trajectory's jump when each other fills in, (markers,), NaN if unknown.
+
+    The larger of both ends, so that one that fits by chance at one of them does not count.
     """
-    velocity = (left[1] - left[0] + right[3] - right[2]) / 2
-    return np.asarray(np.linalg.norm(right[2] - left[1] - velocity, axis=-1))
+    return np.asarray(np.max([_breaks(b, marker) for b in borders], axis=0))
+
+
+def _breaks(border: _Border, marker: int) -> FloatArray:
+    """How far each trajectory inside is from where one marker goes outside, (markers,) mm."""
+    inside, outside = border.inside, border.outside
+    across = inside.frame - outside.frame[marker]
+    own = np.broadcast_to(outside.speed[marker], inside.speed.shape)
+    known = np.stack([own, inside.speed])
+    count = np.maximum((~np.isnan(known)).sum(axis=0), 1)
+    speed = np.nansum(known, axis=0) / count
+    return np.asarray(
+        np.linalg.norm(
+            inside.place - outside.place[marker] - speed * across[:, None],
+            axis=1,
+        )
+    )

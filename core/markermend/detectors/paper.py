@@ -112,9 +112,9 @@ def _find_sudden(
 
 
 def _damage(take: Take, artifacts: list[Artifact]) -> BoolArray:
-    """(frames, markers, 3) bool: samples that artifacts cover, a swap's counterpart included."""
+    """(frames, markers, 3) bool: samples that artifacts cover, a swap's counterparts included."""
     mask = damage_mask(take, artifacts)
     for a in artifacts:
-        if a.counterpart is not None:
-            mask[a.start : a.stop, take.index(a.counterpart)] = True
+        for label in a.markers[1:]:
+            mask[a.start : a.stop, take.index(label)] = True
     return mask

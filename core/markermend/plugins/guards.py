@@ -67,7 +67,7 @@ def _fault_of(done: Any, artifact: Artifact) -> str:
     if not isinstance(done, Repair):
         return "the plugin did not return a repair"
     for p in done.patches:
-        mine = p.marker in (artifact.marker, artifact.counterpart)
+        mine = p.marker in artifact.markers
         inside = artifact.start <= p.start < p.stop <= artifact.stop
         if not (mine and inside and set(p.axes) <= set(artifact.axes)):
             return "the plugin wanted to change samples that are not the artifact's"

@@ -203,7 +203,7 @@ def repair(
     Returns
     -------
     Take
-        a new one; only the artifacts' intervals and axes (and the counterpart's of a swap)
+        a new one; only the artifacts' intervals and axes (and the counterparts' of a swap)
         differ, and their samples' origin says filled or edited
     """
     return _run(take, artifacts, method, min_confidence, mesh, progress)[0]
@@ -386,11 +386,11 @@ def _only(evidence: Evidence, marker: str, references: Sequence[str]) -> Evidenc
 
 
 def _mirror(artifact: Artifact, done: Iterable[Artifact]) -> Artifact | None:
-    """The other half of a swap that was already carried out, or None."""
+    """The same swap, told by another of its markers, that was already carried out, or None."""
     for a in done:
         if (
-            a.counterpart is not None
-            and (a.marker, a.counterpart) == (artifact.counterpart, artifact.marker)
+            a.marker != artifact.marker
+            and set(a.markers) == set(artifact.markers)
             and a.overlaps(artifact.start, artifact.stop)
             and set(a.axes) & set(artifact.axes)
         ):

@@ -1,4 +1,4 @@
-"""Exchange of two markers whose names were mixed up for a while."""
+"""Exchange of markers whose names were mixed up for a while."""
 
 from __future__ import annotations
 
@@ -16,33 +16,33 @@ from markermend.take import AXES, Origin
 
 @dataclass(frozen=True)
 class SwapParams:
-    """A swap has nothing to set: the counterpart is the artifact's."""
+    """A swap has nothing to set: the counterparts are the artifact's."""
 
 
 @register(
     "swap",
     label="Swap markers",
-    summary="Exchanges the marker with its counterpart over the interval; nothing is invented.",
+    summary="Gives the marker and its counterparts their own samples back; nothing is invented.",
     params=SwapParams,
     key=6,
 )
 def repair_swap(evidence: Evidence, artifact: Artifact, params: Any) -> Repair:
-    """Exchange the samples of marker and counterpart on the artifact's axes.
+    """Give each marker of a swap the samples of the next, and the last those of the first.
 
-    Where either is missing all three axes are exchanged, since a sample cannot be half there;
-    the gap then changes sides too.
+    Where any of them is missing all three axes are exchanged, since a sample cannot be half
+    there; the gap then changes sides too.
     """
-    take = evidence.take
-    if artifact.counterpart is None:
+    take, names = evidence.take, artifact.markers
+    if len(names) < 2:
         return refuse("swap", "No counterpart is known that carries the opposite step.", params)
-    if artifact.counterpart not in take or artifact.counterpart == artifact.marker:
-        return refuse("swap", f"{artifact.counterpart} cannot be the counterpart.", params)
+    if len(set(names)) < len(names) or not all(name in take for name in names):
+        others = " and ".join(names[1:])
+        return refuse("swap", f"{others} cannot be the counterpart.", params)
     rows = slice(artifact.start, artifact.stop)
-    one, other = take.index(artifact.marker), take.index(artifact.counterpart)
-    complete = take.present[rows, one].all() and take.present[rows, other].all()
-    axes = artifact.axes if complete else AXES
+    columns = [take.index(name) for name in names]
+    axes = artifact.axes if take.present[rows, columns].all() else AXES
     patches = []
-    for label, donor in ((artifact.marker, other), (artifact.counterpart, one)):
+    for label, donor in zip(names, [*columns[1:], columns[0]], strict=True):
         values = take.positions[rows, donor][:, axis_columns(axes)].copy()
         missing = np.isnan(values).any(axis=1)
         origin = np.where(missing, Origin.MISSING, Origin.EDITED).astype(np.uint8)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from markermend.artifact import Artifact, Kind
 from markermend.errors import DataError
 from markermend.simulation.contamination import triangle
 from markermend.simulation.truth import Damage, added, apply_damage, hidden, swapped
-from markermend.take import Take, is_unlabelled
+from markermend.take import Origin, Take, is_unlabelled
 
 _TRIES = 400
 _APART_S = 0.25
@@ -33,6 +33,9 @@ class Amounts:
     swaps : two neighbours exchanged for 0.2 to 1.2 s
     steps : constant offset for 0.15 to 0.9 s, 8 to 45 mm
     drifts : slow change for 0.3 to 1.2 s, 8 to 35 mm, with sharp, rounded or no kinks
+    swaps_of_three : three neighbours take turns for 0.2 to 1.2 s
+    brief_swaps : two neighbours exchanged for one frame
+    swaps_with_gap : two neighbours exchanged for 0.3 to 1.2 s, one of them lost meanwhile
     """
 
     short_gaps: float = 9
@@ -43,6 +46,9 @@ class Amounts:
     swaps: float = 3
     steps: float = 5
     drifts: float = 8
+    swaps_of_three: float = 0
+    brief_swaps: float = 0
+    swaps_with_gap: float = 0
 
 
 def hann(length: int) -> FloatArray:
@@ -99,6 +105,9 @@ def damage(
         (amounts.bursts, _burst),
         (amounts.short_gaps, _short_gap),
         (amounts.peaks, _peak),
+        (amounts.swaps_of_three, _swap_of_three),
+        (amounts.swaps_with_gap, _swap_with_gap),
+        (amounts.brief_swaps, _brief_swap),
     ):
         for i in range(max(1, round(count * many)) if count else 0):
             damages.append(make(site, i))
@@ -199,8 +208,33 @@ def _occlusion(site: _Site, i: int) -> Damage:
 
 def _swap(site: _Site, i: int) -> Damage:
     length = site.frames(0.2, 1.2)
-    start, (marker, other) = site.neighbours(length, 2, _SWAP_MM)
-    return swapped(site.take, marker, other, start, start + length, "simulated swap")
+    start, pair = site.neighbours(length, 2, _SWAP_MM)
+    return swapped(site.take, pair, start, start + length, "simulated swap")
+
+
+def _swap_of_three(site: _Site, i: int) -> Damage:
+    length = site.frames(0.2, 1.2)
+    start, three = site.neighbours(length, 3, _SWAP_MM)
+    return swapped(site.take, three, start, start + length, "simulated swap of three")
+
+
+def _brief_swap(site: _Site, i: int) -> Damage:
+    start, pair = site.neighbours(1, 2, _SWAP_MM)
+    return swapped(site.take, pair, start, start + 1, "simulated swap of one frame")
+
+
+def _swap_with_gap(site: _Site, i: int) -> Damage:
+    """Lose one of two markers where they change places, or while they are exchanged."""
+    length, lost = site.frames(0.3, 1.2), site.frames(0.05, 0.15)
+    start, pair = site.neighbours(length, 2, _SWAP_MM)
+    swap = swapped(site.take, pair, start, start + length, "simulated swap with a gap")
+    first = 0 if i % 2 else length // 3
+    holed, second = swap.patches
+    values, origin = holed.values.copy(), np.full(length, Origin.MEASURED, dtype=np.uint8)
+    values[first : first + lost], origin[first : first + lost] = np.nan, Origin.MISSING
+    holed = replace(holed, values=values, origin=origin)
+    gap = hidden(pair[0], start + first, start + first + lost, "simulated gap in a swap")
+    return Damage((holed, second), (*swap.artifacts, *gap.artifacts))
 
 
 def _drift(site: _Site, i: int) -> Damage:

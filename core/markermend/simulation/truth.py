@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -63,20 +63,27 @@ def hidden(marker: str, start: int, stop: int, why: str) -> Damage:
     return Damage((patch,), (Artifact(marker, "xyz", start, stop, Kind.GAP, why=why),))
 
 
-def swapped(take: Take, marker: str, other: str, start: int, stop: int, why: str) -> Damage:
-    """Plan to exchange two markers over ``[start, stop)``.
+def swapped(take: Take, markers: Sequence[str], start: int, stop: int, why: str) -> Damage:
+    """Plan to put the samples of each marker under the next one's name over ``[start, stop)``.
+
+    Parameters
+    ----------
+    take : the clean recording
+    markers : two or more; the samples of the last go under the first one's name
 
     Returns
     -------
-    Damage of two patches and two steps that name each other as counterpart; their amplitude
-    is the median distance between the two markers
+    Damage of a patch and a step for each, with the others as counterparts in that order; its
+    amplitude is the median distance from its own samples to those under its name
     """
     rows = slice(start, stop)
-    here, there = take.positions[rows, take.index(marker)], take.positions[rows, take.index(other)]
-    distance = float(np.median(np.linalg.norm(here - there, axis=1)))
     measured = np.full(stop - start, Origin.MEASURED, dtype=np.uint8)
     patches, artifacts = [], []
-    for label, partner, values in ((marker, other, there), (other, marker, here)):
+    for i, label in enumerate(markers):
+        own = take.positions[rows, take.index(label)]
+        values = take.positions[rows, take.index(markers[i - 1])]
+        distance = float(np.median(np.linalg.norm(own - values, axis=1)))
+        partner, *further = (*markers[i + 1 :], *markers[:i])
         patches.append(Patch(label, "xyz", start, stop, values.copy(), measured))
         artifacts.append(
             Artifact(
@@ -88,6 +95,7 @@ def swapped(take: Take, marker: str, other: str, start: int, stop: int, why: str
                 amplitude_mm=distance,
                 why=why,
                 counterpart=partner,
+                further_counterparts=tuple(further),
             )
         )
     return Damage(tuple(patches), tuple(artifacts))
