@@ -243,6 +243,13 @@ ACTIONS: tuple[Action, ...] = (
     Action(
         "manual", "Manual", "Help", ("F1",), "help", "The page about the panel in use", anything
     ),
+    Action(
+        "tour",
+        "Tour in five steps",
+        "Help",
+        tip="From a damaged take to a repaired one, on the demo take",
+        enabled=anything,
+    ),
     Action("shortcuts", "Keyboard and mouse…", "Help", ("?",), "keyboard", "", anything),
     Action("about", "About Markermend", "Help", (), "", "", anything),
 )

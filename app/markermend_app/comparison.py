@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, Signal
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence
 
 from markermend.artifact import Artifact, Status
@@ -15,6 +15,9 @@ from markermend_app.jobs import Lane
 
 MOST = 6
 """Candidates that are drawn; more lines than this nobody tells apart."""
+
+LET_GO_MS = 80
+"""A key that is held repeats itself, and a busy desktop tells its repeats as letting go."""
 
 
 class Comparison(QObject):
@@ -43,6 +46,8 @@ class Comparison(QObject):
         self.shown = False
         self.candidates: tuple[Any, ...] | None = None
         self.hopeless = 0
+        self._letting_go = QTimer(self, interval=LET_GO_MS, singleShot=True)
+        self._letting_go.timeout.connect(self.stop)
         document.opened.connect(self._forget)
         document.data_changed.connect(self._forget)
         document.current_changed.connect(self._follow)
@@ -57,7 +62,9 @@ class Comparison(QObject):
 
     def start(self, keys: Iterable[str]) -> None:
         """Show the candidates until one of the keys is let go; when they are shown, hide them."""
-        if self.shown:
+        if self._letting_go.isActive():
+            self._letting_go.stop()
+        elif self.shown:
             self.stop()
         elif self._document.current is not None:
             self._keys = frozenset(key.rpartition("+")[2] for key in keys)
@@ -68,6 +75,7 @@ class Comparison(QObject):
 
     def stop(self) -> None:
         """Hide them; the one that was walked to stays previewed."""
+        self._letting_go.stop()
         if self.shown:
             self.shown = False
             _app().removeEventFilter(self)
@@ -95,7 +103,7 @@ class Comparison(QObject):
                 event.accept()
                 return True
             if event.type() == QEvent.Type.KeyRelease:
-                self.stop()
+                self._letting_go.start()
         by = {int(Qt.Key.Key_Down): 1, int(Qt.Key.Key_Up): -1}.get(event.key(), 0)
         if not by:
             return False

@@ -66,6 +66,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return take_screenshot(window, chosen.take, chosen.screenshot)
     if chosen.take is not None:
         window.commands.open_path(chosen.take.absolute())
+    elif not settings.flag("tour_seen", False):
+        window.actions_by_name["tour"].trigger()
     return app.exec()
 
 

@@ -281,6 +281,7 @@ class MainWindow(QMainWindow):
             ),
             "reset_layout": lambda: self.restoreState(self._default_state, LAYOUT_VERSION),
             "manual": self._show_manual,
+            "tour": self._show_tour,
             "theme_contrast": lambda: self._set_theme("contrast"),
             "preferences": lambda: self.preferred.open(),
             "shortcuts": lambda: ShortcutSheet(self).exec(),
@@ -339,6 +340,12 @@ class MainWindow(QMainWindow):
         manual.show()
         manual.raise_()
         manual.activateWindow()
+
+    def _show_tour(self) -> None:
+        """Show the window around, from the first step on."""
+        from markermend_app.tour import Tour
+
+        (self.findChild(Tour) or Tour(self)).start()
 
     def _check_chosen(self) -> None:
         """Check the menus' entries that hold."""

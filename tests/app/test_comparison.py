@@ -47,7 +47,7 @@ def test_hold_walk_let_go_and_repair(window, qtbot):
     chosen = names(window)[first + 1]
     assert document.proposal.method == chosen
     QTest.keyRelease(window, Qt.Key.Key_C)
-    assert not comparison.shown
+    qtbot.waitUntil(lambda: not comparison.shown)
     assert not panel.isVisible()
     assert panel._lines == []
     qtbot.keyClick(window, Qt.Key.Key_F)
@@ -59,6 +59,7 @@ def test_arrows_step_frames_again_when_the_key_is_let_go(window, qtbot):
     document = window.document
     QTest.keyPress(window, Qt.Key.Key_C)
     QTest.keyRelease(window, Qt.Key.Key_C)
+    qtbot.waitUntil(lambda: not window.comparison.shown)
     method, frame = document.method, document.frame
     QTest.keyClick(window, Qt.Key.Key_Down)
     assert document.method == method

@@ -252,6 +252,22 @@
         <translation>Durch die Zeit fahren</translation>
     </message>
     <message>
+        <source>Alt+arrows, with Shift</source>
+        <translation>Alt+Pfeile, mit Umschalt</translation>
+    </message>
+    <message>
+        <source>Orbit, pan, once the view has the focus</source>
+        <translation>Drehen, verschieben, sobald die Ansicht den Fokus hat</translation>
+    </message>
+    <message>
+        <source>+ and −</source>
+        <translation>+ und −</translation>
+    </message>
+    <message>
+        <source>Zoom, once the view has the focus</source>
+        <translation>Zoomen, sobald die Ansicht den Fokus hat</translation>
+    </message>
+    <message>
         <source>Gap</source>
         <translation>Lücke</translation>
     </message>
@@ -306,6 +322,42 @@
     <message>
         <source>Open the demo take</source>
         <translation>Beispielaufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>It is damaged on purpose: 53 markers, gaps, jumps and noise. File › Open the demo take does the same, and a take of your own will do too.</source>
+        <translation>Sie ist mit Absicht beschädigt: 53 Marker, Lücken, Sprünge und Rauschen. Datei › Beispielaufnahme öffnen tut dasselbe, und eine eigene Aufnahme geht auch.</translation>
+    </message>
+    <message>
+        <source>Look at why</source>
+        <translation>Sehen, warum</translation>
+    </message>
+    <message>
+        <source>Artifacts are looked for by themselves; the worst comes first. Here stands what is wrong, how sure that is, and why. Read it, then go on to the next with {0}.</source>
+        <translation>Artefakte werden von selbst gesucht; das schlimmste kommt zuerst. Hier steht, was falsch ist, wie sicher das ist und warum. Lesen, dann mit {0} weiter zum nächsten.</translation>
+    </message>
+    <message>
+        <source>Repair it with one key</source>
+        <translation>Mit einer Taste reparieren</translation>
+    </message>
+    <message>
+        <source>The thick curve in the plots is the repair that is expected to err least. {0} takes it and moves on; {1} says that the flag is a false alarm.</source>
+        <translation>Die dicke Kurve ist die Reparatur, die am wenigsten fehlgehen dürfte. {0} übernimmt sie und geht weiter; {1} heißt, dass der Befund ein Fehlalarm ist.</translation>
+    </message>
+    <message>
+        <source>Take it back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Nothing is final, and your file is never changed. Undo the repair with {0}.</source>
+        <translation>Nichts ist endgültig, und die Datei wird nie verändert. Die Reparatur mit {0} rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Compare, or export</source>
+        <translation>Vergleichen oder exportieren</translation>
+    </message>
+    <message>
+        <source>Hold {0} to see what every method would do, choose with ↑ and ↓, and let go. Or write a copy with {1}, in which only repaired samples differ.</source>
+        <translation>{0} halten, um zu sehen, was jedes Verfahren täte, mit ↑ und ↓ wählen, loslassen. Oder mit {1} eine Kopie schreiben, in der sich nur reparierte Werte unterscheiden.</translation>
     </message>
     <message>
         <source>Export repaired take…</source>
@@ -752,6 +804,14 @@
         <translation>Hilfe</translation>
     </message>
     <message>
+        <source>Tour in five steps</source>
+        <translation>Rundgang in fünf Schritten</translation>
+    </message>
+    <message>
+        <source>From a damaged take to a repaired one, on the demo take</source>
+        <translation>Von einer beschädigten zu einer reparierten Aufnahme, an der Beispielaufnahme</translation>
+    </message>
+    <message>
         <source>Keyboard and mouse…</source>
         <translation>Tastatur und Maus…</translation>
     </message>
@@ -804,8 +864,8 @@
         <translation>Marker tauschen</translation>
     </message>
     <message>
-        <source>Exchanges the marker with its counterpart over the interval; nothing is invented.</source>
-        <translation>Tauscht den Marker im Abschnitt mit seinem Gegenstück; nichts wird erfunden.</translation>
+        <source>Gives the marker and its counterparts their own samples back; nothing is invented.</source>
+        <translation>Gibt dem Marker und seinen Gegenstücken ihre eigenen Werte zurück; nichts wird erfunden.</translation>
     </message>
     <message>
         <source>Savitzky–Golay</source>
@@ -1101,31 +1161,99 @@
     </message>
     <message>
         <source>Markers in one colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Marker in einer Farbe</translation>
     </message>
     <message>
         <source>Coloured by group</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe nach Gruppe</translation>
     </message>
     <message>
         <source>Coloured by damage</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe nach Schaden</translation>
     </message>
     <message>
         <source>Ghost of the other version</source>
-        <translation type="unfinished"></translation>
+        <translation>Geist der anderen Fassung</translation>
     </message>
     <message>
         <source>Segments of wrong length in red</source>
-        <translation type="unfinished"></translation>
+        <translation>Segmente falscher Länge in Rot</translation>
     </message>
     <message>
         <source>Axis that points up</source>
-        <translation type="unfinished">Achse nach oben</translation>
+        <translation>Achse nach oben</translation>
     </message>
     <message>
         <source>As the take suggests</source>
-        <translation type="unfinished">Wie die Aufnahme nahelegt</translation>
+        <translation>Wie es die Aufnahme nahelegt</translation>
+    </message>
+    <message>
+        <source>Whole take</source>
+        <translation>Ganze Aufnahme</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>Marker</translation>
+    </message>
+    <message>
+        <source>Click to see it in the plots, double-click for its worst artifact</source>
+        <translation>Klick zeigt ihn in den Kurven, Doppelklick sein schlimmstes Artefakt</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Offen</translation>
+    </message>
+    <message>
+        <source>Artifacts to be decided, by class</source>
+        <translation>Noch zu entscheidende Artefakte nach Art</translation>
+    </message>
+    <message>
+        <source>Missing</source>
+        <translation>Fehlt</translation>
+    </message>
+    <message>
+        <source>Share of frames in which the file has no sample</source>
+        <translation>Anteil der Frames, für die die Datei keinen Wert hat</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Share of frames without a sample as the take stands</source>
+        <translation>Anteil der Frames ohne Wert, so wie die Aufnahme jetzt ist</translation>
+    </message>
+    <message>
+        <source>Mended</source>
+        <translation>Ausgebessert</translation>
+    </message>
+    <message>
+        <source>Share of frames that were filled or edited</source>
+        <translation>Anteil der Frames, die gefüllt oder bearbeitet wurden</translation>
+    </message>
+    <message>
+        <source>Error ({0})</source>
+        <translation>Fehler ({0})</translation>
+    </message>
+    <message>
+        <source>Mean expected error of the repairs, each counted by its length</source>
+        <translation>Mittlerer erwarteter Fehler der Reparaturen, jede nach ihrer Länge gezählt</translation>
+    </message>
+    <message>
+        <source>Worst ({0})</source>
+        <translation>Größter ({0})</translation>
+    </message>
+    <message>
+        <source>Largest expected error of a repair</source>
+        <translation>Größter erwarteter Fehler einer Reparatur</translation>
+    </message>
+    <message>
+        <source>Decided</source>
+        <translation>Entschieden</translation>
+    </message>
+    <message>
+        <source>Artifacts accepted, rejected or repaired, by class</source>
+        <translation>Angenommene, abgelehnte oder reparierte Artefakte nach Art</translation>
     </message>
 </context>
 <context>
@@ -1254,8 +1382,16 @@
         <translation>Notiz</translation>
     </message>
     <message>
-        <source>{0} frames, {1:.2f} s</source>
-        <translation>{0} Frames, {1:.2f} s</translation>
+        <source>1 frame</source>
+        <translation>1 Frame</translation>
+    </message>
+    <message>
+        <source>{0} frames</source>
+        <translation>{0} Frames</translation>
+    </message>
+    <message>
+        <source>, {0:.2f} s</source>
+        <translation>, {0:.2f} s</translation>
     </message>
     <message>
         <source>No reason was given.</source>
@@ -1467,6 +1603,13 @@
     </message>
 </context>
 <context>
+    <name>Document</name>
+    <message>
+        <source>The flag on {0} is accepted, the samples are left. {1}</source>
+        <translation>Der Befund an {0} ist angenommen, die Werte bleiben. {1}</translation>
+    </message>
+</context>
+<context>
     <name>ExportDialog</name>
     <message>
         <source>Export</source>
@@ -1643,6 +1786,10 @@
         <translation>Prüfliste</translation>
     </message>
     <message>
+        <source>Quality</source>
+        <translation>Qualität</translation>
+    </message>
+    <message>
         <source>Toolbar</source>
         <translation>Werkzeugleiste</translation>
     </message>
@@ -1809,6 +1956,10 @@
     <message>
         <source>no answer here</source>
         <translation>hier keine Antwort</translation>
+    </message>
+    <message>
+        <source>{0} accepts the flag, leaves the samples and goes on.</source>
+        <translation>{0} nimmt den Befund an, lässt die Werte und geht weiter.</translation>
     </message>
     <message>
         <source>, expected error {0}</source>
@@ -2089,6 +2240,21 @@
     </message>
 </context>
 <context>
+    <name>QualityPanel</name>
+    <message>
+        <source>Quality, marker by marker</source>
+        <translation>Qualität, Marker für Marker</translation>
+    </message>
+    <message>
+        <source>Quality of the whole take</source>
+        <translation>Qualität der ganzen Aufnahme</translation>
+    </message>
+    <message>
+        <source>How an open take stands appears here.</source>
+        <translation>Hier erscheint, wie es um eine offene Aufnahme steht.</translation>
+    </message>
+</context>
+<context>
     <name>QueueModel</name>
     <message>
         <source>Status</source>
@@ -2253,38 +2419,38 @@
     </message>
     <message>
         <source>Before repair</source>
-        <translation type="unfinished"></translation>
+        <translation>Vor der Reparatur</translation>
     </message>
 </context>
 <context>
     <name>SceneButtons</name>
     <message>
         <source>Show everything (double click)</source>
-        <translation type="unfinished">Alles zeigen (Doppelklick)</translation>
+        <translation>Alles zeigen (Doppelklick)</translation>
     </message>
     <message>
         <source>Keep the body in the middle</source>
-        <translation type="unfinished">Den Körper in der Mitte halten</translation>
+        <translation>Den Körper in der Mitte halten</translation>
     </message>
     <message>
         <source>Trails of all markers</source>
-        <translation type="unfinished">Spuren aller Marker</translation>
+        <translation>Spuren aller Marker</translation>
     </message>
     <message>
         <source>Names of all markers</source>
-        <translation type="unfinished">Namen aller Marker</translation>
+        <translation>Namen aller Marker</translation>
     </message>
     <message>
         <source>Select markers with a box (Esc ends it)</source>
-        <translation type="unfinished"></translation>
+        <translation>Marker mit einem Rahmen auswählen (Esc beendet)</translation>
     </message>
     <message>
         <source>Select markers with a lasso (Esc ends)</source>
-        <translation type="unfinished"></translation>
+        <translation>Marker mit einem Lasso auswählen (Esc beendet)</translation>
     </message>
     <message>
         <source>Colours, ghost, segments, vertical axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben, Geist, Segmente, senkrechte Achse</translation>
     </message>
 </context>
 <context>
@@ -2324,6 +2490,10 @@
     <message>
         <source>Selection on {0}</source>
         <translation>Auswahl an {0}</translation>
+    </message>
+    <message>
+        <source>Frame {0}, {1:.2f} s</source>
+        <translation>Frame {0}, {1:.2f} s</translation>
     </message>
     <message>
         <source>Frames {0} to {1}: {2} frames, {3:.2f} s</source>
@@ -2453,6 +2623,36 @@
     <message>
         <source>{0:.2f} % of all samples</source>
         <translation>{0:.2f} % aller Werte</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>{0} opens the manual at the panel in use, {1} lists every key, and {2} finds any command by a few letters. The tour is in the Help menu.</source>
+        <translation>{0} öffnet das Handbuch zum benutzten Bereich, {1} zeigt alle Tasten, und {2} findet jeden Befehl mit ein paar Buchstaben. Der Rundgang steht im Menü Hilfe.</translation>
+    </message>
+    <message>
+        <source>That is the whole round</source>
+        <translation>Das war der Rundgang</translation>
+    </message>
+    <message>
+        <source>{0} of {1}</source>
+        <translation>{0} von {1}</translation>
+    </message>
+</context>
+<context>
+    <name>TourCard</name>
+    <message>
+        <source>Skip this step</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Rundgang beenden</translation>
     </message>
 </context>
 <context>
