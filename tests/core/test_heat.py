@@ -66,6 +66,28 @@ def test_residuals_show_where_a_marker_is_off(person: Take) -> None:
     assert np.isfinite(found[1, :40]).all()
 
 
+def test_long_takes_are_thinned_without_losing_what_is_short(monkeypatch) -> None:
+    take = simulate_clean(duration_s=10.0, rate=120.0, seed=2)
+    positions = take.positions.copy()
+    positions[601, 5] += (0.0, 0.0, 25.0)
+    positions[300:320, 5] = np.nan
+    take = Take(positions, take.labels, take.rate)
+    whole = body_residuals(take, (), take.labels[5:6])[0]
+    monkeypatch.setattr("markermend.heat.LEAST_KNOTS", 300)
+    thinned = body_residuals(take, (), take.labels[5:6])[0]
+    assert (thinned != whole).any()
+    assert np.array_equal(np.isnan(thinned), np.isnan(whole))
+    assert abs(thinned[601] - whole[601]) < 2.0
+    assert np.nanmedian(np.abs(thinned - whole)) < 0.3
+
+
+@pytest.mark.parametrize(("frames", "markers"), [(1, 1), (1, 2), (0, 2), (50, 1)])
+def test_residuals_of_takes_with_nothing_to_learn_from(frames, markers) -> None:
+    take = Take(np.ones((frames, markers, 3)), ("A", "B")[:markers], 100.0)
+    assert np.isnan(body_residuals(take)).all()
+    assert body_residuals(take).shape == (markers, frames)
+
+
 def test_residuals_can_be_cancelled(person: Take) -> None:
     def stop(share: float, doing: str) -> None:
         raise Cancelled
