@@ -152,6 +152,15 @@ def damage_mask(take: Take, artifacts: Iterable[Artifact]) -> BoolArray:
     return mask
 
 
+def distrusted(artifacts: Iterable[Artifact]) -> dict[str, frozenset[tuple[int, int]]]:
+    """Intervals by marker that nothing is learned from: those of all artifacts not rejected."""
+    found: dict[str, set[tuple[int, int]]] = {}
+    for a in artifacts:
+        if a.status is not Status.REJECTED:
+            found.setdefault(a.marker, set()).add((a.start, a.stop))
+    return {marker: frozenset(spans) for marker, spans in found.items()}
+
+
 def trusted_samples(take: Take, artifacts: Iterable[Artifact]) -> BoolArray:
     """(frames, markers) bool: samples that are there and that no artifact names.
 

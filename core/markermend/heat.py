@@ -112,7 +112,8 @@ def body_residuals(
     Notes
     -----
     The body moves more slowly than cameras record. In long takes its predictions are worked out
-    30 times a second and joined by a spline (Akima, 1970), which no jump makes ring; every sample is measured against them.
+    30 times a second and joined by a spline that no jump makes ring (Akima, 1970); every sample is
+    measured against them.
     """
     from markermend.predictors.local import predict_local
 

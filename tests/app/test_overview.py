@@ -157,6 +157,26 @@ def test_residuals_come_from_a_thread_and_follow_repairs(overview, qtbot):
     qtbot.waitUntil(mended, timeout=30_000)
 
 
+def test_residuals_are_made_anew_once_damage_is_known(overview, qtbot):
+    document = overview.document
+    found = document.session.artifacts
+    document.remove([a.id for a in found])
+    overview.mode.choose("residual")
+    overview.grab()
+    qtbot.waitUntil(lambda: overview.residuals.values is not None, timeout=30_000)
+    before = overview.residuals.values
+    neighbour = before[7, 285:325].copy()
+    document.add_detected(found, "again")
+
+    def anew():
+        overview.grab()
+        return overview.residuals.share is None and not np.array_equal(
+            overview.residuals.values[7, 285:325], neighbour, equal_nan=True
+        )
+
+    qtbot.waitUntil(anew, timeout=30_000)
+
+
 def test_unknown_residuals_are_grey_and_levels_stay_in_range():
     levels = residual_levels(np.array([0, 5, 20, 900, np.nan], dtype=np.float32))
     np.testing.assert_allclose(levels[:4], [0, 0.5, 1, 1])

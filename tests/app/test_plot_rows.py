@@ -17,6 +17,7 @@ from markermend.session_file import open_session
 from markermend.take import Analog, Event, Points, Take
 from markermend_app import theme
 from markermend_app.document import Document
+from markermend_app.panels.plot_quantity import can_show
 from markermend_app.panels.plot_range import value_range
 from markermend_app.panels.trajectories import TrajectoryPanel
 
@@ -273,3 +274,41 @@ def test_speeds_begin_at_zero():
     low, high = value_range([np.full(50, 2.0)], least=0.5, least_at=0.0)
     assert low < 0 < 2.0 < high
     assert low > -0.3
+
+
+def test_numbers_of_low_rows_do_not_cover_each_other(panel):
+    panel.choose_rows(["x", "y", "z", "speed", "acceleration", "distance", "cameras"])
+    panel.resize(900, 300)
+    QTest.qWait(50)
+    for row in panel.rows:
+        low, high = row.view.viewRange()[1]
+        height = row.view.height()
+        at = row.values.tickValues(low, high, height)[0][1]
+        pixels = np.diff(sorted(at)) * height / (high - low)
+        assert (pixels >= 14).all(), row.quantity.name
+
+
+def test_distance_comes_with_the_mesh(qtbot, tmp_path, damaged):
+    take, _ = damaged
+    document = Document()
+    panel = TrajectoryPanel(document)
+    qtbot.addWidget(panel)
+    panel.choose_rows(["x", "distance"])
+    document.open(open_session(take, folder=tmp_path), None)
+    document.show(["CLAV"])
+    assert panel.partner is None
+    document.learn(infer_mesh(take))
+    partner = take.index(panel.partner)
+    expected = distance(take.positions[:, 0], take.positions[:, partner])
+    shown = panel.canvas.row("distance").traces["CLAV"].measured.yData
+    assert np.nanmedian(shown) == pytest.approx(np.nanmedian(expected), abs=0.5)
+    document.open(None, None)
+    document.proposals.close()
+
+
+def test_cameras_that_were_never_counted_are_no_row(panel, damaged):
+    take, _ = damaged
+    assert can_show(richer(take), "cameras")
+    assert not can_show(
+        replace(take, cameras=np.zeros(take.present.shape, dtype=np.uint8)), "cameras"
+    )

@@ -15,6 +15,7 @@ from markermend.session_file import open_session
 from markermend.take import Take
 from markermend_app import theme
 from markermend_app.document import Document, Selection
+from markermend_app.panels.plot_prediction import SETTLED_MS
 from markermend_app.panels.trajectories import TrajectoryPanel
 
 
@@ -265,6 +266,22 @@ def test_prediction_comes_on_demand(bench, qtbot):
     assert np.nanmedian(np.abs(predicted - truth)) < 20
     bench.panel.set_prediction_shown(False)
     assert row.traces["CLAV"].predicted.getData()[0] is None
+
+
+def test_prediction_is_made_anew_when_what_it_learned_from_changes(bench, qtbot):
+    known = bench.panel.predictions.known
+    bench.panel.set_prediction_shown(True)
+    qtbot.waitUntil(lambda: "CLAV" in known, timeout=20_000)
+    first = known["CLAV"]
+    noise = next(a.id for a in bench.document.session.artifacts if a.marker == "C7")
+    bench.document.accept([noise])
+    qtbot.wait(SETTLED_MS + 300)
+    assert known["CLAV"] is first
+    bench.document.reject([noise])
+    assert known["CLAV"] is first
+    qtbot.waitUntil(lambda: known["CLAV"] is not first, timeout=20_000)
+    apart = np.abs(known["CLAV"] - first)
+    assert np.nanmax(apart[200:240]) > np.nanmedian(apart)
 
 
 def test_the_view_follows_a_cursor_that_leaves_it(bench):

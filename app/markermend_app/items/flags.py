@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QFont, QPainter, QPen, QPolygonF, QTransform
+from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPen, QPolygonF, QTransform
 
 from markermend_app import theme
 
@@ -36,6 +36,13 @@ class Flags(pg.GraphicsObject):
         """Write names, or draw lines alone."""
         self.named = named
         self.update()
+
+    @property
+    def height(self) -> float:
+        """Pixels at the top that names take."""
+        if not self.named or not len(self._names):
+            return 0.0
+        return QFontMetricsF(_font(QFont())).height() + 2.0
 
     def boundingRect(self) -> QRectF:
         """Everything in view."""
@@ -71,9 +78,7 @@ class Flags(pg.GraphicsObject):
     ) -> None:
         """A pennant at the top of each line, as far as they do not cover each other."""
         look = theme.current()
-        font = QFont(painter.font())
-        font.setPointSize(theme.SMALL_PT - 1)
-        painter.setFont(font)
+        painter.setFont(_font(painter.font()))
         metrics = painter.fontMetrics()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         free_from = -np.inf
@@ -105,3 +110,10 @@ class Flags(pg.GraphicsObject):
                     QRectF(x + 4, top, width, height), Qt.AlignmentFlag.AlignVCenter, text
                 )
                 free_from = x + width + 4
+
+
+def _font(font: QFont) -> QFont:
+    """Small letters."""
+    small = QFont(font)
+    small.setPointSize(theme.SMALL_PT - 1)
+    return small

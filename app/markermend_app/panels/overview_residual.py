@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import partial
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from markermend.arrays import Float32Array
+from markermend.artifact import Artifact, distrusted
 from markermend.edits import Change
 from markermend.progress import Progress
 from markermend.session import Session
@@ -18,8 +20,9 @@ from markermend_app.jobs import Lane
 class Residuals(QObject):
     """Residuals of a take's named markers, worked out once and kept up with the edits.
 
-    An edit makes the residuals of its own markers anew; those of their neighbours change little
-    by it and stay.
+    An edit or a decision makes the residuals of its own markers anew; those of their neighbours
+    change little by it and stay. When artifacts of several markers come or go, as after
+    detection, all are made anew: what they learned from was damaged.
 
     Signals
     -------
@@ -34,14 +37,20 @@ class Residuals(QObject):
         self.share: float | None = None
         self._session: Session | None = None
         self._stale: set[str] = set()
+        self._artifacts: tuple[Artifact, ...] = ()
         self._lane: Lane | None = None
 
     def want(self, session: Session) -> None:
         """Work out what is not there yet; ``values`` is (markers, frames) mm once something is."""
         if session is not self._session:
             self.forget()
-            self._session = session
-            self._stale = {s for s in session.original.labels if not is_unlabelled(s)}
+            self._session, self._artifacts = session, session.artifacts
+            self._stale = _named(session.original.labels)
+        if session.artifacts is not self._artifacts:
+            before, now = distrusted(self._artifacts), distrusted(session.artifacts)
+            differ = {m for m in before.keys() | now.keys() if before.get(m) != now.get(m)}
+            self._stale |= _named(differ if len(differ) < 2 else session.original.labels)
+            self._artifacts = session.artifacts
         if not self._stale or self.share is not None:
             return
         if self._lane is None:
@@ -63,14 +72,14 @@ class Residuals(QObject):
     def note(self, change: Change) -> None:
         """Samples changed."""
         if self._session is not None:
-            self._stale |= {s for s in change.markers if not is_unlabelled(s)}
+            self._stale |= _named(change.markers)
 
     def forget(self) -> None:
         """Let everything go."""
         if self._lane is not None:
             self._lane.cancel()
         self._session, self.values, self.share = None, None, None
-        self._stale = set()
+        self._stale, self._artifacts = set(), ()
 
     def close(self) -> None:
         """End the worker."""
@@ -99,3 +108,8 @@ class Residuals(QObject):
         self._stale |= set(markers)
         self.share = None
         self.changed.emit()
+
+
+def _named(labels: Iterable[str]) -> set[str]:
+    """Those of a body."""
+    return {s for s in labels if not is_unlabelled(s)}

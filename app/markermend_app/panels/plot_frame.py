@@ -8,11 +8,13 @@ import pyqtgraph as pg
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QFontMetricsF
 
+from markermend.take import Event, Take
 from markermend_app import theme
 from markermend_app.items.caption import Caption
 from markermend_app.items.curve import prepare_plot
 from markermend_app.items.flags import Flags
 from markermend_app.items.time_axis import TimeAxis
+from markermend_app.items.value_axis import ValueAxis
 from markermend_app.panels.plot_view import PlotView
 
 TIME_HEIGHT = 36
@@ -32,12 +34,14 @@ class PlotFrame:
     def __init__(self) -> None:
         self.view = PlotView()
         self.time = TimeAxis()
-        self.plot = pg.PlotItem(viewBox=self.view, axisItems={"bottom": self.time})
+        self.values = ValueAxis()
+        self.plot = pg.PlotItem(
+            viewBox=self.view, axisItems={"bottom": self.time, "left": self.values}
+        )
         self.plot.hideButtons()
         self.plot.setMenuEnabled(False)
         prepare_plot(self.plot)
         self.view.setDefaultPadding(0)
-        self.values = self.plot.getAxis("left")
         self.values.setWidth(_VALUES_WIDTH)
         self.plot.showGrid(x=True, y=True, alpha=1.0)
         for side in (self.values, self.time):
@@ -130,3 +134,13 @@ class PlotFrame:
     def _let_go(self) -> None:
         """Leave the values as the operator put them."""
         self.follows = False
+
+
+def events_of(take: Take) -> list[tuple[float, str]]:
+    """Events of a take as flags say them: frame, and name with the side's letter before."""
+    return [(take.frame_at(e), _name_of(e)) for e in take.events]
+
+
+def _name_of(event: Event) -> str:
+    side = event.context.strip()[:1].upper() if event.context.strip() in ("Left", "Right") else ""
+    return f"{side} {event.label}".strip()

@@ -203,4 +203,5 @@ def can_show(take: Take | None, name: str) -> bool:
         return True
     if name == "file_residual":
         return take.residuals is not None
-    return name != "cameras" or take.cameras is not None
+    # Some systems write the word for cameras and leave it empty.
+    return name != "cameras" or (take.cameras is not None and bool(take.cameras.any()))

@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QMenu, QStackedLayout, QVBoxLayout, QWidget
 
 from markermend.edits import Change
-from markermend.take import Event, Take
+from markermend.take import Take
 from markermend_app import settings, theme
 from markermend_app.document import Document
 from markermend_app.panels.empty_state import EmptyState
 from markermend_app.panels.floating_buttons import FloatingButtons
 from markermend_app.panels.plot_beside import channel, grouped
 from markermend_app.panels.plot_crosshair import Crosshair
-from markermend_app.panels.plot_frame import PlotFrame
+from markermend_app.panels.plot_frame import PlotFrame, events_of
 from markermend_app.panels.plot_gestures import Gestures
 from markermend_app.panels.plot_header import PlotHeader
 from markermend_app.panels.plot_partner import partner_of
@@ -85,6 +86,8 @@ class TrajectoryPanel(QWidget):
         document.beside_changed.connect(self._show_beside)
         document.data_changed.connect(self._refresh)
         document.artifacts_changed.connect(self._show_artifacts)
+        document.artifacts_changed.connect(partial(self.predictions.note, samples=False))
+        document.mesh_changed.connect(self._show_markers)
         document.current_changed.connect(self.show_current)
         document.proposal_changed.connect(self._show_proposal)
         document.selection_changed.connect(self._show_sweep)
@@ -210,7 +213,7 @@ class TrajectoryPanel(QWidget):
         take = self.take
         if take is None:
             return
-        events = [(take.frame_at(e), _name_of(e)) for e in take.events]
+        events = events_of(take)
         for row in rows:
             row.time.set_clock(take.first_frame, take.rate)
             row.show_events(events)
@@ -274,7 +277,7 @@ class TrajectoryPanel(QWidget):
                 drawn = self._drawn(name)
                 for row in self.rows:
                     row.refresh(name, drawn)
-        self.predictions.forget()
+        self.predictions.note(samples=True)
 
     def _show_artifacts(self) -> None:
         """Draw the artifacts of the shown markers."""
@@ -376,7 +379,8 @@ class TrajectoryPanel(QWidget):
             if current is not None and row.edges.visible:
                 extent = row.intervals.extent(current.id)
                 if extent is not None:
-                    self.buttons.place(extent, row.view.sceneBoundingRect())
+                    below = row.view.sceneBoundingRect().adjusted(0, row.flags.height, 0, 0)
+                    self.buttons.place(extent, below)
                     return
         self.buttons.hide()
 
@@ -391,9 +395,3 @@ def _remembered() -> tuple[str, ...]:
     """Rows chosen last time."""
     names = settings.text("plots", " ".join(COORDINATES)).split()
     return tuple(n for n in QUANTITIES if n in names) or COORDINATES
-
-
-def _name_of(event: Event) -> str:
-    """An event as its flag names it: the side's letter before."""
-    side = event.context.strip()[:1].upper() if event.context.strip() in ("Left", "Right") else ""
-    return f"{side} {event.label}".strip()
