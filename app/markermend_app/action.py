@@ -60,7 +60,8 @@ class Action:
     Attributes
     ----------
     name : also the name of the verb that does it, one of :class:`markermend_app.commands.Commands`,
-        :class:`markermend_app.handwork.HandWork` or :class:`markermend_app.bulk.Bulk`
+        :class:`markermend_app.handwork.HandWork`, :class:`markermend_app.bulk.Bulk` or
+        :class:`markermend_app.smoothing.Smoothing`
     text : as menus show it
     menu : the menu it stands in, ``Menu/Submenu`` for one below; a leading ``|`` puts a separator
         before it

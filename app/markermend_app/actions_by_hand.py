@@ -33,13 +33,13 @@ HAND_WORK: tuple[Action, ...] = (
         swept,
     ),
     Action(
-        "smooth_selection",
-        "Smooth selection",
+        "smooth",
+        "Smooth…",
         "By hand",
         ("S",),
         "noise",
-        "Take the noise out of the swept range",
-        swept,
+        "Take the noise out of the swept range, a marker, its group or the take, seen before",
+        marker,
     ),
     Action(
         "cut_selection",

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from typing import Any
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
@@ -28,25 +27,12 @@ from markermend.alike import alike
 from markermend.artifact import Artifact
 from markermend_app import theme, units
 from markermend_app.document import Document
+from markermend_app.scope import Scope
 from markermend_app.words import tr
 
 MARKER, FRAMES, SURE, OUTCOME = range(4)
 SURE_ENOUGH = 50
 """Percent; below it repairs are not offered to begin with, as on the command line."""
-
-
-@dataclass(frozen=True)
-class Scope:
-    """Where to look for others.
-
-    Attributes
-    ----------
-    text : for people
-    markers : labels, or None for the whole take
-    """
-
-    text: str
-    markers: frozenset[str] | None
 
 
 class AlikeDialog(QDialog):
@@ -232,17 +218,3 @@ class AlikeDialog(QDialog):
             if left:
                 text = self.tr("{0} are left as they are.").format(left) + " " + text
         self.said.setText(text)
-
-
-def scopes(document: Document, like: Artifact, say: Callable[[str], str]) -> tuple[Scope, ...]:
-    """Marker, group and take of an artifact; those that are there, narrowest first."""
-    session, mesh = document.session, document.mesh
-    marker = Scope(say("On {0}").format(like.marker), frozenset({like.marker}))
-    take = Scope(say("In the whole take"), None)
-    if session is None or mesh is None:
-        return marker, take
-    group = mesh.group_of(session.original.index(like.marker))
-    if group is None or len(mesh.groups[group].markers) < 2:
-        return marker, take
-    names = frozenset(session.original.labels[i] for i in mesh.groups[group].markers)
-    return marker, Scope(say("In the group {0}").format(mesh.groups[group].name), names), take

@@ -12,10 +12,10 @@ from markermend.alike import Doubt, doubts, lower
 from markermend.artifact import Artifact, Kind
 from markermend.progress import Progress
 from markermend_app import theme
-from markermend_app.alike_dialog import AlikeDialog, scopes
+from markermend_app.alike_dialog import AlikeDialog
 from markermend_app.document import Document
 from markermend_app.jobs import Lane
-from markermend_app.words import tr
+from markermend_app.scope import scopes
 
 
 class Bulk(QObject):
@@ -82,7 +82,7 @@ class Bulk(QObject):
         like = self._document.current
         if like is None:
             return
-        where = scopes(self._document, like, tr)
+        where = scopes(self._document, like.marker)
         dialog = AlikeDialog(self._document, like, where, repairing, self._window)
         dialog.wanted.connect(lambda artifacts: self._work_out(dialog, artifacts))
         dialog.accepted.connect(lambda: self._carry_out(dialog, like, repairing))

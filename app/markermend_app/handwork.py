@@ -75,33 +75,6 @@ class HandWork(QObject):
 
         self._work(self.tr("Repairing"), prepare, lambda s, repair: s.mark(artifact, repair))
 
-    def smooth_selection(self) -> None:
-        """Take the noise out of the swept range; where it begins and ends it is blended in."""
-        swept = self._document.selection
-        if swept is None:
-            return
-        start, stop = swept.start, swept.stop
-
-        def smooth(session: Session) -> Callable[[Progress], Any]:
-            take = session.take.viewing(session.positions.copy(), session.origin.copy())
-
-            def work(progress: Progress) -> Any:
-                from markermend.smoothers import smooth
-
-                return smooth(
-                    take, markers=[swept.marker], start=start, stop=stop, progress=progress
-                )
-
-            return work
-
-        def keep(session: Session, smoothed: Any) -> Change:
-            column = session.original.index(swept.marker)
-            values = smoothed.positions[start:stop, column]
-            origin = smoothed.origin[start:stop, column]
-            return hand.replace_samples(session, "Smooth", swept.marker, start, values, origin)
-
-        self._work(self.tr("Smoothing"), smooth, keep)
-
     def cut_selection(self) -> None:
         """Make the swept range missing; the gap comes under review, its repair previewed."""
         swept = self._document.selection

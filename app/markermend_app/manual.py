@@ -42,6 +42,7 @@ PAGES: Mapping[str, str] = MappingProxyType(
         "quality": "window.md#quality",
         "inspector": "repairs.md",
         "history": "by-hand.md",
+        "SmoothDialog": "smoothing.md",
         "ExportDialog": "files.md#what-is-written",
         "TrajectoryPanel": "window.md#plots",
         "Overview": "window.md#overview",

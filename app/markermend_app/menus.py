@@ -35,6 +35,7 @@ def build(owner: QWidget, document: Document, run: Callable[[str], None]) -> dic
         document.history_changed,
         document.current_changed,
         document.selection_changed,
+        document.shown_changed,
         document.artifacts_changed,
     ):
         signal.connect(refresh)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QByteArray, QObject, QSize, Qt
+from PySide6.QtCore import QByteArray, QSize, Qt
 from PySide6.QtGui import (
     QAction,
     QActionGroup,
@@ -52,6 +52,7 @@ from markermend_app.panels.welcome import Welcome
 from markermend_app.preferred import Preferred
 from markermend_app.references import References
 from markermend_app.shortcut_sheet import ShortcutSheet
+from markermend_app.smoothing import Smoothing
 
 LAYOUT_VERSION = 2
 ROOMY = QSize(1500, 940)
@@ -67,6 +68,7 @@ class MainWindow(QMainWindow):
         self.lane = Lane("engine", self)
         self.commands = Commands(self.document, self.lane, self)
         self.bulk = Bulk(self.document, self)
+        self.smoothing = Smoothing(self.document, self)
         self.attention = Attention(self.document, self)
         self.setWindowIcon(theme.app_icon())
         self.setAcceptDrops(True)
@@ -206,11 +208,8 @@ class MainWindow(QMainWindow):
 
     def _connect(self) -> None:
         document = self.document
-        document.said.connect(self.status.say)
-        self.commands.said.connect(self.status.say)
-        self.bulk.said.connect(self.status.say)
-        self.hand.said.connect(self.status.say)
-        self.references.said.connect(self.status.say)
+        for speaker in (document, *self._verbs, self.references):
+            speaker.said.connect(self.status.say)
         choosing = self.actions_by_name["choose_references"]
         self.references.ended.connect(lambda: choosing.setChecked(False))
         self.welcome.open_requested.connect(self.commands.open)
@@ -240,9 +239,9 @@ class MainWindow(QMainWindow):
         verb()
 
     @property
-    def _verbs(self) -> tuple[QObject, ...]:
+    def _verbs(self) -> tuple[Commands, Bulk, HandWork, Smoothing]:
         """What has verbs that actions name."""
-        return (self.commands, self.bulk, self.hand)
+        return (self.commands, self.bulk, self.hand, self.smoothing)
 
     def _own_verbs(self) -> dict[str, Callable[[], object]]:
         """Actions about what is seen, not about the review."""

@@ -85,21 +85,31 @@ def merge(session: Session, donor: str, receiver: str) -> Change:
 
 
 def replace_samples(
-    session: Session, label: str, marker: str, start: int, values: FloatArray, origin: ByteArray
+    session: Session,
+    label: str,
+    markers: Sequence[str],
+    start: int,
+    positions: FloatArray,
+    origin: ByteArray,
 ) -> Change:
-    """Write what was worked out for an interval of a marker, a smoothed one for instance.
+    """Write what was worked out for an interval of some markers, smoothed ones for instance.
 
     Parameters
     ----------
     session : the review
-    label : name of the step; the frames are added
-    marker, start : where
-    values : (n, 3) float64, mm; NaN where missing
-    origin : (n,) uint8
+    label : name of the step; markers and frames are added
+    markers, start : where
+    positions : (n, markers, 3) float64, mm; NaN where missing
+    origin : (n, markers) uint8
     """
-    patch = Patch(marker, AXES, start, start + len(values), values.copy(), origin.copy())
-    label = f"{label} {marker} in {_frames(session, patch.start, patch.stop)}"
-    return _perform(session, label, [patch], keep_artifacts=True)
+    stop = start + len(positions)
+    patches = [
+        Patch(marker, AXES, start, stop, positions[:, i].copy(), origin[:, i].copy())
+        for i, marker in enumerate(markers)
+    ]
+    what = markers[0] if len(markers) == 1 else f"{len(markers)} markers"
+    label = f"{label} {what} in {_frames(session, start, stop)}"
+    return _perform(session, label, patches, keep_artifacts=True)
 
 
 def rename(session: Session, names: Mapping[str, str]) -> Change:

@@ -90,23 +90,6 @@ def test_a_swept_range_is_repaired_in_one_step(window, mouse, qtbot):
     assert state(window) == before
 
 
-def test_smoothing_changes_the_swept_frames_only(window, mouse, qtbot):
-    document, before = window.document, state(window)
-    mouse.drag(30, 90, keys=SHIFT)
-    qtbot.keyClick(window, Qt.Key.Key_S)
-    settle(window, qtbot)
-    now, was = document.session.positions, document.session.original.positions
-    changed = np.flatnonzero((now[:, 3] != was[:, 3]).any(axis=1))
-    assert len(changed) > 40
-    assert changed[0] >= 30
-    assert changed[-1] < 91
-    assert np.array_equal(np.delete(now, 3, axis=1), np.delete(was, 3, axis=1), equal_nan=True)
-    rough = [np.abs(np.diff(p[40:80, 3], n=3, axis=0)).mean() for p in (was, now)]
-    assert rough[1] < 0.5 * rough[0]
-    undo(window, qtbot)
-    assert state(window) == before
-
-
 def test_swapping_from_here_to_there(window, mouse, qtbot, monkeypatch):
     document, before = window.document, state(window)
     offered = answer(monkeypatch, "LSHO")

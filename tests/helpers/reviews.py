@@ -73,9 +73,9 @@ def drive(session: Session, verb: str, where: int, length: int, value: float) ->
         elif verb == "rename":
             hand.rename(session, {marker: other, other: marker} if where % 2 else {marker: "D"})
         elif verb == "smooth":
-            values = np.full((length, 3), value)
-            origin = np.full(length, Origin.EDITED, dtype=np.uint8)
-            hand.replace_samples(session, "Smooth", marker, where, values, origin)
+            values = np.full((length, 1, 3), value)
+            origin = np.full((length, 1), Origin.EDITED, dtype=np.uint8)
+            hand.replace_samples(session, "Smooth", [marker], where, values, origin)
         elif verb == "mark" or not session.artifacts:
             kind = Kind.GAP if where % 2 else Kind.STEP
             session.mark(Artifact(marker, "xyz", where, where + length, kind))

@@ -76,7 +76,7 @@ class SelectionPage(QWidget):
         for i, (name, text) in enumerate(
             (
                 ("repair_selection", self.tr("Repair")),
-                ("smooth_selection", self.tr("Smooth")),
+                ("smooth", self.tr("Smooth…")),
                 ("cut_selection", self.tr("Cut")),
                 ("swap_selection", self.tr("Swap…")),
                 ("move_selection", self.tr("Give away…")),

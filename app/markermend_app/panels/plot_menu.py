@@ -74,7 +74,7 @@ def sweep_menu(
     menu.addSeparator()
     for name in (
         "repair_selection",
-        "smooth_selection",
+        "smooth",
         "cut_selection",
         "swap_selection",
         "move_selection",
@@ -92,7 +92,7 @@ def plot_menu(do: Callable[[str], None], document: Document, parent: QWidget) ->
     if document.shown:
         menu.addSeparator()
         _title(menu, document.shown[0])
-        for name in ("rename_marker", "merge_marker"):
+        for name in ("smooth", "rename_marker", "merge_marker"):
             entry(menu, name, partial(do, name)).setEnabled(document.editable)
     return menu
 

@@ -14,6 +14,7 @@ from markermend.smoothers import (  # noqa: F401, importing a module registers i
     whittaker,
     woltring,
 )
+from markermend.smoothers.inspect import Inspection, inspect, percent_sm1
 from markermend.smoothers.metrics import TOO_MUCH, percent_less, sm1, sm2
 from markermend.smoothers.registry import SMOOTHERS, Signals, Smoother, find_smoother
 from markermend.smoothers.run import Derivatives, derivatives, smooth
@@ -22,11 +23,14 @@ __all__ = [
     "SMOOTHERS",
     "TOO_MUCH",
     "Derivatives",
+    "Inspection",
     "Signals",
     "Smoother",
     "derivatives",
     "find_smoother",
+    "inspect",
     "percent_less",
+    "percent_sm1",
     "sm1",
     "sm2",
     "smooth",

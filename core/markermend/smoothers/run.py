@@ -19,8 +19,9 @@ from markermend.smoothers.registry import Signals, Smoother, find_smoother
 from markermend.take import Origin, Take
 
 AUTO = "auto"
-# Samples (frames × markers) looked at together, so that memory stays within some 500 MB.
-_TOGETHER = 2_000_000
+# Samples (frames × markers) looked at together: they stay in the processor's caches, and progress
+# is told between two portions.
+_TOGETHER = 200_000
 # Where a selection begins and ends the change is blended in over this time.
 _BLEND_S = 0.1
 
