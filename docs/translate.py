@@ -11,6 +11,7 @@ import os
 import subprocess
 import sys
 import tempfile
+from dataclasses import fields
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -22,15 +23,19 @@ for source in ("core", "app", "resources"):
 def table_strings() -> list[str]:
     """What is translated from tables rather than where it is written."""
     from markermend.repairs import REPAIRS
-    from markermend_app import actions, detection, theme
+    from markermend.smoothers import SMOOTHERS
+    from markermend_app import actions, detection, params_form, theme
     from markermend_app.panels import artifact_text, plot_quantity
 
     found = list(theme.KIND_NAME.values())
     found += [name.lower() for name in theme.KIND_NAME.values()]
     for spec in actions.ACTIONS:
         found += [spec.text, spec.tip or spec.text.rstrip("…"), *spec.menu.lstrip("|").split("/")]
-    for method in REPAIRS.values():
+    for method in (*REPAIRS.values(), *SMOOTHERS.values()):
         found += [method.label, method.summary]
+    for smoother in SMOOTHERS.values():
+        for field in fields(smoother.params):
+            found += [params_form.words(field.name), field.metadata.get("help", "")]
     for quantity in plot_quantity.QUANTITIES.values():
         found += [quantity.title, quantity.meaning]
     found += [*artifact_text.STATUS_NAME.values(), *detection.DIALS]

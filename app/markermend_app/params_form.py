@@ -16,6 +16,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from markermend_app.words import tr
+
 _UNITS = ("_hz", "_mm")
 _MOST = 2**31 - 1
 
@@ -46,10 +48,10 @@ class ParamsForm(QWidget):
         for field in fields(params):
             made = self._field(field, getattr(params, field.name))
             self.fields[field.name] = made
-            name = _words(field.name)
+            name = tr(words(field.name))
             made.setAccessibleName(name)
             self._form.addRow(name, made)
-            hint = QLabel(field.metadata.get("help", ""))
+            hint = QLabel(tr(field.metadata.get("help", "")))
             hint.setProperty("role", "small")
             hint.setWordWrap(True)
             self._form.addRow(hint)
@@ -92,7 +94,7 @@ class _Number(QDoubleSpinBox):
         return self.locale().toString(value, "g", 6)
 
 
-def _words(name: str) -> str:
+def words(name: str) -> str:
     """The name of a field for people."""
     for unit in _UNITS:
         name = name.removesuffix(unit)

@@ -29,6 +29,7 @@ from markermend_app import shortcuts, theme
 from markermend_app.params_form import ParamsForm
 from markermend_app.scope import Scope
 from markermend_app.smooth_pictures import SmoothPictures
+from markermend_app.words import tr
 
 _PATIENCE_MS = 150
 """A value that is still being turned is not worked out yet."""
@@ -126,7 +127,7 @@ class SmoothDialog(QDialog):
         for scope in scopes:
             self.scope.addItem(scope.text, scope)
         for smoother in self._smoothers.values():
-            self.method.addItem(smoother.label, smoother.name)
+            self.method.addItem(tr(smoother.label), smoother.name)
         self.summary = QLabel()
         self.summary.setProperty("role", "muted")
         self.summary.setWordWrap(True)
@@ -238,7 +239,7 @@ class SmoothDialog(QDialog):
 
     def _method_chosen(self, values: Mapping[str, Any]) -> None:
         smoother = self._smoothers[self.chosen_method]
-        self.summary.setText(smoother.summary)
+        self.summary.setText(tr(smoother.summary))
         self.params.show_params(smoother.params(**values))
         self._want()
 

@@ -596,12 +596,12 @@
         <translation>Den überstrichenen Bereich des Markers durch die beste Reparatur ersetzen</translation>
     </message>
     <message>
-        <source>Smooth selection</source>
-        <translation>Auswahl glätten</translation>
+        <source>Smooth…</source>
+        <translation>Glätten …</translation>
     </message>
     <message>
-        <source>Take the noise out of the swept range</source>
-        <translation>Das Rauschen aus dem überstrichenen Bereich nehmen</translation>
+        <source>Take the noise out of the swept range, a marker, its group or the take, seen before</source>
+        <translation>Das Rauschen aus dem überstrichenen Bereich, einem Marker, seiner Gruppe oder der Aufnahme nehmen, mit Vorschau</translation>
     </message>
     <message>
         <source>Cut selection</source>
@@ -1052,6 +1052,166 @@
         <translation>Bewegt den Marker mit drei oder mehr anderen seiner Gruppe; für starre Segmente.</translation>
     </message>
     <message>
+        <source>Adaptive</source>
+        <translation>Anpassend</translation>
+    </message>
+    <message>
+        <source>Estimates noise and liveliness at each moment; a kick keeps its peak, standing still loses its jitter.</source>
+        <translation>Schätzt Rauschen und Lebhaftigkeit in jedem Augenblick; ein Tritt behält seine Spitze, Stillstand verliert sein Zittern.</translation>
+    </message>
+    <message>
+        <source>B-spline</source>
+        <translation>B-Spline</translation>
+    </message>
+    <message>
+        <source>Least-squares curve of few control points; derivatives are continuous.</source>
+        <translation>Kurve aus wenigen Kontrollpunkten nach kleinsten Quadraten; Ableitungen sind stetig.</translation>
+    </message>
+    <message>
+        <source>Butterworth</source>
+        <translation>Butterworth</translation>
+    </message>
+    <message>
+        <source>Low pass run forwards and backwards; one cut-off for calm and fast alike.</source>
+        <translation>Tiefpass vorwärts und rückwärts; eine Grenzfrequenz für Ruhiges und Schnelles.</translation>
+    </message>
+    <message>
+        <source>Kalman filter</source>
+        <translation>Kalman-Filter</translation>
+    </message>
+    <message>
+        <source>Runs along the signal once, so that it lags; as published, for comparison.</source>
+        <translation>Läuft einmal am Signal entlang und hinkt daher nach; wie veröffentlicht, zum Vergleich.</translation>
+    </message>
+    <message>
+        <source>Moving average</source>
+        <translation>Gleitender Mittelwert</translation>
+    </message>
+    <message>
+        <source>Mean of the neighbouring frames; leaves much noise in the derivatives.</source>
+        <translation>Mittel der benachbarten Frames; lässt viel Rauschen in den Ableitungen.</translation>
+    </message>
+    <message>
+        <source>Rauch–Tung–Striebel</source>
+        <translation>Rauch–Tung–Striebel</translation>
+    </message>
+    <message>
+        <source>Kalman filter of position, velocity and acceleration, run forwards and backwards.</source>
+        <translation>Kalman-Filter über Ort, Geschwindigkeit und Beschleunigung, vorwärts und rückwärts.</translation>
+    </message>
+    <message>
+        <source>Local polynomial; keeps peaks, smooths little.</source>
+        <translation>Örtliches Polynom; behält Spitzen, glättet wenig.</translation>
+    </message>
+    <message>
+        <source>Whittaker–Henderson</source>
+        <translation>Whittaker–Henderson</translation>
+    </message>
+    <message>
+        <source>Penalises the third difference; one likeliest weight for each coordinate.</source>
+        <translation>Bestraft die dritte Differenz; ein wahrscheinlichstes Gewicht für jede Koordinate.</translation>
+    </message>
+    <message>
+        <source>Cross-validated spline</source>
+        <translation>Kreuzvalidierter Spline</translation>
+    </message>
+    <message>
+        <source>Smoothing spline that chooses its own weight for each coordinate and stretch.</source>
+        <translation>Glättender Spline, der sein Gewicht für jede Koordinate und jeden Abschnitt selbst wählt.</translation>
+    </message>
+    <message>
+        <source>Control points</source>
+        <translation>Kontrollpunkte</translation>
+    </message>
+    <message>
+        <source>Control points for the whole take; a stretch gets its share</source>
+        <translation>Kontrollpunkte für die ganze Aufnahme; ein Abschnitt bekommt seinen Anteil</translation>
+    </message>
+    <message>
+        <source>Degree</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>Degree of the pieces</source>
+        <translation>Grad der Stücke</translation>
+    </message>
+    <message>
+        <source>Cutoff</source>
+        <translation>Grenzfrequenz</translation>
+    </message>
+    <message>
+        <source>Half power after both passes</source>
+        <translation>Halbe Leistung nach beiden Durchgängen</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordnung</translation>
+    </message>
+    <message>
+        <source>Order of one pass; two are made</source>
+        <translation>Ordnung eines Durchgangs; zwei werden gemacht</translation>
+    </message>
+    <message>
+        <source>Measurement error</source>
+        <translation>Messfehler</translation>
+    </message>
+    <message>
+        <source>E_mea; the larger, the smoother and later</source>
+        <translation>E_mea; je größer, desto glatter und später</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>Prozess</translation>
+    </message>
+    <message>
+        <source>Share of each change added to the error</source>
+        <translation>Anteil jeder Änderung, der zum Fehler kommt</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation type="unfinished">Länge</translation>
+    </message>
+    <message>
+        <source>Symmetric</source>
+        <translation>Symmetrisch</translation>
+    </message>
+    <message>
+        <source>As much future as past (odd lengths); else the past, which lags</source>
+        <translation>Zukunft so viel wie Vergangenheit (ungerade Längen); sonst nur Vergangenheit, die nachhinkt</translation>
+    </message>
+    <message>
+        <source>Of a sample; 0 to estimate it</source>
+        <translation>Eines Werts; 0, um es zu schätzen</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>Ruck</translation>
+    </message>
+    <message>
+        <source>Root of the white jerk&apos;s spectral density; 0 to estimate it</source>
+        <translation>Wurzel der Spektraldichte des weißen Rucks; 0, um sie zu schätzen</translation>
+    </message>
+    <message>
+        <source>Order of the penalised difference</source>
+        <translation>Ordnung der bestraften Differenz</translation>
+    </message>
+    <message>
+        <source>Frequency that is halved; 0 for the likeliest of each coordinate</source>
+        <translation>Frequenz, die halbiert wird; 0 für die wahrscheinlichste jeder Koordinate</translation>
+    </message>
+    <message>
+        <source>Penalty</source>
+        <translation>Strafe</translation>
+    </message>
+    <message>
+        <source>Weight in frames³; 0 for cross-validation</source>
+        <translation>Gewicht in Frames³; 0 für Kreuzvalidierung</translation>
+    </message>
+    <message>
         <source>X</source>
         <translation>X</translation>
     </message>
@@ -1254,6 +1414,18 @@
     <message>
         <source>Artifacts accepted, rejected or repaired, by class</source>
         <translation>Angenommene, abgelehnte oder reparierte Artefakte nach Art</translation>
+    </message>
+    <message>
+        <source>On {0}</source>
+        <translation>Auf {0}</translation>
+    </message>
+    <message>
+        <source>In the whole take</source>
+        <translation>In der ganzen Aufnahme</translation>
+    </message>
+    <message>
+        <source>In the group {0}</source>
+        <translation>In der Gruppe {0}</translation>
     </message>
 </context>
 <context>
@@ -1703,10 +1875,6 @@
     <message>
         <source>Repairing</source>
         <translation>Reparatur</translation>
-    </message>
-    <message>
-        <source>Smoothing</source>
-        <translation>Glättung</translation>
     </message>
     <message>
         <source>Swap {0} with</source>
@@ -2464,8 +2632,8 @@
         <translation>Reparieren</translation>
     </message>
     <message>
-        <source>Smooth</source>
-        <translation>Glätten</translation>
+        <source>Smooth…</source>
+        <translation>Glätten …</translation>
     </message>
     <message>
         <source>Cut</source>
@@ -2549,6 +2717,107 @@
     <message>
         <source>{0} belongs to “{1}”, which would lose it.</source>
         <translation>{0} gehört „{1}“, das sie verlöre.</translation>
+    </message>
+</context>
+<context>
+    <name>SmoothDialog</name>
+    <message>
+        <source>Smooth</source>
+        <translation type="unfinished">Glätten</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation type="unfinished">Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation type="unfinished">Vorher</translation>
+    </message>
+    <message>
+        <source>Before smoothing</source>
+        <translation>Vor dem Glätten</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation type="unfinished">Wo</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>Marker looked at</source>
+        <translation>Betrachteter Marker</translation>
+    </message>
+    <message>
+        <source>Axis looked at</source>
+        <translation>Betrachtete Achse</translation>
+    </message>
+    <message>
+        <source>Quantity looked at</source>
+        <translation>Betrachtete Größe</translation>
+    </message>
+    <message>
+        <source>%SM1 of {0}:  {1}</source>
+        <translation>%SM1 von {0}:  {1}</translation>
+    </message>
+    <message>
+        <source>Nothing changes: the stretches seen are too short.</source>
+        <translation>Nichts ändert sich: die sichtbaren Abschnitte sind zu kurz.</translation>
+    </message>
+    <message>
+        <source>{0} of {1} markers lose more than {2:g} % of their way, {3} most ({4} {5:.0f}). Look whether movement went with the noise.</source>
+        <translation>{0} von {1} Markern verlieren mehr als {2:g} % ihres Wegs, am meisten {3} ({4} {5:.0f}). Prüfe, ob mit dem Rauschen Bewegung verschwand.</translation>
+    </message>
+</context>
+<context>
+    <name>SmoothPictures</name>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>Residuen</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Hz</translation>
+    </message>
+    <message>
+        <source>Residuals: too few frames without a gap</source>
+        <translation>Residuen: zu wenige Frames ohne Lücke</translation>
+    </message>
+    <message>
+        <source>mm²/Hz</source>
+        <translation>mm²/Hz</translation>
+    </message>
+    <message>
+        <source>Residuals: cut at {0:.1f} Hz, noise {1}</source>
+        <translation>Residuen: Grenze bei {0:.1f} Hz, Rauschen {1}</translation>
+    </message>
+</context>
+<context>
+    <name>Smoothing</name>
+    <message>
+        <source>Frames {0}–{1} of {2}</source>
+        <translation>Frames {0}–{1} von {2}</translation>
+    </message>
+    <message>
+        <source>The review changed meanwhile; do it again.</source>
+        <translation type="unfinished">Die Durchsicht hat sich inzwischen geändert; bitte noch einmal.</translation>
+    </message>
+    <message>
+        <source>{0}.</source>
+        <translation type="unfinished">{0}.</translation>
     </message>
 </context>
 <context>
