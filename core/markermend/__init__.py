@@ -26,9 +26,10 @@ if TYPE_CHECKING:
         MethodError,
     )
     from markermend.files import read, write
-    from markermend.files.pose import read_pose
+    from markermend.files.pose import read_pose, write_pose
     from markermend.mesh import Mesh, infer_mesh
     from markermend.poses import Pose
+    from markermend.poses.restore import denoise
     from markermend.repairs import fill, repair
     from markermend.session import Session
     from markermend.simulation import simulate
@@ -52,6 +53,7 @@ _HOME = {
     "Session": "session",
     "Status": "artifact",
     "Take": "take",
+    "denoise": "poses.restore",
     "detect": "detectors",
     "fill": "repairs",
     "infer_mesh": "mesh",
@@ -61,6 +63,7 @@ _HOME = {
     "simulate": "simulation",
     "smooth": "smoothers",
     "write": "files",
+    "write_pose": "files.pose",
 }
 
 __all__ = [
@@ -78,6 +81,7 @@ __all__ = [
     "Session",
     "Status",
     "Take",
+    "denoise",
     "detect",
     "fill",
     "infer_mesh",
@@ -87,6 +91,7 @@ __all__ = [
     "simulate",
     "smooth",
     "write",
+    "write_pose",
 ]
 
 

@@ -7,7 +7,14 @@ import pytest
 from numpy.testing import assert_allclose
 
 from markermend.poses.bridging import SIDE, around, bridge, straight
-from markermend.poses.covariance import LENGTHS_S, deviations, learn
+from markermend.poses.covariance import (
+    LENGTHS_S,
+    averaged,
+    deviations,
+    learn,
+    nearest_length,
+    pooled,
+)
 
 
 @pytest.mark.parametrize("length", [1, 2, 7, 40])
@@ -44,14 +51,26 @@ def test_what_moves_together_is_found_at_its_own_pace():
         return covariance[0, 1] / np.sqrt(covariance[0, 0] * covariance[1, 1])
 
     assert correlation(moments.whole) > 0.8
-    assert correlation(moments.within[moments.at(0.25)]) < -0.9
-    assert LENGTHS_S[moments.at(0.24)] == 0.25
+    assert correlation(moments.within_s(0.25)) < -0.9
+    assert LENGTHS_S[nearest_length(0.24)] == 0.25
+
+
+def test_only_wanted_lengths_are_learnt_and_the_nearest_of_them_serves():
+    values = np.random.default_rng(2).normal(size=(500, 3))
+    some = learn(values, 100.0, [25])
+    every = learn(values, 100.0)
+    assert np.count_nonzero(some.counts) == 1
+    assert (some.within_s(4.0) == some.within_s(0.25)).all()
+    assert (some.within_s(0.25) == every.within_s(0.25)).all()
 
 
 def test_a_prior_counts_for_its_weight():
     random = np.random.default_rng(1)
     prior = learn(random.normal(size=(3000, 2)), 100.0)
-    little = learn(10 * random.normal(size=(60, 2)), 100.0, prior)
     alone = learn(10 * random.normal(size=(60, 2)), 100.0)
+    little = pooled(alone, averaged([prior, prior], 3000.0))
     assert little.whole[0, 0] < 10
     assert alone.whole[0, 0] > 50
+    assert_allclose(pooled(alone, averaged([prior], 1e-6)).whole, alone.whole)
+    part = little.of(np.array([False, True]))
+    assert part.within[5, 0, 0] == little.within[5, 1, 1]

@@ -36,6 +36,7 @@ COMMANDS = {
     "clean": "detect and repair, and write the repaired take",
     "fill": "fill the gaps and change nothing else",
     "smooth": SMOOTH,
+    "denoise": "make a skeleton recording clean: joints of a Kinect, a tracker of poses",
     "convert": "write a take in another format: c3d, trc or csv",
     "diff": "what differs between two files: samples, parameters, bytes",
     "batch": "clean many takes alike, in several processes",
@@ -81,6 +82,7 @@ def make_parser() -> argparse.ArgumentParser:
         "clean": _add_clean,
         "fill": _add_fill,
         "smooth": _add_smooth,
+        "denoise": _add_denoise,
         "convert": _add_convert,
         "diff": _add_diff,
         "batch": _add_batch,
@@ -174,6 +176,19 @@ def _add_smooth(p: argparse.ArgumentParser) -> None:
     _output(p)
     _float(p)
     add_smoothing(p)
+    _force(p)
+
+
+def _add_denoise(p: argparse.ArgumentParser) -> None:
+    p.add_argument("pose", metavar="POSE", help="joints to read: .csv, or .amc beside its .asf")
+    p.add_argument(
+        "-o", "--output", metavar="OUT", required=True, help="recording to write: .csv or .amc"
+    )
+    p.add_argument(
+        "--rate", metavar="HZ", type=_positive, help="poses per second, where the file is silent"
+    )
+    p.add_argument("--skeleton", metavar="ASF", help="skeleton of an AMC that is not beside it")
+    p.add_argument("--list", action="store_true", help="show what was done to every joint")
     _force(p)
 
 

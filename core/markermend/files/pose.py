@@ -5,14 +5,19 @@ from __future__ import annotations
 from os import PathLike
 from pathlib import Path
 
-from markermend.errors import FileFormatError
-from markermend.files.amc import find_skeleton, read_amc
+from markermend.errors import ExportError, FileFormatError
+from markermend.files.amc import find_skeleton, read_amc, write_amc
 from markermend.files.asf import read_asf
+from markermend.files.atomic import write_whole
+from markermend.files.pose_csv import read_pose_csv, write_pose_csv
 from markermend.poses.pose import Pose
-from markermend.poses.skeleton import Movement, forward_kinematics
-from markermend.progress import Progress
+from markermend.poses.skeleton import Movement, forward_kinematics, inverse_kinematics
+from markermend.progress import Progress, quiet
 
-__all__ = ["read_pose"]
+__all__ = ["read_pose", "write_pose"]
+
+READABLE = (".csv", ".amc", ".asf")
+WRITABLE = (".csv", ".amc")
 
 _USUAL_AMC_RATE = 120.0
 
@@ -29,9 +34,9 @@ def read_pose(
     Parameters
     ----------
     path : Acclaim movement (AMC, whose ASF is looked for beside it) or skeleton (ASF: one pose,
-        at rest)
+        at rest), or a table of joints (CSV)
     skeleton : the ASF of an AMC, where it is not beside it
-    rate : poses per second, where the file does not tell (AMC: 120)
+    rate : poses per second, where the file does not tell (AMC: 120, CSV: 30)
     progress : may raise to stop
 
     Returns
@@ -53,6 +58,8 @@ def read_pose(
                     warnings.append("The file tells no rate; 120 Hz was assumed.")
                 hertz = rate or stated or _USUAL_AMC_RATE
                 return forward_kinematics(movement, hertz, warnings=tuple(warnings))
+            case ".csv":
+                return read_pose_csv(where, rate=rate, progress=progress)
             case ".asf":
                 rest = Movement(read_asf(where), {}, 1)
                 return forward_kinematics(rest, rate or _USUAL_AMC_RATE)
@@ -60,5 +67,38 @@ def read_pose(
         reason = error.strerror or str(error)
         raise FileFormatError(f"{where.name} cannot be opened: {reason.lower()}.") from error
     raise FileFormatError(
-        f"{where.name} is no skeleton recording; its name should end in .amc, .asf."
+        f"{where.name} is no skeleton recording; its name should end in {', '.join(READABLE)}."
     )
+
+
+def write_pose(pose: Pose, path: str | PathLike[str], *, progress: Progress | None = None) -> None:
+    """Write a skeleton recording, whole or not at all; a file that is there is replaced.
+
+    Parameters
+    ----------
+    pose : the recording
+    path : where to, ending in ``.csv``, or in ``.amc`` for one that was read from such a file
+    progress : told the share of poses written; may raise to stop, then nothing is left behind
+
+    Raises
+    ------
+    ExportError
+        when the ending is of no such format, the recording has no skeleton to write an AMC by, or
+        the disk does not take the file
+    """
+    target, report = Path(path), progress or quiet
+    match target.suffix.lower():
+        case ".csv":
+            write_whole(target, lambda file: write_pose_csv(pose, file, report), backup=False)
+        case ".amc":
+            if not isinstance(pose.source, Movement):
+                raise ExportError(
+                    f"{target.name} needs a skeleton (ASF), which only a recording read from an"
+                    " AMC has; write a CSV."
+                )
+            movement = inverse_kinematics(pose, pose.source)
+            write_whole(target, lambda file: write_amc(movement, file, report), backup=False)
+        case _:
+            raise ExportError(
+                f"{target.name} should end in {' or '.join(WRITABLE)}, to tell what to write."
+            )

@@ -1,15 +1,18 @@
-"""Cross a gap from its two sides: the part that time alone tells."""
+"""Cross gaps by what stands on their sides: the part that time alone tells."""
 
 from __future__ import annotations
 
 from functools import lru_cache
 
 import numpy as np
+from scipy.linalg import solveh_banded
 
-from markermend.arrays import FloatArray, IntArray
+from markermend.arrays import BoolArray, FloatArray, IntArray
 
 SIDE = 2
 """Known frames on each side that a bridge stands on."""
+
+_ORDER = 2
 
 
 @lru_cache(maxsize=4096)
@@ -46,3 +49,59 @@ def straight(length: int) -> FloatArray:
 def around(start: int, stop: int) -> IntArray:
     """Frames a bridge over ``[start, stop)`` stands on."""
     return np.asarray(np.r_[start - SIDE : start, stop : stop + SIDE])
+
+
+def bridged(values: FloatArray, known: BoolArray) -> FloatArray:
+    """Cross every gap of a recording, halfway between line and curve.
+
+    Parameters
+    ----------
+    values : (frames, channels); what stands where nothing is known does not matter
+    known : (frames, channels) bool, true somewhere in every channel
+
+    Returns
+    -------
+    (frames, channels). Before the first and after the last known value that value holds.
+    """
+    frames, channels = values.shape
+    time = np.arange(frames)
+    out = np.where(known, values, 0.0)
+    alike: dict[bytes, list[int]] = {}
+    for channel in range(channels):
+        alike.setdefault(known[:, channel].tobytes(), []).append(channel)
+    for group in alike.values():
+        there = np.flatnonzero(known[:, group[0]])
+        if len(there) == frames:
+            continue
+        for channel in group:
+            out[:, channel] = np.interp(time, there, values[there, channel])
+        inner = slice(int(there[0]), int(there[-1]) + 1)
+        unknown = np.flatnonzero(~known[inner, group[0]])
+        if len(unknown) and inner.stop - inner.start > 2 * _ORDER:
+            piece = out[inner, group]
+            piece[unknown] += 0.5 * _towards_curve(piece, unknown)
+            out[inner, group] = piece
+    return out
+
+
+def _towards_curve(line: FloatArray, unknown: IntArray) -> FloatArray:
+    """(unknown, channels) from the lines over gaps to the curves of least second differences."""
+    frames, count = len(line), len(unknown)
+    stencil = np.diff(np.eye(_ORDER + 1), _ORDER, axis=0)[0]
+    valid = frames - _ORDER
+    diagonals = np.zeros((_ORDER + 1, frames))
+    for lag in range(_ORDER + 1):
+        for k in range(_ORDER + 1 - lag):
+            diagonals[lag, k : k + valid] += stencil[k] * stencil[k + lag]
+    steps = np.diff(line, _ORDER, axis=0)
+    slope = np.zeros_like(line)
+    for k in range(_ORDER + 1):
+        slope[k : k + valid] += stencil[k] * steps
+    band = np.zeros((_ORDER + 1, count))
+    band[0] = diagonals[0, unknown]
+    for off in range(1, min(_ORDER, count - 1) + 1):
+        apart = unknown[off:] - unknown[:-off]
+        for lag in range(off, _ORDER + 1):
+            near = np.flatnonzero(apart == lag)
+            band[off, near] = diagonals[lag, unknown[near]]
+    return np.asarray(solveh_banded(band, -slope[unknown], lower=True))

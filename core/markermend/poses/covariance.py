@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from markermend.arrays import FloatArray
+from markermend.arrays import BoolArray, FloatArray
 from markermend.poses.bridging import SIDE, bridge
 
 # Lengths in seconds for which movement within a gap is learnt.
@@ -25,17 +26,32 @@ class Moments:
     whole : (channels, channels) covariance over all poses
     within : one (channels, channels) covariance for each of :data:`LENGTHS_S`, of the deviations
         from the bridge over that time
-    weight : poses all this counts for when another recording's are added
+    weight : poses that mean and whole count for when another recording's are added
+    counts : the same for each length of ``within``; 0 where nothing is known of it
     """
 
     mean: FloatArray
     whole: FloatArray
     within: FloatArray
     weight: float
+    counts: FloatArray
 
-    def at(self, seconds: float) -> int:
-        """Place of the nearest length in :data:`LENGTHS_S`."""
-        return int(np.argmin(np.abs(np.log(np.array(LENGTHS_S) / max(seconds, 1e-6)))))
+    def within_s(self, seconds: float) -> FloatArray:
+        """(channels, channels) of the nearest length in :data:`LENGTHS_S`, a known one."""
+        near = np.abs(np.log(np.array(LENGTHS_S) / max(seconds, 1e-6)))
+        near[self.counts <= 0] = np.inf
+        return np.asarray(self.within[int(np.argmin(near))])
+
+    def of(self, channels: BoolArray) -> Moments:
+        """Moments of some of the channels."""
+        both = np.ix_(channels, channels)
+        within = self.within[:, both[0], both[1]]
+        return Moments(self.mean[channels], self.whole[both], within, self.weight, self.counts)
+
+
+def nearest_length(seconds: float) -> int:
+    """Place of the nearest length in :data:`LENGTHS_S`."""
+    return int(np.argmin(np.abs(np.log(np.array(LENGTHS_S) / max(seconds, 1e-6)))))
 
 
 def deviations(values: FloatArray, length: int) -> FloatArray:
@@ -63,32 +79,58 @@ def deviations(values: FloatArray, length: int) -> FloatArray:
     return np.concatenate(parts) if len(starts) else np.empty((0, values.shape[1]))
 
 
-def learn(values: FloatArray, rate: float, prior: Moments | None = None) -> Moments:
-    """Learn moments from a recording, starting from those of others.
+def learn(values: FloatArray, rate: float, lengths: Iterable[int] | None = None) -> Moments:
+    """Learn moments from a recording.
 
     Parameters
     ----------
     values : (frames, channels) without NaN
     rate : frames per second
-    prior : of the same channels
+    lengths : of the gaps they are wanted for, in frames; for all of :data:`LENGTHS_S` when not
+        given. The moments of other lengths are zero.
     """
     frames, channels = values.shape
-    n0 = prior.weight if prior is not None else 0.0
+    wanted = {nearest_length(n / rate) for n in lengths} if lengths is not None else None
     mean = values.mean(axis=0)
     centred = values - mean
-    whole = centred.T @ centred
     within = np.zeros((len(LENGTHS_S), channels, channels))
+    counts = np.zeros(len(LENGTHS_S))
     for i, seconds in enumerate(LENGTHS_S):
-        length = max(round(seconds * rate), 1)
-        strays = deviations(values, length)
+        if wanted is not None and i not in wanted:
+            continue
+        strays = deviations(values, max(round(seconds * rate), 1))
         # Neighbouring windows repeat each other.
-        fresh = min(1.0, frames / max(len(strays), 1))
-        within[i] = fresh * (strays.T @ strays)
-        count = fresh * len(strays)
-        if prior is not None:
-            within[i] += n0 * prior.within[i]
-            count += n0
-        within[i] /= max(count, 1.0)
-    if prior is not None:
-        whole += n0 * prior.whole
-    return Moments(mean, whole / (frames + n0), within, float(frames))
+        counts[i] = min(frames, len(strays))
+        within[i] = strays.T @ strays / max(len(strays), 1)
+    return Moments(mean, centred.T @ centred / frames, within, float(frames), counts)
+
+
+def pooled(own: Moments, prior: Moments | None) -> Moments:
+    """Moments of a recording and of others before it, each by its weight."""
+    if prior is None:
+        return own
+    total = own.weight + prior.weight
+    whole = (own.weight * own.whole + prior.weight * prior.whole) / total
+    counts = own.counts + prior.counts
+    share = (own.counts / np.maximum(counts, 1e-9))[:, None, None]
+    within = share * own.within + (1.0 - share) * prior.within
+    return Moments(own.mean, whole, within, total, counts)
+
+
+def averaged(parts: Sequence[Moments], weight: float) -> Moments:
+    """One prior of many recordings, longer ones counting for more.
+
+    Parameters
+    ----------
+    parts : of the same channels
+    weight : poses that the result counts for
+    """
+    whole = sum(p.weight for p in parts)
+    counts = np.maximum(sum(p.counts for p in parts), 1e-9)
+    return Moments(
+        np.asarray(sum(p.weight * p.mean for p in parts) / whole),
+        np.asarray(sum(p.weight * p.whole for p in parts) / whole),
+        np.asarray(sum(p.counts[:, None, None] * p.within for p in parts) / counts[:, None, None]),
+        weight,
+        np.full(len(LENGTHS_S), weight),
+    )

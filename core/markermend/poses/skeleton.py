@@ -136,6 +136,53 @@ def forward_kinematics(movement: Movement, rate: float, *, warnings: tuple[str, 
     )
 
 
+def inverse_kinematics(pose: Pose, source: Movement) -> Movement:
+    """Channels that move a skeleton as a recording has it: the inverse of forward kinematics.
+
+    Parameters
+    ----------
+    pose : one joint per segment, in the skeleton's order
+    source : whose skeleton and channels are followed; what the recording cannot tell (a length
+        that changes, a shift of a segment that is no root) stays as it was there
+
+    Returns
+    -------
+    Movement
+        exact where a segment turns about three axes; where about fewer, the turns nearest to the
+        recording's. NaN where a joint or its parent was not seen.
+    """
+    skeleton = source.skeleton
+    channels: dict[str, FloatArray] = {}
+    for i, segment in enumerate(skeleton.segments):
+        if segment.name not in source.channels or source.frames != pose.frames:
+            values = np.zeros((pose.frames, len(segment.dofs)))
+        else:
+            values = np.array(source.channels[segment.name])
+        seen = ~np.isnan(pose.rotations[:, i, 3])
+        if segment.parent >= 0:
+            seen &= ~np.isnan(pose.rotations[:, segment.parent, 3])
+        if segment.name not in source.channels or not segment.dofs:
+            continue
+        frame = Rotation.from_euler(segment.axis_order, segment.axis, degrees=True)
+        own = Rotation.from_quat(pose.rotations[seen, i])
+        if segment.parent >= 0:
+            own = Rotation.from_quat(pose.rotations[seen, segment.parent]).inv() * own
+        turns = [k for k, dof in enumerate(segment.dofs) if dof in _TURNS]
+        order = "".join(segment.dofs[k][1] for k in turns)
+        if order:
+            order += "".join(axis for axis in "xyz" if axis not in order)
+            angles = np.asarray((frame.inv() * own * frame).as_euler(order, degrees=True))  # type: ignore[call-overload]
+            values[np.ix_(np.flatnonzero(seen), np.array(turns))] = angles[:, : len(turns)]
+        if segment.parent < 0:
+            start = pose.positions[:, i] / skeleton.scale_mm - np.asarray(skeleton.position)
+            for k, dof in enumerate(segment.dofs):
+                if dof in ("tx", "ty", "tz"):
+                    values[:, k] = start[:, "xyz".index(dof[1])]
+        values[~seen] = np.nan
+        channels[segment.name] = values
+    return Movement(skeleton, channels, pose.frames)
+
+
 def local_rotation(segment: Segment, values: FloatArray) -> Rotation:
     """Rotations about the segment's own axes, the first listed applied first.
 

@@ -1,0 +1,61 @@
+"""``markermend denoise``: make a skeleton recording clean."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+import numpy as np
+
+import markermend as mm
+from markermend.cli.console import Bar, check_outputs, count, say, table, warn
+from markermend.errors import ExportError
+from markermend.poses.restore import Restored
+
+
+def run(options: argparse.Namespace) -> int:
+    """Restore one recording."""
+    from markermend.files.pose import WRITABLE
+    from markermend.poses.restore import restore
+
+    check_outputs([options.output], source=options.pose, force=options.force)
+    if Path(options.output).suffix.lower() not in WRITABLE:
+        raise ExportError(
+            f"“{options.output}” should end in {' or '.join(WRITABLE)}, to tell what to write."
+        )
+    pose = mm.read_pose(options.pose, skeleton=options.skeleton, rate=options.rate)
+    for warning in pose.warnings:
+        warn(warning)
+    with Bar() as bar:
+        restored = restore(pose, progress=bar)
+    mm.write_pose(restored.pose, options.output)
+    for line in _listing(restored) if options.list else ():
+        say(line)
+    say(
+        f"Filled: {count(int(restored.filled.sum()), 'position')} of"
+        f" {count(restored.filled.size, 'position')}; noise taken out:"
+        f" {float(np.median(restored.noise_mm)):.1f} mm (median of joints)."
+    )
+    never = [joint for i, joint in enumerate(pose.joints) if not pose.seen[:, i].any()]
+    if never:
+        warn(f"Never seen, and left so: {', '.join(never)}.")
+    say(f"Written: {options.output}, {count(pose.frames, 'pose')}.")
+    return 0
+
+
+def _listing(restored: Restored) -> list[str]:
+    """What was done to every joint."""
+    rows = []
+    for i, joint in enumerate(restored.pose.joints):
+        filled = restored.filled[:, i]
+        error = restored.error_mm[filled, i]
+        rows.append(
+            [
+                joint,
+                f"{100 * filled.mean():.1f}",
+                f"{np.sqrt(np.mean(error**2)):.1f}" if len(error) else "–",
+                f"{restored.noise_mm[i]:.2f}",
+            ]
+        )
+    head = ["Joint", "Filled, %", "Expected error there, mm", "Noise, mm"]
+    return [*table(head, rows, "lrrr"), ""]

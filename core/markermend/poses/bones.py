@@ -1,0 +1,183 @@
+"""Bones keep their length, and a joint's rotation says where its bone points."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from markermend.arrays import BoolArray, FloatArray
+from markermend.poses.quaternion import between, inverse, multiply, turn
+
+# A bone is rigid when its length, or its place in its parent's axes, strays by less than this
+# share of its length beyond what noise explains.
+_RIGID, _ATTACHED = 0.01, 0.02
+_ROUNDS = 8
+# How much rotations count against positions for a bone's direction, and bones against positions.
+_BY_ROTATION, _BY_BONE = 0.3, 3.0
+
+
+@dataclass(frozen=True, eq=False)
+class Bones:
+    """What is constant about a body.
+
+    Attributes
+    ----------
+    parents : index of each joint's parent, -1 for the root
+    lengths : (joints,) of each joint's bone to its parent; NaN where it is not rigid
+    places : (joints, 3) of each joint in its parent's axes; NaN where it moves in them
+    """
+
+    parents: tuple[int, ...]
+    lengths: FloatArray
+    places: FloatArray
+
+
+def find_bones(
+    features: FloatArray,
+    seen: BoolArray,
+    turned: BoolArray,
+    parents: tuple[int, ...],
+    noise: float = 0.0,
+) -> Bones:
+    """Find what is constant about a body where it was seen.
+
+    Parameters
+    ----------
+    features : (frames, joints, 7)
+    seen, turned : (frames, joints) bool, positions and rotations that are known
+    parents : index of each joint's parent, -1 for the root
+    noise : standard deviation that positions still have
+    """
+    lengths = np.full(len(parents), np.nan)
+    places = np.full((len(parents), 3), np.nan)
+    for joint, parent in enumerate(parents):
+        if parent < 0:
+            continue
+        both = seen[:, joint] & seen[:, parent]
+        if not both.any():
+            continue
+        bone = features[both, joint, :3] - features[both, parent, :3]
+        far = _length(bone)
+        length = float(np.median(far))
+        if length <= 0 or np.median(np.abs(far - length)) > _RIGID * length + noise:
+            continue
+        lengths[joint] = length
+        fixed = turned[both, parent]
+        if fixed.any():
+            own = turn(inverse(features[both, parent, 3:][fixed]), bone[fixed])
+            place = np.median(own, axis=0)
+            if np.median(_length(own - place)) < _ATTACHED * length + 2.0 * noise:
+                places[joint] = place
+    return Bones(parents, lengths, places)
+
+
+def keep_lengths(positions: FloatArray, seen: BoolArray, bones: Bones) -> FloatArray:
+    """Give bones their length again by moving joints that were not seen.
+
+    Parameters
+    ----------
+    positions : (frames, joints, 3)
+    seen : (frames, joints) bool
+    bones : what is constant
+    """
+    hidden = np.flatnonzero(~seen.all(axis=1))
+    piece, moved = positions[hidden].copy(), ~seen[hidden]
+    rigid = [j for j, length in enumerate(bones.lengths) if not np.isnan(length)]
+    for _ in range(_ROUNDS):
+        for joint in rigid:
+            parent = bones.parents[joint]
+            bone = piece[:, joint] - piece[:, parent]
+            far = np.maximum(_length(bone), 1e-9)[:, None]
+            correction = (bones.lengths[joint] - far) / far * bone
+            mine, its = moved[:, joint, None], moved[:, parent, None]
+            piece[:, joint] += np.where(mine, np.where(its, 0.5, 1.0), 0.0) * correction
+            piece[:, parent] -= np.where(its, np.where(mine, 0.5, 1.0), 0.0) * correction
+    out = positions.copy()
+    out[hidden] = piece
+    return out
+
+
+def swing(features: FloatArray, wrong: BoolArray, bones: Bones) -> FloatArray:
+    """Turn joints so that their bone points where it does; the twist about it stays.
+
+    Parameters
+    ----------
+    features : (frames, joints, 7)
+    wrong : (frames, joints) bool, rotations to be turned
+    bones : what is constant
+    """
+    out = features.copy()
+    for parent, joint in _only_child(bones).items():
+        some = np.flatnonzero(wrong[:, parent])
+        if len(some):
+            bone = features[some, joint, :3] - features[some, parent, :3]
+            pointing = turn(features[some, parent, 3:], _all(bones.places[joint], some))
+            out[some, parent, 3:] = multiply(between(pointing, bone), features[some, parent, 3:])
+    return out
+
+
+def fuse(features: FloatArray, bones: Bones, root: int) -> FloatArray:
+    """Let positions, rotations and bones agree, where all of them are noisy.
+
+    Parameters
+    ----------
+    features : (frames, joints, 7)
+    bones : what is constant
+    root : index of the joint that stays
+
+    Notes
+    -----
+    A bone's direction is the weighted mean of what positions and its parent's rotation say;
+    positions then solve least squares between themselves and those bones, one small system for
+    all frames; rotations swing to the directions.
+    """
+    count = features.shape[1]
+    system, right = np.eye(count), features[..., :3].copy()
+    directions = np.zeros_like(right)
+    for joint, length in enumerate(bones.lengths):
+        if np.isnan(length):
+            continue
+        parent = bones.parents[joint]
+        bone = features[:, joint, :3] - features[:, parent, :3]
+        if not np.isnan(bones.places[joint, 0]) and parent != root:
+            told = turn(features[:, parent, 3:], _all(bones.places[joint], bone))
+            bone = (1.0 - _BY_ROTATION) * bone + _BY_ROTATION * told
+        directions[:, joint] = bone / np.maximum(_length(bone), 1e-9)[:, None] * length
+        system[joint, joint] += _BY_BONE
+        system[parent, parent] += _BY_BONE
+        system[joint, parent] -= _BY_BONE
+        system[parent, joint] -= _BY_BONE
+        right[:, joint] += _BY_BONE * directions[:, joint]
+        right[:, parent] -= _BY_BONE * directions[:, joint]
+    system[root] = np.eye(count)[root]
+    right[:, root] = features[:, root, :3]
+    out = features.copy()
+    out[..., :3] = np.einsum("ij,njk->nik", np.linalg.inv(system), right)
+    for parent, joint in _only_child(bones).items():
+        if parent != root:
+            pointing = turn(
+                features[:, parent, 3:], _all(bones.places[joint], directions[:, joint])
+            )
+            swung = between(pointing, directions[:, joint])
+            out[:, parent, 3:] = multiply(swung, features[:, parent, 3:])
+    return out
+
+
+def _only_child(bones: Bones) -> dict[int, int]:
+    """The child that each joint's rotation carries, of joints with exactly one such child."""
+    fixed = [j for j in range(len(bones.parents)) if not np.isnan(bones.places[j, 0])]
+    children = [bones.parents[j] for j in fixed]
+    return {bones.parents[j]: j for j in fixed if children.count(bones.parents[j]) == 1}
+
+
+def _all(place: FloatArray, like: NDArray[Any]) -> FloatArray:
+    """One place for each row."""
+    return np.broadcast_to(place, (len(like), 3))
+
+
+def _length(vectors: FloatArray) -> FloatArray:
+    """Length of each vector."""
+    return np.asarray(np.sqrt(np.sum(vectors**2, axis=-1)))

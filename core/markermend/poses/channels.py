@@ -1,0 +1,105 @@
+"""Poses as columns of numbers, one for each coordinate that can be filled and smoothed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from markermend.arrays import BoolArray, FloatArray
+from markermend.poses.bridging import bridged
+from markermend.poses.normal import FEATURES, Normal, normalise
+from markermend.poses.pose import Pose
+from markermend.poses.quaternion import unit, unrolled
+
+_NO_TURN = (0.0, 0.0, 0.0, 1.0)
+# A rotation this near to none is what sensors write where they know nothing.
+_UNTURNED = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class Channels:
+    """A recording relative to its root.
+
+    Attributes
+    ----------
+    values : (frames, joints · 7) of all joints but the root, normalised, signs of rotations
+        unrolled; anything where not known
+    known : (frames, joints · 7) bool
+    joints : indices of the joints the columns belong to, seven each
+    normal : to go back
+    """
+
+    values: FloatArray
+    known: BoolArray
+    joints: tuple[int, ...]
+    normal: Normal
+
+
+def to_channels(pose: Pose) -> Channels:
+    """Lay a recording out in columns.
+
+    Parameters
+    ----------
+    pose : any skeleton with one root that was seen at least once; frames in which it was not are
+        bridged from those beside them
+
+    Raises
+    ------
+    DataError
+        when no bone was ever seen whole
+    """
+    turned = trusted_turns(pose)
+    root = pose.order[0]
+    positions, rotations = np.array(pose.positions), np.array(pose.rotations)
+    rotations[~turned] = np.nan
+    positions[:, root], rotations[:, root] = _root_path(positions[:, root], rotations[:, root])
+    confidence = np.array(pose.confidence)
+    confidence[:, root] = np.maximum(confidence[:, root], np.finfo(float).tiny)
+    features, normal = normalise(pose.with_samples(positions, rotations, confidence))
+    features[..., 3:] = unrolled(features[..., 3:])
+    joints = tuple(j for j in range(len(pose.joints)) if j != root)
+    values = features[:, joints].reshape(pose.frames, -1)
+    known = ~np.isnan(values)
+    return Channels(np.where(known, values, 0.0), known, joints, normal)
+
+
+def to_features(values: FloatArray, channels: Channels) -> FloatArray:
+    """Give columns back as (frames, joints, 7) with the root, rotations of unit length.
+
+    Parameters
+    ----------
+    values : (frames, joints · 7) as those of ``channels``; NaN goes through
+    channels : what they were made from
+    """
+    frames = len(values)
+    features = np.zeros((frames, len(channels.joints) + 1, FEATURES))
+    features[..., -1] = 1.0
+    features[:, channels.joints] = values.reshape(frames, -1, FEATURES)
+    features[..., 3:] = unit(features[..., 3:])
+    return features
+
+
+def trusted_turns(pose: Pose) -> BoolArray:
+    """(frames, joints) bool: rotations that can be trusted.
+
+    A root keeps its rotation where one of its limbs was not seen, since the others tell it, unless
+    what stands there is no rotation at all.
+    """
+    turned = np.array(pose.turned)
+    roots = [j for j, parent in enumerate(pose.parents) if parent < 0]
+    own = pose.rotations[:, roots]
+    blank = np.abs(np.abs(own) - _NO_TURN).max(axis=2) < _UNTURNED
+    turned[:, roots] = ~np.isnan(own[..., 3]) & ~(blank & ~turned[:, roots])
+    return turned
+
+
+def _root_path(position: FloatArray, rotation: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """(frames, 3) and (frames, 4) of the root, bridged where it was not known."""
+    path = np.concatenate([position, unrolled(rotation[:, None])[:, 0]], axis=1)
+    known = ~np.isnan(path)
+    for part, nothing in ((slice(0, 3), 0.0), (slice(3, 7), np.array(_NO_TURN))):
+        if not known[:, part].any():
+            path[:, part], known[:, part] = nothing, True
+    path = bridged(path, known)
+    return path[:, :3], unit(path[:, 3:])

@@ -1,0 +1,158 @@
+"""Fill what was not seen from the rest of the body and from time, all gaps at once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from markermend.arrays import BoolArray, FloatArray, IntArray, runs
+from markermend.poses.bridging import SIDE, around, bridge, bridged, straight
+from markermend.poses.covariance import Moments, learn, pooled
+
+# Gaps up to this long are crossed by time alone: what others could add is below their own noise.
+_SHORT_S = 0.02
+_PASSES = 3
+# Share of the deviations' estimate beside the levels', in gaps shorter and longer than this.
+_BRIEF_S, _BRIEF, _LONG = 0.3, 0.85, 0.5
+# Added to variances before regressing: absolute, and of a channel hidden part of the time.
+_RIDGE, _LEVEL_RIDGE, _DOUBT = 1e-4, 1e-3, 0.1
+_MOSTLY_HIDDEN = 0.999
+
+
+@dataclass(frozen=True, eq=False)
+class Filled:
+    """What was filled, and how sure it is.
+
+    Attributes
+    ----------
+    values : (frames, channels), the known ones as they were
+    variance : (frames, channels) expected squared error, 0 where known
+    """
+
+    values: FloatArray
+    variance: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class _Gap:
+    """Channels that are unknown over the same frames."""
+
+    start: int
+    stop: int
+    channels: IntArray
+
+
+def fill(values: FloatArray, known: BoolArray, rate: float, prior: Moments | None = None) -> Filled:
+    """Fill the gaps of all channels.
+
+    Parameters
+    ----------
+    values : (frames, channels); what stands where nothing is known does not matter
+    known : (frames, channels) bool, true somewhere in every channel
+    rate : frames per second
+    prior : moments of the same channels from other recordings
+
+    Notes
+    -----
+    Each gap is bridged by time; how far its channels stray from the bridge is regressed on how far
+    the visible ones stray from theirs, with covariances within a time as long as the gap. A
+    regression on the levels of the visible channels, its residual bridged, is mixed in. Channels
+    hidden part of the time enter with what the pass before made of them.
+    """
+    base = bridged(values, known)
+    gaps = _gaps(known, max(round(_SHORT_S * rate), 1))
+    variance = _time_variance(base, known, rate)
+    estimate = base
+    lengths = [gap.stop - gap.start for gap in gaps]
+    for last in (False,) * (_PASSES - 1) + (True,) if gaps else ():
+        moments = pooled(learn(estimate, rate, lengths), prior)
+        better = estimate.copy()
+        for gap in gaps:
+            filled, unsure = _fill_gap(gap, estimate, base, known, moments, rate)
+            better[gap.start : gap.stop, gap.channels] = filled
+            if last:
+                variance[gap.start : gap.stop, gap.channels] = unsure
+        estimate = better
+    return Filled(np.where(known, values, estimate), variance)
+
+
+def _gaps(known: BoolArray, short: int) -> list[_Gap]:
+    """Gaps longer than ``short``, channels with the same frames together."""
+    together: dict[tuple[int, int], list[int]] = {}
+    for channel in range(known.shape[1]):
+        for start, stop in runs(~known[:, channel]).tolist():
+            if stop - start > short:
+                together.setdefault((start, stop), []).append(channel)
+    return [_Gap(*frames, np.array(columns)) for frames, columns in together.items()]
+
+
+def _fill_gap(
+    gap: _Gap,
+    estimate: FloatArray,
+    base: FloatArray,
+    known: BoolArray,
+    moments: Moments,
+    rate: float,
+) -> tuple[FloatArray, FloatArray]:
+    """(length, channels) values of a gap and their variances."""
+    start, stop = gap.start, gap.stop
+    length, frames = stop - start, len(estimate)
+    hidden = np.mean(~known[start:stop], axis=0)
+    others = np.setdiff1d(np.flatnonzero(hidden < _MOSTLY_HIDDEN), gap.channels)
+    doubt = _DOUBT * hidden[others]
+    ends = np.array([start - 1, stop]).clip(0, frames - 1)
+    whole = moments.whole
+    ridge = _LEVEL_RIDGE * np.trace(whole) / len(whole)
+    weights, left = _regress(whole, others, gap.channels, ridge, doubt)
+    inside = estimate[start:stop][:, others] @ weights
+    beside = base[ends][:, gap.channels] - estimate[ends][:, others] @ weights
+    if start == 0 or stop == frames:
+        if start == 0 and stop == frames:
+            raise ValueError("A channel is never known.")
+        return inside + beside[1 if start == 0 else 0], np.tile(left, (length, 1))
+    levels = inside + straight(length)[:, [SIDE - 1, SIDE]] @ beside
+    shape = _arch(length)[:, None]
+    if start < SIDE or stop + SIDE > frames:
+        return levels, shape * left
+    ridge = _RIDGE
+    weights, left = _regress(moments.within_s(length / rate), others, gap.channels, ridge, doubt)
+    bridges = bridge(length) @ estimate[around(start, stop)]
+    strays = (estimate[start:stop] - bridges)[:, others] @ weights
+    share = _BRIEF if length < _BRIEF_S * rate else _LONG
+    return (
+        share * (bridges[:, gap.channels] + strays) + (1.0 - share) * levels,
+        shape * left,
+    )
+
+
+def _regress(
+    covariance: FloatArray, inputs: IntArray, targets: IntArray, ridge: float, doubt: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """(inputs, targets) weights, and the variance of each target that they leave."""
+    among, across = covariance[np.ix_(inputs, inputs)], covariance[np.ix_(inputs, targets)]
+    own = np.asarray(covariance[targets, targets])
+    if not len(inputs):
+        return across, own
+    among[np.diag_indices(len(inputs))] *= 1.0 + doubt
+    among[np.diag_indices(len(inputs))] += ridge
+    weights = np.linalg.solve(among, across)
+    return np.asarray(weights), np.maximum(own - np.sum(across * weights, axis=0), 0.0)
+
+
+def _time_variance(base: FloatArray, known: BoolArray, rate: float) -> FloatArray:
+    """Expected squared error of bridges over short gaps, from how far single frames stray."""
+    variance = np.zeros_like(base)
+    if len(base) > 2:
+        bend = base[1:-1] - 0.5 * (base[:-2] + base[2:])
+        both = known[:-2] & known[1:-1] & known[2:]
+        spread = np.sum(np.where(both, bend, 0.0) ** 2, axis=0) / np.maximum(both.sum(axis=0), 1)
+        variance += np.where(known, 0.0, spread)
+    return variance
+
+
+def _arch(length: int) -> FloatArray:
+    """(length,) how the variance swells from the sides of a gap to its middle, 1 on average."""
+    share = np.arange(1, length + 1) / (length + 1)
+    arch = share * (1.0 - share)
+    return np.asarray(arch / arch.mean())

@@ -1,0 +1,140 @@
+"""Make a skeleton recording clean: fill what was not seen, take out noise, keep bones."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from markermend.arrays import BoolArray, FloatArray
+from markermend.errors import DataError
+from markermend.poses.bones import find_bones, fuse, keep_lengths, swing
+from markermend.poses.channels import Channels, to_channels, to_features
+from markermend.poses.covariance import Moments
+from markermend.poses.filling import fill
+from markermend.poses.normal import FEATURES, denormalise
+from markermend.poses.pose import Pose
+from markermend.poses.smoothing import LEAST_NOISE, noise_level, smooth
+from markermend.progress import Progress, quiet
+
+INFERRED = 0.5
+"""Confidence of a joint that was not seen but worked out, as depth sensors write it."""
+
+# Noise above this, of a mean bone length, makes it worth to let positions and rotations agree.
+_NOISY = 2e-3
+# What is left of white noise after smoothing, about.
+_LEFT = 0.35
+_LEAST_FRAMES = 3
+
+
+@dataclass(frozen=True, eq=False)
+class Restored:
+    """A clean recording, and how far to trust it.
+
+    Attributes
+    ----------
+    pose : the recording; joints that were not seen have confidence :data:`INFERRED`
+    error_mm : (frames, joints) expected distance of each joint from the truth (root mean square);
+        NaN for joints never seen
+    noise_mm : (joints,) standard deviation of the noise that was taken out of each coordinate
+    filled : (frames, joints) bool, positions that were worked out
+    """
+
+    pose: Pose
+    error_mm: FloatArray
+    noise_mm: FloatArray
+    filled: BoolArray
+
+
+def denoise(pose: Pose, *, progress: Progress | None = None) -> Pose:
+    """Return a recording made clean; see :func:`restore` for what is done, and how sure it is.
+
+    Raises
+    ------
+    DataError
+        when nothing can be made of it: fewer than three poses, or no bone ever seen whole
+    """
+    return restore(pose, progress=progress).pose
+
+
+def restore(
+    pose: Pose, *, prior: Moments | None = None, progress: Progress | None = None
+) -> Restored:
+    """Fill what was not seen, take out noise, and keep bones as long as they are.
+
+    Parameters
+    ----------
+    pose : any skeleton with one root, at any rate
+    prior : how bodies move, learnt from other recordings: moments of the same joints in the same
+        order
+    progress : told the share done; may raise to stop
+
+    Returns
+    -------
+    Restored
+
+    Raises
+    ------
+    DataError
+        when there are fewer than three poses, or no bone was ever seen whole
+    """
+    tell = progress or quiet
+    if pose.frames < _LEAST_FRAMES:
+        raise DataError(f"{pose.frames} poses are too few; it takes at least {_LEAST_FRAMES}.")
+    channels = to_channels(pose)
+    usable = np.asarray(channels.known.any(axis=0))
+    values, known = channels.values[:, usable], channels.known[:, usable]
+    if prior is not None and not usable.all():
+        prior = prior.of(usable)
+    tell(0.1, "Filling")
+    filled = fill(values, known, pose.rate, prior)
+    tell(0.4, "Looking for noise")
+    whole = np.zeros(channels.values.shape)
+    whole[:, usable] = filled.values
+    noise = noise_level(whole, channels.known)
+    if noise.max() > LEAST_NOISE:
+        tell(0.5, "Smoothing")
+        calm = smooth(filled.values, noise[usable], pose.rate)
+        tell(0.7, "Filling")
+        filled = (
+            fill(calm, known, pose.rate, prior) if not known.all() else replace(filled, values=calm)
+        )
+    whole[:, usable] = filled.values
+    whole[:, ~usable] = np.nan
+    tell(0.9, "Keeping bones")
+    features = _with_bones(whole, channels, pose, float(np.median(noise[usable])))
+    variance = np.full(channels.values.shape, np.nan)
+    variance[:, usable] = filled.variance + (_LEFT * noise[usable]) ** 2
+    return _finished(pose, features, channels, noise, variance)
+
+
+def _with_bones(values: FloatArray, channels: Channels, pose: Pose, noise: float) -> FloatArray:
+    """(frames, joints, 7) in which bones keep their length and rotations follow them."""
+    features = to_features(values, channels)
+    root, count = channels.normal.root, len(pose.joints)
+    seen, turned = np.ones((2, pose.frames, count), dtype=bool)
+    seen[:, channels.joints] = channels.known[:, ::FEATURES]
+    turned[:, channels.joints] = channels.known[:, FEATURES - 1 :: FEATURES]
+    bones = find_bones(features, seen, turned, pose.parents, _LEFT * noise)
+    if noise > _NOISY:
+        features = fuse(features, bones, root)
+    features[..., :3] = keep_lengths(features[..., :3], seen, bones)
+    return swing(features, ~turned, bones)
+
+
+def _finished(
+    pose: Pose, features: FloatArray, channels: Channels, noise: FloatArray, variance: FloatArray
+) -> Restored:
+    """Back to millimetres and global axes."""
+    joints, count = list(channels.joints), len(pose.joints)
+    positions, rotations = denormalise(features, channels.normal)
+    there = ~np.isnan(positions[..., 0])
+    rotations[:, np.isnan(pose.rotations).all(axis=(0, 2))] = np.nan
+    filled = there & ~pose.seen
+    confidence = np.where(filled, INFERRED, np.where(there, pose.confidence, 0.0))
+    error = np.zeros((pose.frames, count))
+    squared = variance.reshape(pose.frames, -1, FEATURES)[..., :3].sum(axis=2)
+    error[:, joints] = np.sqrt(squared) * channels.normal.scale
+    level = np.zeros(count)
+    level[joints] = noise[::FEATURES] * channels.normal.scale
+    return Restored(pose.with_samples(positions, rotations, confidence), error, level, filled)

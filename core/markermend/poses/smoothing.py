@@ -1,0 +1,156 @@
+"""Take noise out of a whole body at once, without a knob."""
+
+from __future__ import annotations
+
+from math import comb
+
+import numpy as np
+from scipy.fft import dct, idct
+from scipy.ndimage import uniform_filter1d
+
+from markermend.arrays import BoolArray, FloatArray
+from markermend.poses.normal import FEATURES
+
+LEAST_NOISE = 1e-4
+"""Of a mean bone length; below it nothing is worth smoothing."""
+
+_ORDER = 3
+# Neighbouring third differences of white noise tell much the same.
+_REPEATS = 1.85
+_ENOUGH = 1.3
+# A hand's own turns pass for noise, but no joint is that much noisier than the others.
+_MOST = 1.5
+# Shorter recordings: blocks in which noise is looked for, how calm a block and a channel to take.
+_BLOCK, _CALM, _CALM_CHANNELS = 16, 0.1, 0.25
+# Cut-offs tried, as shares of the frame rate; the time over which they compete, and how sharply.
+_CUTOFFS = np.geomspace(0.002, 0.45, 16)
+_WINDOW_S, _SHARP = 0.6, 0.1
+
+
+def noise_level(values: FloatArray, known: BoolArray) -> FloatArray:
+    """Standard deviation of the noise of each joint's position and of its rotation.
+
+    Parameters
+    ----------
+    values : (frames, joints · 7) without NaN, gaps filled
+    known : (frames, joints · 7) bool
+
+    Returns
+    -------
+    (joints · 7,), at least :data:`LEAST_NOISE`
+
+    Notes
+    -----
+    What third differences of a joint have in common with those of all others is movement, also at
+    30 Hz; what is its own is noise. Where the recording is too short to tell, the calmest moments
+    of calm channels speak for all.
+    """
+    frames, channels = values.shape
+    third = np.diff(values, _ORDER, axis=0) / np.sqrt(comb(2 * _ORDER, _ORDER))
+    whole = known[:-3] & known[1:-2] & known[2:-1] & known[3:] if frames > _ORDER else known[:0]
+    effective, others = len(third) / _REPEATS, channels - FEATURES
+    if others < 1 or effective < _ENOUGH * others:
+        power = _calm_power(third, whole)
+        if np.isnan(power).all():
+            return np.full(channels, LEAST_NOISE)
+        level = np.sqrt(np.nanquantile(power, _CALM_CHANNELS))
+        return np.full(channels, max(float(level), LEAST_NOISE))
+    scale = np.maximum(np.sqrt(np.mean(third**2, axis=0)), 1e-12)
+    third = third / scale
+    covariance = third.T @ third / len(third)
+    precision = np.linalg.inv(covariance + 1e-9 * np.eye(channels))
+    unexplained = third @ precision
+    noise = np.empty(channels)
+    for first in range(0, channels, FEATURES):
+        own = slice(first, first + FEATURES)
+        rest = unexplained[:, own] @ np.linalg.inv(precision[own, own]) * scale[own]
+        # A rotation's four numbers have three degrees of freedom.
+        for part, share in ((slice(0, 3), 1.0), (slice(3, FEATURES), 4.0 / 3.0)):
+            columns = slice(first + part.start, first + part.stop)
+            power = _calm_power(rest[:, part], whole[:, columns])
+            level = 0.0 if np.isnan(power).all() else float(np.nanmean(power))
+            noise[columns] = np.sqrt(share * level * effective / (effective - others))
+    by_joint = noise.reshape(-1, FEATURES)
+    for kind in (by_joint[:, :3], by_joint[:, 3:]):
+        np.minimum(kind, _MOST * float(np.median(kind)), out=kind)
+    return np.maximum(noise, LEAST_NOISE)
+
+
+def _calm_power(third: FloatArray, whole: BoolArray) -> FloatArray:
+    """(channels,) mean square in calm moments; NaN for those never known long enough."""
+    from scipy.stats import chi2
+
+    blocks, channels = len(third) // _BLOCK, third.shape[1]
+    shape = (blocks, _BLOCK, channels)
+    squared = np.where(whole, third, 0.0)[: blocks * _BLOCK].reshape(shape) ** 2
+    count = whole[: blocks * _BLOCK].reshape(shape).sum(axis=1)
+    power = np.full(channels, np.nan)
+    for channel in range(channels):
+        enough = count[:, channel] >= _BLOCK // 2
+        if enough.any():
+            means = squared[enough][:, :, channel].sum(axis=1) / count[enough, channel]
+            power[channel] = np.quantile(means, _CALM)
+    worth = _BLOCK / _REPEATS
+    return power * worth / float(chi2.ppf(_CALM, worth))
+
+
+def smooth(values: FloatArray, noise: FloatArray, rate: float) -> FloatArray:
+    """Smooth what moves together, each as much as it bears at each moment.
+
+    Parameters
+    ----------
+    values : (frames, channels) without NaN
+    noise : (channels,) standard deviation of the white noise in each
+    rate : frames per second
+
+    Returns
+    -------
+    (frames, channels)
+
+    Notes
+    -----
+    Principal components of the poses are smoothed, then those of the velocities that come out.
+    Each component passes a bank of Whittaker filters; Stein's unbiased estimate of their risk
+    over a short time says how much each counts. A component that is movement keeps it, one that is
+    noise goes.
+    """
+    if len(values) < 2 * _ORDER + 2:
+        return values
+    mean = values.mean(axis=0)
+    white = (values - mean) / noise
+    found = white
+    for order in (0, 1):
+        steps = np.diff(found, order, axis=0)
+        _, axes = np.linalg.eigh(steps.T @ steps)
+        found = smooth_each(white @ axes, rate) @ axes.T
+    return np.asarray(found * noise + mean)
+
+
+def smooth_each(values: FloatArray, rate: float) -> FloatArray:
+    """Smooth channels of unit white noise, each by itself.
+
+    Parameters
+    ----------
+    values : (frames, channels)
+    rate : frames per second
+    """
+    frames = len(values)
+    line = np.linspace(values[0], values[-1], frames)
+    spectrum = dct(values - line, type=2, norm="ortho", axis=0)
+    pitch = (2.0 * np.sin(np.pi * np.arange(frames) / (2 * frames))) ** (2 * _ORDER)
+    window = min(2 * round(0.5 * _WINDOW_S * rate) + 1, frames)
+    # To leave a component as it is must be among the choices.
+    total, weight = values.copy(), np.ones_like(values)
+    least = np.full(values.shape, 2.0)
+    for cutoff in _CUTOFFS[frames * _CUTOFFS > 1.0]:
+        gain = 1.0 / (1.0 + pitch / (2.0 * np.sin(np.pi * cutoff)) ** (2 * _ORDER))
+        out = idct(spectrum * gain[:, None], type=2, norm="ortho", axis=0) + line
+        risk = uniform_filter1d((values - out) ** 2, window, axis=0, mode="nearest")
+        risk += 2.0 * gain.mean()
+        lower = np.maximum(least - risk, 0.0)
+        fall = np.exp(-_SHARP * window * lower)
+        least = np.minimum(least, risk)
+        share = np.exp(-_SHARP * window * (risk - least))
+        total = fall * total + share * out
+        weight = fall * weight + share
+    return total / weight

@@ -1,0 +1,249 @@
+"""Skeleton recordings made clean, from file to file."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import markermend as mm
+from markermend.cli import main
+from markermend.errors import DataError, ExportError, FileFormatError
+from markermend.poses import Pose
+from markermend.poses.bones import find_bones, keep_lengths, swing
+from markermend.poses.bridging import bridged
+from markermend.poses.filling import fill
+from markermend.poses.noise import Noise, corrupt_pose
+from markermend.poses.normal import bone_lengths
+from markermend.poses.nuitrack import to_nuitrack
+from markermend.poses.quaternion import between, turn
+from markermend.poses.restore import INFERRED, denoise, restore
+from markermend.poses.smoothing import noise_level, smooth
+
+
+def arm(frames=400, rate=100.0):
+    """A body of five joints whose arm swings, and how it moves in columns."""
+    t = np.arange(frames) / rate
+    lengths = [300.0, 250.0, 200.0, 150.0]
+    angle = np.cumsum([0.4 * np.sin(2 * np.pi * (0.3 + 0.1 * k) * t + k) for k in range(4)], axis=0)
+    positions, rotations = np.zeros((frames, 5, 3)), np.zeros((frames, 5, 4))
+    rotations[..., 3] = 1.0
+    positions[:, 0] = np.stack([500 * t, 900 + 20 * np.sin(5 * t), 0 * t], axis=1)
+    for k in range(4):
+        half = angle[k] / 2
+        turned = np.stack([0 * half, 0 * half, np.sin(half), np.cos(half)], axis=1)
+        rotations[:, k] = turned
+        bone = np.broadcast_to([0.0, lengths[k], 0.0], (frames, 3))
+        positions[:, k + 1] = positions[:, k] + turn(turned, bone)
+    rotations[:, 4] = rotations[:, 3]
+    return Pose(positions, rotations, ("root", "a", "b", "c", "d"), (-1, 0, 1, 2, 3), rate)
+
+
+def hide(pose, frames, joint):
+    confidence = np.array(pose.confidence)
+    confidence[frames, joint] = 0
+    return pose.with_samples(pose.positions, pose.rotations, confidence)
+
+
+def far(a, b):
+    return np.sqrt(np.sum((a.positions - b.positions) ** 2, axis=2))
+
+
+def test_bridges_over_every_gap_follow_the_movement():
+    t = np.linspace(0, 6, 200)
+    values = np.stack([np.sin(t), np.cos(t)], axis=1)
+    known = np.ones((200, 2), dtype=bool)
+    known[20:26, 0] = known[50:51, 0] = known[60:63, :] = known[190:, 1] = False
+    across = bridged(np.where(known, values, 99.0), known)
+    assert (across[known] == values[known]).all()
+    assert np.abs(across - values)[:190].max() < 4e-3
+    assert (across[190:, 1] == values[189, 1]).all()
+
+
+def test_what_moves_with_others_is_filled_from_them():
+    random = np.random.default_rng(0)
+    t = np.arange(1500) / 100
+    sources = np.cumsum(random.normal(size=(1500, 3)), axis=0)
+    sources = np.stack([np.convolve(s, np.hanning(40) / 20, "same") for s in sources.T], axis=1)
+    values = sources @ random.normal(size=(3, 8)) * 0.05
+    known = np.ones(values.shape, dtype=bool)
+    known[700:760, 2] = False
+    filled = fill(np.where(known, values, np.pi), known, 100.0)
+    error = np.abs(filled.values - values)[700:760, 2]
+    time_alone = np.abs(bridged(values, known) - values)[700:760, 2]
+    assert error.mean() < 0.3 * time_alone.mean()
+    assert error.mean() < 3 * np.sqrt(filled.variance[700:760, 2]).mean()
+    assert (filled.values[known] == values[known]).all()
+    assert (filled.variance[known] == 0).all()
+    assert len(t) == len(filled.values)
+
+
+def test_noise_is_told_from_movement_and_taken_out():
+    random = np.random.default_rng(1)
+    t = np.arange(1200)[:, None] / 60
+    drivers = np.sin(2 * np.pi * t * [0.4, 0.9, 1.7, 2.3] + [0, 1, 2, 3])
+    clean = 0.4 * drivers @ random.normal(size=(4, 28))
+    noisy = clean + random.normal(0, 0.02, clean.shape)
+    known = np.ones(clean.shape, dtype=bool)
+    # Rotations have three degrees of freedom in four numbers; these have four.
+    places = np.arange(28) % 7 < 3
+    assert_allclose(noise_level(noisy, known)[places], 0.02, rtol=0.12)
+    assert noise_level(clean, known).max() < 1e-3
+    calm = smooth(noisy, np.full(28, 0.02), 60.0)
+    assert np.std(calm - clean) < 0.3 * 0.02
+    assert np.abs(smooth(clean, np.full(28, 1e-4), 60.0) - clean).max() < 1e-3
+
+
+def test_bones_keep_their_length_and_rotations_follow():
+    pose = arm()
+    features = np.concatenate([pose.positions, pose.rotations], axis=2)
+    seen = np.ones((400, 5), dtype=bool)
+    bones = find_bones(features, seen, seen, pose.parents)
+    assert_allclose(bones.lengths[1:], [300, 250, 200, 150], rtol=1e-9)
+    assert_allclose(bones.places[2], [0, 250, 0], atol=1e-6)
+    damaged = features.copy()
+    damaged[100:150, 3, :3] += [30.0, -20.0, 10.0]
+    seen[100:150, 3] = False
+    damaged[..., :3] = keep_lengths(damaged[..., :3], seen, bones)
+    assert (damaged[:100] == features[:100]).all()
+    assert_allclose(
+        bone_lengths(damaged[100:150, :, :3], pose.parents)[1:], bones.lengths[1:], rtol=0.02
+    )
+    swung = swing(damaged, ~seen[:, [1, 2, 3, 4, 4]], bones)
+    bone = swung[100:150, 3, :3] - swung[100:150, 2, :3]
+    pointing = turn(swung[100:150, 2, 3:], np.broadcast_to([0.0, 200.0, 0.0], bone.shape))
+    assert_allclose(turn(between(pointing, bone), pointing), pointing, atol=1.0)
+
+
+def test_clean_recordings_come_back():
+    pose = arm()
+    restored = restore(pose)
+    assert far(restored.pose, pose).max() < 0.2
+    assert not restored.filled.any()
+    assert (restored.pose.confidence == 1).all()
+
+
+def test_hidden_joints_are_filled_and_known_ones_stay():
+    pose = arm()
+    damaged = hide(hide(pose, slice(120, 150), 3), slice(250, 251), 2)
+    restored = restore(damaged)
+    error = far(restored.pose, pose)
+    assert error[120:150, 3].max() < 40
+    assert error[250, 2] < 3
+    assert error[~restored.filled].max() < 0.5
+    assert restored.filled.sum() == 31
+    assert (restored.pose.confidence[120:150, 3] == INFERRED).all()
+    assert restored.error_mm[135, 3] > restored.error_mm[250, 2] > 0
+
+
+def test_a_root_that_was_not_seen_is_bridged():
+    pose = arm()
+    restored = restore(hide(pose, slice(200, 206), 0))
+    assert far(restored.pose, pose).max() < 10
+
+
+def test_joints_never_seen_and_positions_alone():
+    pose = hide(arm(), slice(None), 4)
+    restored = restore(pose)
+    assert np.isnan(restored.pose.positions[:, 4]).all()
+    assert not np.isnan(restored.pose.positions[:, :4]).any()
+    bare = Pose(arm().positions, np.full((400, 5, 4), np.nan), pose.joints, pose.parents, 100.0)
+    clean = restore(hide(bare, slice(100, 110), 2)).pose
+    assert far(clean, bare).max() < 10
+    assert np.isnan(clean.rotations).all()
+
+
+def test_too_little_is_said():
+    pose = arm(2)
+    with pytest.raises(DataError, match="too few"):
+        denoise(pose)
+
+
+@pytest.mark.parametrize("noise", [Noise(burst=20), Noise(displacement=0.0, burst=20)])
+def test_real_movement_is_restored(shared_data, noise):
+    truth = to_nuitrack(mm.read_pose(shared_data / "poses" / "02_05.amc"))
+    damaged = corrupt_pose(truth, noise, seed=2)
+    restored = restore(damaged)
+    error = far(restored.pose, truth)
+    hidden = restored.filled
+    bridge_only = 60.0
+    assert np.sqrt(np.mean(error[hidden] ** 2)) < 0.5 * bridge_only
+    assert np.mean(error[hidden] < 3 * restored.error_mm[hidden]) > 0.85
+    if noise.displacement:
+        seen = damaged.seen.copy()
+        seen[:, 0] = False
+        assert np.mean(error[seen]) < 0.45 * np.mean(far(damaged, truth)[seen])
+
+
+def test_csv_keeps_what_it_is_given(tmp_path):
+    pose = hide(arm(40), slice(5, 9), 2)
+    path = tmp_path / "joints.csv"
+    mm.write_pose(pose, path)
+    back = mm.read_pose(path)
+    assert back.joints == pose.joints
+    assert back.parents == pose.parents
+    assert back.rate == 100.0
+    assert (back.seen == pose.seen).all()
+    assert_allclose(back.positions, pose.positions, atol=6e-4)
+    assert_allclose(back.rotations, pose.rotations, atol=2e-6)
+    assert path.read_text().splitlines()[0].startswith("frame,time,joint,parent,x,y,z,qx")
+
+
+def test_csv_of_others(tmp_path):
+    path = tmp_path / "sensor.csv"
+    path.write_text(
+        "Frame;Name;Position X;Position Y;Position Z\n"
+        "10;JOINT_WAIST;0;900;0\n10;JOINT_TORSO;0;1100;0\n"
+        "11;JOINT_WAIST;1;900;0\n11;JOINT_TORSO;0;0;0\n12;JOINT_WAIST;2;900;0\n"
+    )
+    pose = mm.read_pose(path)
+    assert pose.frames == 3
+    assert pose.parents == (-1, 0)
+    assert pose.seen.tolist() == [[True, True], [True, False], [True, False]]
+    assert pose.rate == 30.0
+    assert "30 Hz" in pose.warnings[0]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("frame,joint,x,y\n0,a,1,2\n", "lacks the column “z”"),
+        ("frame,joint,x,y,z\n", "cut short"),
+        ("frame,joint,x,y,z\n0,a,1,2,3\n", "add a column “parent”"),
+        ("frame,joint,parent,x,y,z\n0,a,b,1,2,3\n", "“b” is no joint"),
+        ("frame,joint,parent,x,y,z\n0,a,,1,2,3\n9e9,a,,1,2,3\n", "frames go from"),
+        ("frame,joint,parent,x,y,z\n0,a\n1,a,,1,2,3\n", "row 2 has 2 cells"),
+        ("frame,joint,parent,x,y,z\nx,a,,1,2,3\n", "a frame is no number"),
+    ],
+)
+def test_damaged_csv_gets_one_sentence(tmp_path, text, said):
+    path = tmp_path / "bad.csv"
+    path.write_text(text)
+    with pytest.raises(FileFormatError, match=said):
+        mm.read_pose(path)
+
+
+def test_unknown_targets_are_refused(tmp_path):
+    with pytest.raises(ExportError, match=r"\.csv"):
+        mm.write_pose(arm(5), tmp_path / "out.txt")
+    with pytest.raises(ExportError, match="skeleton"):
+        mm.write_pose(arm(5), tmp_path / "out.amc")
+
+
+def test_amc_goes_out_as_it_came_in(shared_data, tmp_path):
+    folder = shared_data / "poses"
+    pose = mm.read_pose(folder / "02_01.amc")
+    mm.write_pose(pose, tmp_path / "out.amc")
+    back = mm.read_pose(tmp_path / "out.amc", skeleton=folder / "02.asf")
+    assert np.abs(back.positions - pose.positions).max() < 1e-3
+
+
+def test_command_line(tmp_path, capsys):
+    source, target = tmp_path / "in.csv", tmp_path / "out.csv"
+    mm.write_pose(hide(arm(), slice(120, 140), 3), source)
+    assert main(["denoise", str(source), "-o", str(target), "--list"]) == 0
+    assert "Filled: 20 positions" in capsys.readouterr().out
+    assert mm.read_pose(target).seen.all()
+    assert main(["denoise", str(source), "-o", str(target)]) == 1
+    assert "--force" in capsys.readouterr().err
+    assert main(["denoise", str(source), "-o", str(tmp_path / "out.xyz")]) == 1
