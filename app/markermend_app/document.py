@@ -7,7 +7,7 @@ signals; none of them changes samples or artifacts by itself.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +19,7 @@ from markermend.errors import DataError, MarkermendError
 from markermend.mesh import Mesh
 from markermend.session import Session
 from markermend.session_file import SessionFile
+from markermend_app.looking import Looking
 from markermend_app.preview import Preview
 from markermend_app.walk import open_after
 
@@ -26,20 +27,12 @@ AHEAD = 3
 """Artifacts after the current one whose repairs are proposed ahead of time."""
 
 
-@dataclass(frozen=True)
-class Selection:
-    """A range of frames on one marker that the operator has swept over."""
-
-    marker: str
-    start: int
-    stop: int
-
-
-class Document(QObject):
-    """What is open, what is shown, and the verbs that change it.
+class Document(Looking):
+    """What is open, what is looked at, and the verbs that change it.
 
     Signals
     -------
+    Those of :class:`Looking`, and
     opened() : another take is open, or none
     mesh_changed() : the body's structure is known now, or no longer
     data_changed(Change) : samples changed; ``Change`` says of which markers and frames
@@ -47,11 +40,6 @@ class Document(QObject):
     history_changed() : a step was done, undone or redone
     current_changed() : another artifact is under review, or it was changed
     proposal_changed() : the previewed repair of the current artifact came, went or was replaced
-    shown_changed() : other markers are shown in the plots
-    beside_changed() : other channels that are no markers are shown below the plots
-    selection_changed() : the swept range changed
-    frame_changed(int) : the cursor moved
-    frame_requested(int, int) : bring these frames into view (start, stop)
     failed(object) : a verb could not be done; an exception
     said(str) : a verb did something else than its name says; a sentence
     """
@@ -63,11 +51,6 @@ class Document(QObject):
     history_changed = Signal()
     current_changed = Signal()
     proposal_changed = Signal()
-    shown_changed = Signal()
-    beside_changed = Signal()
-    selection_changed = Signal()
-    frame_changed = Signal(int)
-    frame_requested = Signal(int, int)
     failed = Signal(object)
     said = Signal(str)
 
@@ -75,10 +58,6 @@ class Document(QObject):
         super().__init__(parent)
         self.file: SessionFile | None = None
         self.mesh: Mesh | None = None
-        self.shown: tuple[str, ...] = ()
-        self.beside: tuple[str, ...] = ()
-        self.frame = 0
-        self.selection: Selection | None = None
         self.queue: tuple[str, ...] = ()
         self._current: str | None = None
         self.preview = Preview(self)
@@ -111,8 +90,8 @@ class Document(QObject):
         if self.file is not None:
             self.file.close()
         self.file, self.mesh = file, mesh
-        self.shown, self.beside, self.queue, self._current = (), (), (), None
-        self.frame, self.selection = 0, None
+        self.queue, self._current = (), None
+        self._look_at_nothing(0 if file is None else file.session.original.frames)
         self.preview.reset()
         self._repair_when_ready = None
         self.opened.emit()
@@ -137,7 +116,7 @@ class Document(QObject):
         self.proposal_changed.emit()
         self.frame_changed.emit(self.frame)
 
-    # What is looked at
+    # What is under review
 
     @property
     def current(self) -> Artifact | None:
@@ -179,35 +158,6 @@ class Document(QObject):
             i = 0 if by > 0 else len(self.queue) - 1
         if 0 <= i < len(self.queue):
             self.select(self.queue[i])
-
-    def show(self, markers: Iterable[str]) -> None:
-        """Show these markers in the plots, the first one foremost."""
-        shown = tuple(dict.fromkeys(markers))
-        if shown != self.shown:
-            self.shown = shown
-            self.shown_changed.emit()
-
-    def show_beside(self, keys: Iterable[str]) -> None:
-        """Show these channels that are no markers below the plots; for context only."""
-        beside = tuple(dict.fromkeys(keys))
-        if beside != self.beside:
-            self.beside = beside
-            self.beside_changed.emit()
-
-    def go_to(self, frame: int) -> None:
-        """Move the cursor to a frame; clipped to the take."""
-        if self.session is None:
-            return
-        frame = max(0, min(frame, self.session.original.frames - 1))
-        if frame != self.frame:
-            self.frame = frame
-            self.frame_changed.emit(frame)
-
-    def sweep(self, selection: Selection | None) -> None:
-        """Select a range of frames on a marker, or nothing."""
-        if selection != self.selection:
-            self.selection = selection
-            self.selection_changed.emit()
 
     # Proposed repairs
 

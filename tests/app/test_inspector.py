@@ -13,7 +13,8 @@ from markermend.patch import Patch
 from markermend.repairs.registry import REPAIRS, Repair
 from markermend.session_file import open_session
 from markermend.take import Take
-from markermend_app.document import Document, Selection
+from markermend_app.document import Document
+from markermend_app.looking import Selection
 from markermend_app.panels.inspector import Inspector
 
 

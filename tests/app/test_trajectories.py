@@ -14,7 +14,8 @@ from markermend.mesh import infer_mesh
 from markermend.session_file import open_session
 from markermend.take import Take
 from markermend_app import theme
-from markermend_app.document import Document, Selection
+from markermend_app.document import Document
+from markermend_app.looking import Selection
 from markermend_app.panels.plot_prediction import SETTLED_MS
 from markermend_app.panels.trajectories import TrajectoryPanel
 

@@ -18,7 +18,7 @@ from markermend.errors import MarkermendError
 from markermend.patch import Patch
 from markermend_app import dialogs, export_dialog, settings
 from markermend_app.actions import ACTIONS
-from markermend_app.document import Selection
+from markermend_app.looking import Selection
 from markermend_app.main import take_screenshot
 from markermend_app.window import MainWindow
 

@@ -8,7 +8,7 @@ from PySide6.QtCore import QPointF, Qt
 
 from markermend.artifact import Artifact
 from markermend_app import theme
-from markermend_app.document import Selection
+from markermend_app.looking import Selection
 from markermend_app.panels.plot_frame import PlotFrame
 from markermend_app.panels.plot_menu import artifact_menu, plot_menu, sweep_menu
 from markermend_app.panels.plot_range import snapped, whole_frames
