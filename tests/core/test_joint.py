@@ -168,6 +168,50 @@ def test_a_peak_onto_another_marker_is_no_swap(performer):
     assert (found.marker, found.kind, found.counterpart) == ("LWRA", Kind.PEAK, None)
 
 
+@pytest.mark.parametrize(
+    ("kind", "many", "words"),
+    [
+        ("ghosts", 10.0, "inside a gap"),
+        ("frozen", 8.0, "repeats one position"),
+        ("falls", 5.0, "fell off"),
+        ("peaks_on_drifts", 10.0, "sticks out"),
+    ],
+)
+def test_what_no_pair_of_jumps_shows_is_found_and_explained(kind, many, words):
+    clean = simulate_clean(duration_s=20.0, rate=120.0, seed=142)
+    nothing = dict.fromkeys(Amounts.__dataclass_fields__, 0.0)
+    damaged, truth = damage(clean, amounts=Amounts(**(nothing | {kind: many})), seed=2)
+    found = sudden(damaged)
+    wanted = [a for a in truth if a.kind not in (Kind.GAP, Kind.SLOW)]
+    hit = [
+        b
+        for a in wanted
+        for b in found
+        if b.marker == a.marker and abs(a.start - b.start) <= 1 and abs(a.stop - b.stop) <= 1
+    ]
+    assert len(hit) >= len(wanted) - 1 > 0
+    assert all(words in b.why for b in hit)
+    assert len(found) == len(hit)
+
+
+def test_samples_that_rest_repeat_and_are_left_alone(performer):
+    still = np.round(performer.positions, 1)
+    still[300:420] = still[300]
+    take = Take(still[::2], performer.labels, 60.0)
+    frozen = [a for a in sudden(take) if "repeats" in a.why]
+    assert {a.marker for a in frozen} == set(take.labels)
+    assert all("the recording stands still" in a.why for a in frozen)
+    resting = np.repeat(still[:1], 300, axis=0)
+    assert sudden(Take(resting, performer.labels, 60.0)) == []
+
+
+def test_a_stray_piece_in_its_place_is_left_alone(performer):
+    positions = performer.positions.copy()
+    a = performer.index("LKNE")
+    positions[500:540, a] = positions[546:590, a] = np.nan
+    assert sudden(Take(positions, performer.labels, performer.rate)) == []
+
+
 def test_sensitivity_only_adds(performer):
     damaged, _ = contaminate(performer, share=0.05, amplitude_mm=1.0, seed=4)
     counts = [

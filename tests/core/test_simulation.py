@@ -182,6 +182,27 @@ def test_rare_swaps_are_repaired_by_their_truth(kind: str) -> None:
     assert seen.all() == (kind != "swaps_with_gap")
 
 
+def test_ghosts_frozen_stretches_and_falls_are_where_the_truth_says() -> None:
+    clean = clean_take()
+    amounts = only(ghosts=6, frozen=6, falls=3, peaks_on_drifts=6)
+    damaged, truth = damage(clean, amounts=amounts, seed=4)
+    changed = ~(damaged.positions == clean.positions)
+    assert np.array_equal(changed, damage_mask(clean, truth))
+    for a in truth:
+        rows, column = slice(a.start, a.stop), clean.index(a.marker)
+        if "frozen" in a.why:
+            repeated = damaged.positions[a.start - 1 : a.stop, column]
+            assert np.allclose(repeated, repeated[0])
+        if "fell off" in a.why:
+            assert a.stop == clean.frames
+        if "ghost" in a.why and a.kind is Kind.STEP:
+            assert not damaged.present[[a.start - 1, a.stop], column].any()
+            delta = damaged.positions[rows, column] - clean.positions[rows, column]
+            assert np.linalg.norm(delta, axis=1) == pytest.approx(a.amplitude_mm)
+        if "peak on" in a.why:
+            assert any(b.kind is Kind.SLOW and b.overlaps(a.start, a.stop) for b in truth)
+
+
 def test_sizes_are_those_of_the_truth() -> None:
     clean = clean_take()
     damaged, truth = damage(clean, amounts=only(peaks=20, steps=10, drifts=9), seed=8)

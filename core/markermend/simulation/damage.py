@@ -16,6 +16,7 @@ from markermend.take import Origin, Take, is_unlabelled
 _TRIES = 400
 _APART_S = 0.25
 _EDGE_S = 0.4
+_FROZEN_MM = 30.0
 _SWAP_MM = (25.0, 130.0)
 
 
@@ -36,6 +37,10 @@ class Amounts:
     swaps_of_three : three neighbours take turns for 0.2 to 1.2 s
     brief_swaps : two neighbours exchanged for one frame
     swaps_with_gap : two neighbours exchanged for 0.3 to 1.2 s, one of them lost meanwhile
+    ghosts : a few frames 15 to 80 mm off inside a gap
+    frozen : a moving marker repeats its position for 0.15 to 0.6 s
+    falls : a marker jumps 20 to 80 mm and stays off to the end of the take
+    peaks_on_drifts : a slow change as of ``drifts`` with a peak of 8 to 70 mm on it
     """
 
     short_gaps: float = 9
@@ -49,6 +54,10 @@ class Amounts:
     swaps_of_three: float = 0
     brief_swaps: float = 0
     swaps_with_gap: float = 0
+    ghosts: float = 0
+    frozen: float = 0
+    falls: float = 0
+    peaks_on_drifts: float = 0
 
 
 def hann(length: int) -> FloatArray:
@@ -108,6 +117,10 @@ def damage(
         (amounts.swaps_of_three, _swap_of_three),
         (amounts.swaps_with_gap, _swap_with_gap),
         (amounts.brief_swaps, _brief_swap),
+        (amounts.ghosts, _ghost),
+        (amounts.frozen, _frozen),
+        (amounts.peaks_on_drifts, _peak_on_drift),
+        (amounts.falls, _fall),
     ):
         for i in range(max(1, round(count * many)) if count else 0):
             damages.append(make(site, i))
@@ -163,6 +176,18 @@ class _Site:
         rows = self._free[max(0, start - apart) : start + length + apart]
         return np.asarray(rows.all(axis=0))
 
+    def place_at_end(self, length: int) -> tuple[int, str]:
+        """First frame and marker that is clean for the last ``length`` frames of the take."""
+        start = self.take.frames - length
+        able = np.flatnonzero(self._open(start, length)) if start > 0 else np.zeros(0, np.int64)
+        if not len(able):
+            raise DataError("The take is too short or too damaged already to put more damage in.")
+        return start, self._use(start, length, int(self.rng.choice(able)))
+
+    def free(self, start: int, length: int, marker: str) -> None:
+        """Give a place back that turned out not to serve."""
+        self._free[start : start + length, self.take.index(marker)] = True
+
     def _use(self, start: int, length: int, column: int) -> str:
         """Mark samples as damaged."""
         self._free[start : start + length, column] = False
@@ -200,10 +225,7 @@ def _occlusion(site: _Site, i: int) -> Damage:
         late, early = site.rng.integers(0, max(1, length // 6), 2)
         first, last = start + int(late), start + length - int(early)
         parts.append(hidden(marker, first, last, "simulated occlusion"))
-    return Damage(
-        tuple(patch for one in parts for patch in one.patches),
-        tuple(artifact for one in parts for artifact in one.artifacts),
-    )
+    return _together(*parts)
 
 
 def _swap(site: _Site, i: int) -> Damage:
@@ -235,6 +257,70 @@ def _swap_with_gap(site: _Site, i: int) -> Damage:
     holed = replace(holed, values=values, origin=origin)
     gap = hidden(pair[0], start + first, start + first + lost, "simulated gap in a swap")
     return Damage((holed, second), (*swap.artifacts, *gap.artifacts))
+
+
+def _ghost(site: _Site, i: int) -> Damage:
+    """Hide a marker but for a few frames, which are far off."""
+    length, size = site.frames(0.2, 0.6), site.size(15.0, 80.0)
+    start, marker = site.place(length)
+    kept = min(site.frames(0.01, 0.06), length // 3)
+    first = start + (length - kept) // 2
+    before = hidden(marker, start, first, "simulated gap before a ghost")
+    after = hidden(marker, first + kept, start + length, "simulated gap after a ghost")
+    offset = np.tile(size * site.direction("xyz"), (kept, 1))
+    ghost = added(site.take, marker, "xyz", first, offset, Kind.STEP, size, "simulated ghost")
+    return _together(before, ghost, after)
+
+
+def _frozen(site: _Site, i: int) -> Damage:
+    """Repeat a position while the marker moves at least 30 mm."""
+    length = site.frames(0.15, 0.6)
+    for _ in range(_TRIES):
+        start, marker = site.place(length)
+        rows = site.take.positions[start - 1 : start + length, site.take.index(marker)]
+        away = rows[:1] - rows[1:]
+        size = float(np.linalg.norm(away, axis=1).max())
+        if size >= _FROZEN_MM:
+            why = "simulated frozen stretch"
+            return added(site.take, marker, "xyz", start, away, Kind.STEP, size, why)
+        site.free(start, length, marker)
+    raise DataError("No marker of the take moves enough to freeze it.")
+
+
+def _fall(site: _Site, i: int) -> Damage:
+    length, size = site.frames(2.5, 8.0), site.size(20.0, 80.0)
+    start, marker = site.place_at_end(length)
+    deviation = np.tile(size * site.direction("xyz"), (site.take.frames - start, 1))
+    why = "simulated marker that fell off"
+    return added(site.take, marker, "xyz", start, deviation, Kind.STEP, size, why)
+
+
+def _peak_on_drift(site: _Site, i: int) -> Damage:
+    length, height, size = site.frames(0.3, 1.2), site.size(8.0, 35.0), site.size(8.0, 70.0)
+    start, marker = site.place(length)
+    deviation = height * hann(length)[:, None] * site.direction("xyz")
+    top = length // 2
+    deviation[top] += size * site.direction("xyz")
+    why = "simulated slow change under a peak"
+    drift = added(site.take, marker, "xyz", start, deviation, Kind.SLOW, height, why)
+    peak = Artifact(
+        marker,
+        "xyz",
+        start + top,
+        start + top + 1,
+        Kind.PEAK,
+        amplitude_mm=size,
+        why="simulated peak on a slow change",
+    )
+    return Damage(drift.patches, (*drift.artifacts, peak))
+
+
+def _together(*parts: Damage) -> Damage:
+    """Several as one."""
+    return Damage(
+        tuple(patch for one in parts for patch in one.patches),
+        tuple(artifact for one in parts for artifact in one.artifacts),
+    )
 
 
 def _drift(site: _Site, i: int) -> Damage:

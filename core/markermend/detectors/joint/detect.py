@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from markermend.arrays import IntArray
-from markermend.artifact import Artifact
+from markermend.artifact import Artifact, trusted_samples
 from markermend.detectors.channels import channels
 from markermend.detectors.counterpart import name_swaps
 from markermend.detectors.joint.confidence import confidences
+from markermend.detectors.joint.frozen import find_frozen
 from markermend.detectors.joint.neighbours import nearest_markers
 from markermend.detectors.joint.params import JointParams
 from markermend.detectors.joint.slow import (
@@ -15,6 +16,7 @@ from markermend.detectors.joint.slow import (
     prepare,
     shipped_trees,
 )
+from markermend.detectors.joint.strays import find_strays
 from markermend.detectors.joint.sudden import find_sudden
 from markermend.detectors.joint.texture import stand_out, texture_mm
 from markermend.detectors.joint.verdict import to_artifacts
@@ -64,9 +66,26 @@ def detect_joint(
     least = 1.0 - params.sensitivity
     sudden = to_artifacts(take, markers, found, confidences(found), least)
     sudden = name_swaps(take, stand_out(sudden, texture_mm(sudden, take), least))
+    sudden = _with_unseen_jumps(take, sudden, markers, neighbours, least)
     if not params.slow:
         return sudden
     return sudden + _slow(take, sudden, markers, neighbours, params, part(progress, 0.1, 1.0))
+
+
+def _with_unseen_jumps(
+    take: Take, sudden: list[Artifact], markers: list[int], neighbours: IntArray, least: float
+) -> list[Artifact]:
+    """Sudden artifacts with those that only the rest of the body shows."""
+    frozen = find_frozen(take, markers, neighbours, trusted_samples(take, sudden))
+    frozen = [a for a in frozen if a.confidence >= least]
+    # A marker that repeats itself seems to slide off and jump back.
+    kept = [
+        a
+        for a in sudden
+        if not any(a.marker == f.marker and f.overlaps(a.start, a.stop) for f in frozen)
+    ]
+    strays = find_strays(take, markers, trusted_samples(take, [*kept, *frozen]))
+    return [*kept, *frozen, *(a for a in strays if a.confidence >= least)]
 
 
 def _slow(

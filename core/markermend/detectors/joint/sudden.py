@@ -10,6 +10,7 @@ import numpy as np
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.artifact import Kind
 from markermend.detectors.finding import overlap
+from markermend.detectors.joint.fallen import moved_on_body
 from markermend.detectors.joint.jumps import Jumps, find_jumps, reach_at, segments
 from markermend.detectors.joint.noise import Noise, find_noise
 from markermend.detectors.joint.partners import find_partners
@@ -33,6 +34,8 @@ class Course(StrEnum):
 
     LEVEL = "level"
     """It jumps off and jumps back."""
+    FALLEN = "fallen"
+    """It jumps off and stays off up to an end of the take; its place on the body is another."""
     CUT_OFF = "cut off"
     """Only one jump is seen; a gap or an end of the take hides the other."""
     BUILDS_UP = "builds up"
@@ -123,7 +126,7 @@ def find_sudden(
         size, moved = abs(float(jumps.size[i])), float(beside[i])
         found.append(Sudden(int(jumps.channel[i]), start, stop, Kind.STEP, size, clear, moved))
     paired |= {i for i, _, _ in partners}
-    found += _cut_off(jumps, paired, beside, seen, rate)
+    found += _cut_off(jumps, paired, beside, signal, seen, neighbours, rate)
     return sorted(_once(found), key=lambda s: (s.channel, s.start, s.stop))
 
 
@@ -161,7 +164,13 @@ def _blocks(
 
 
 def _cut_off(
-    jumps: Jumps, paired: set[int], beside: FloatArray, seen: BoolArray, rate: float
+    jumps: Jumps,
+    paired: set[int],
+    beside: FloatArray,
+    signal: FloatArray,
+    seen: BoolArray,
+    neighbours: IntArray,
+    rate: float,
 ) -> list[Sudden]:
     """Steps of which only one edge is seen: a gap or an end of the take hides the other."""
     begin, end = segments(seen)
@@ -173,12 +182,21 @@ def _cut_off(
         first, last = int(begin[frame, channel]), int(end[frame, channel])
         # The shorter piece is the one that went wrong.
         start, stop = (first, frame) if frame - first < last - frame else (frame, last)
-        if int(i) in paired or stop - start > LONGEST_S * rate:
-            continue
         size, score = abs(float(jumps.size[i])), float(jumps.score[i])
-        found.append(
-            Sudden(channel, start, stop, Kind.STEP, size, score, float(beside[i]), Course.CUT_OFF)
-        )
+        course = Course.CUT_OFF
+        if stop - start > LONGEST_S * rate:
+            at_end = start == 0 or stop == len(seen)
+            shared = beside[i] > SHARED * size
+            if (
+                not at_end
+                or shared
+                or not moved_on_body(signal, seen, neighbours, channel // 3, frame, rate)
+            ):
+                continue
+            course = Course.FALLEN
+        if int(i) not in paired:
+            moved = float(beside[i])
+            found.append(Sudden(channel, start, stop, Kind.STEP, size, score, moved, course))
     return found
 
 

@@ -96,6 +96,11 @@ def _explain(group: Sequence[Sudden], size: float, length: int, rate: float) -> 
     clear = f"{surest.score:.0f} standard errors of its motion around"
     if surest.kind is Kind.PEAK:
         return f"sticks out by {mm} mm for {lasting} {beside}; {clear}"
+    if surest.course is Course.FALLEN:
+        return (
+            f"jumps {mm} mm in one frame {beside} and stays off for {lasting}, up to an end of the "
+            f"take, at another distance from them: it moved on the body or fell off; {clear}"
+        )
     if surest.course is Course.CUT_OFF:
         return f"lies {mm} mm off for {lasting} beside a gap or an end, one jump away; {clear}"
     if surest.course is Course.BUILDS_UP:
