@@ -54,7 +54,7 @@ path.was{stroke:var(--was);stroke-dasharray:4 3}path.now{stroke:var(--now)}
 body{max-width:none;padding:0;font-size:10pt;-webkit-print-color-adjust:exact;
 print-color-adjust:exact}
 section.take{break-before:page;border:0}main>section.take:first-child{break-before:auto}
-h2,h3{break-after:avoid}thead{display:table-header-group}tr,svg.map{break-inside:avoid}
+h2,h3,p.key{break-after:avoid}thead{display:table-header-group}tr,svg.map{break-inside:avoid}
 .figures{grid-template-columns:1fr 1fr}a{color:inherit;text-decoration:none}}
 """
 
