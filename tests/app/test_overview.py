@@ -319,9 +319,9 @@ def test_long_takes_with_many_markers_are_quick(make):
     ]
     panel = make(Take(positions, labels, 240.0), artifacts)
     panel.grab()
-    began = time.perf_counter()
+    began = time.process_time()
     panel.document.set_queue([a.id for a in artifacts])
     panel.document.accept([artifacts[3].id])
     panel.grab()
-    assert time.perf_counter() - began < 0.5
+    assert time.process_time() - began < 0.5
     assert panel.document.session.artifact(artifacts[3].id).status is Status.ACCEPTED

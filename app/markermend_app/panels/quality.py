@@ -52,7 +52,6 @@ class QualityPanel(QWidget):
         self.head = self._table(self.total)
         self.head.setAccessibleName(self.tr("Quality of the whole take"))
         self.head.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
-        self.head.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.head.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.head.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         header = self.head.horizontalHeader()
