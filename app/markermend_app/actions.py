@@ -23,6 +23,24 @@ METHOD_KEYS = range(1, 10)
 
 ACTIONS: tuple[Action, ...] = (
     Action("open", "Open take…", "File", ("Ctrl+O",), "open", "Open a take", anything, False, "+"),
+    Action(
+        "review_batch",
+        "Review a batch…",
+        "File",
+        ("Ctrl+Shift+O",),
+        "",
+        "List several takes, or what “markermend batch” left, and review one after the other",
+        anything,
+    ),
+    Action(
+        "review_folder",
+        "Review a folder…",
+        "File",
+        (),
+        "",
+        "List the takes in a folder and below, and review one after the other",
+        anything,
+    ),
     Action("open_demo", "Open the demo take", "File", (), "", "", anything),
     Action(
         "export",
@@ -191,6 +209,15 @@ ACTIONS: tuple[Action, ...] = (
     ),
     Action(
         "next", "Next artifact", "Review", ("N", "Ctrl+Right"), "next", "", artifacts, False, "+"
+    ),
+    Action(
+        "next_take",
+        "Next take",
+        "Review",
+        ("Shift+N",),
+        "",
+        "Keep this review and open the next take of the list that is not done",
+        anything,
     ),
     Action("note", "Write a note", "|Review", ("T",), "", "Say something about it", current),
     *HAND_WORK,

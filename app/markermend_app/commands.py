@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -12,14 +12,14 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 from markermend.artifact import Artifact, Status
 from markermend.errors import DataError, MarkermendError
 from markermend.mesh import Mesh
-from markermend.progress import Progress, part
-from markermend.session_file import SessionFile, open_session
-from markermend.take import Take
+from markermend.progress import Progress
+from markermend.session_file import SessionFile
 from markermend_app import detection, dialogs, settings
 from markermend_app.document import Document
 from markermend_app.exporting import Exporter
 from markermend_app.file_filters import open_filter
 from markermend_app.jobs import Lane
+from markermend_app.loading import Opened, load
 
 
 class Commands(QObject):
@@ -62,29 +62,41 @@ class Commands(QObject):
 
     def open_path(self, path: Path) -> None:
         """Open a take, after asking what becomes of the one that is open."""
-        if not self.let_go():
-            return
+        if self.let_go():
+            self.open_by(path, lambda progress: Opened(load(path, progress)))
+
+    def open_by(
+        self,
+        path: Path,
+        work: Callable[[Progress], Opened],
+        broke: Callable[[Exception], None] | None = None,
+    ) -> None:
+        """Open a take by work to be done on the worker; ``broke`` is told what prevented it."""
         if self._document.path is not None and _same_file(path, self._document.path):
             # The review is locked while it is open, for this window too.
             self._document.open(None, None)
 
-        def work(progress: Progress) -> Any:
-            return load(path, progress)
-
-        def done(file: SessionFile) -> None:
-            self._document.open(file, None)
+        def done(opened: Opened) -> None:
+            self._document.open(opened.file, opened.mesh)
+            self._document.proposals.keep(opened.proposals)
             settings.add_recent(path)
             self._tell_opened()
-            if file.session.artifacts:
+            if opened.file.session.artifacts:
                 self._document.step(1)
-            self._learn_body(file)
+            if opened.mesh is None:
+                self._learn_body(opened.file)
 
-        def dropped(file: SessionFile) -> None:
+        def dropped(opened: Opened) -> None:
             # Its lock would keep the take read-only for the next who opens it.
-            file.close()
+            opened.file.close()
+
+        def failed(error: Exception) -> None:
+            if broke is not None:
+                broke(error)
+            self.show_problem(error)
 
         label = self.tr("Opening {0}").format(path.name)
-        self._lane.submit(label, work, done, self.show_problem, dropped)
+        self._lane.submit(label, work, done, failed, dropped)
 
     def _learn_body(self, file: SessionFile) -> None:
         """Look how the body moves, and for artifacts in a take that is new."""
@@ -141,6 +153,15 @@ class Commands(QObject):
             document.open(None, None)
             return True
         return self._save(document.file)
+
+    def put_by(self) -> bool:
+        """Stop what is under way and keep the review, without asking; whether it is saved."""
+        self._exporter.finish()
+        self._lane.cancel()
+        document = self._document
+        if document.file is None or not document.editable or document.session is None:
+            return True
+        return not document.session.history or self._save(document.file)
 
     def save_review(self) -> None:
         """Save the review as it stands; what cannot be saved now is in the journal all the same."""
@@ -345,33 +366,9 @@ class Commands(QObject):
             dialogs.tell_damaged(self._window, take)
 
 
-def load(path: Path, progress: Progress) -> SessionFile:
-    """Read a take and open its review."""
-    from markermend.files import read
-
-    take: Take = read(path, progress=part(progress, 0.0, 0.9))
-    if take.frames == 0:
-        raise DataError(f"“{path.name}” has no frames, so that there is nothing to review in it.")
-    progress(0.9, "Opening the review")
-    return open_session(take, folder=_review_folder(path))
-
-
 def _same_file(path: Path, other: Path) -> bool:
     """Whether two paths lead to the same file, by links too."""
     try:
         return path.samefile(other)
     except OSError:
         return path == other
-
-
-def _review_folder(path: Path) -> Path | None:
-    """Where the review of a take is kept: beside it, but the demo's with the user's own files."""
-    from markermend_resources import demo_take
-
-    if path != demo_take():
-        return None
-    from platformdirs import user_data_path
-
-    folder = user_data_path("markermend", appauthor=False) / "sessions"
-    folder.mkdir(parents=True, exist_ok=True)
-    return folder

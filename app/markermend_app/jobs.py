@@ -42,6 +42,7 @@ class Lane(QObject):
         self._numbers = itertools.count()
         self._waiting: dict[int, Callbacks] = {}
         self._stop: dict[int, threading.Event] = {}
+        self._closed = False
         self._ended.connect(self._deliver, Qt.ConnectionType.QueuedConnection)
 
     @property
@@ -60,8 +61,10 @@ class Lane(QObject):
         """Run ``work(progress)`` on the worker; ``done`` or ``failed`` is called in this thread.
 
         A cancelled job calls neither; what it had come to all the same is given to ``dropped``,
-        so that files and locks it holds can be let go.
+        so that files and locks it holds can be let go. Once the lane is closed nothing is run.
         """
+        if self._closed:
+            return
         number = next(self._numbers)
         stop = threading.Event()
         self._waiting[number] = (done, failed, dropped or _let_be)
@@ -94,6 +97,7 @@ class Lane(QObject):
 
     def close(self) -> None:
         """Cancel and wait for the worker to end."""
+        self._closed = True
         self.cancel()
         self._waiting.clear()
         self._pool.shutdown(wait=True, cancel_futures=True)

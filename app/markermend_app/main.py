@@ -1,4 +1,4 @@
-"""Start the app: ``python -m markermend_app [TAKE] [--screenshot PNG]``."""
+"""Start the app: ``python -m markermend_app [TAKE...] [--screenshot PNG]``."""
 
 from __future__ import annotations
 
@@ -28,7 +28,13 @@ log = logging.getLogger("markermend")
 def main(arguments: Sequence[str] | None = None) -> int:
     """Open the window, with a take when one is named; returns the exit code."""
     parser = argparse.ArgumentParser(prog="markermend open", description=__doc__)
-    parser.add_argument("take", nargs="?", type=Path, help="a C3D, TRC or CSV file to open")
+    parser.add_argument(
+        "takes",
+        metavar="TAKE",
+        nargs="*",
+        type=Path,
+        help="a C3D, TRC or CSV file to open; several, a folder or a batch's review.json to review",
+    )
     parser.add_argument(
         "--screenshot", type=Path, metavar="PNG", help="open, detect, save a picture and leave"
     )
@@ -36,8 +42,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         "--theme", choices=("light", "dark", "contrast", "system"), help="look of this start"
     )
     chosen = parser.parse_args(arguments)
-    if chosen.take is not None and not chosen.take.is_file():
-        print(f"markermend: there is no file {chosen.take}", file=sys.stderr)  # noqa: T201
+    missing = next((take for take in chosen.takes if not take.exists()), None)
+    if missing is not None:
+        print(f"markermend: there is no file {missing}", file=sys.stderr)  # noqa: T201
         return 1
     problem = no_display()
     if problem:
@@ -63,9 +70,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     _report_crashes(window)
     window.show()
     if chosen.screenshot is not None:
-        return take_screenshot(window, chosen.take, chosen.screenshot)
-    if chosen.take is not None:
-        window.commands.open_path(chosen.take.absolute())
+        return take_screenshot(window, next(iter(chosen.takes), None), chosen.screenshot)
+    if chosen.takes:
+        window.open_paths([take.absolute() for take in chosen.takes])
     elif not settings.flag("tour_seen", False):
         window.actions_by_name["tour"].trigger()
     return app.exec()
@@ -92,7 +99,7 @@ def take_screenshot(window: MainWindow, take: Path | None, target: Path) -> int:
     from markermend.errors import MarkermendError
     from markermend.mesh import infer_mesh
     from markermend.progress import quiet
-    from markermend_app.commands import load
+    from markermend_app.loading import load
     from markermend_app.window import ROOMY
 
     window.lay_out(ROOMY)

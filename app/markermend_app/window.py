@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QSize, Qt
 from PySide6.QtGui import (
-    QAction,
     QActionGroup,
     QCloseEvent,
     QDragEnterEvent,
@@ -30,6 +29,7 @@ from markermend.artifact import Kind
 from markermend_app import dialogs, menus, palette, settings, shortcuts, theme
 from markermend_app.actions import METHOD_KEYS
 from markermend_app.attention import Attention
+from markermend_app.batch_review import BatchReview
 from markermend_app.bulk import Bulk
 from markermend_app.commands import Commands
 from markermend_app.comparison import Comparison
@@ -46,16 +46,19 @@ from markermend_app.panels.quality import QualityPanel
 from markermend_app.panels.review_queue import ReviewQueue
 from markermend_app.panels.scene import Scene
 from markermend_app.panels.status import StatusLine
+from markermend_app.panels.take_list import TakeList
 from markermend_app.panels.trajectories import TrajectoryPanel
 from markermend_app.panels.transport import Transport
 from markermend_app.panels.welcome import Welcome
 from markermend_app.preferred import Preferred
+from markermend_app.recent_menu import fill_when_shown
 from markermend_app.references import References
 from markermend_app.shortcut_sheet import ShortcutSheet
 from markermend_app.smoothing import Smoothing
 
 LAYOUT_VERSION = 2
 ROOMY = QSize(1500, 940)
+TAKES_HIGH = 330
 
 
 class MainWindow(QMainWindow):
@@ -68,6 +71,7 @@ class MainWindow(QMainWindow):
         self.lane = Lane("engine", self)
         self.commands = Commands(self.document, self.lane, self)
         self.bulk = Bulk(self.document, self)
+        self.batch = BatchReview(self.document, self.commands, self.lane, self)
         self.smoothing = Smoothing(self.document, self)
         self.attention = Attention(self.document, self)
         self.setWindowIcon(theme.app_icon())
@@ -146,6 +150,7 @@ class MainWindow(QMainWindow):
         self.docks = {
             "markers": self._dock("markers", self.tr("Markers"), self.tree, left),
             "history": self._dock("history", self.tr("History"), self.history, left),
+            "takes": self._dock("takes", self.tr("Takes"), TakeList(self.batch), left),
             "scene": self._dock("scene", self.tr("3D view"), view, right),
             "inspector": self._dock("inspector", self.tr("Details"), self.inspector, right),
             "queue": self._dock("queue", self.tr("Review queue"), self.queue, bottom),
@@ -153,6 +158,9 @@ class MainWindow(QMainWindow):
         }
         self.tabifyDockWidget(self.docks["queue"], self.docks["quality"])
         self.docks["queue"].raise_()
+        # Beside the history, and only where there is more than one take.
+        self.tabifyDockWidget(self.docks["history"], self.docks["takes"])
+        self.docks["takes"].hide()
         self.setCorner(Qt.Corner.BottomLeftCorner, left)
         self.setCorner(Qt.Corner.BottomRightCorner, right)
         self.resizeDocks([self.docks["markers"], self.docks["history"]], [640, 200], _V)
@@ -194,9 +202,9 @@ class MainWindow(QMainWindow):
         panels = self.menus["View"].addMenu(self.tr("Panels"))
         for dock in self.docks.values():
             panels.addAction(dock.toggleViewAction())
-        self.recent_menu = self.menus["File"].addMenu(self.tr("Recent takes"))
-        self.menus["File"].insertMenu(self.actions_by_name["export"], self.recent_menu)
-        self.recent_menu.aboutToShow.connect(self._fill_recent)
+        recent = self.menus["File"].addMenu(self.tr("Recent takes"))
+        self.menus["File"].insertMenu(self.actions_by_name["export"], recent)
+        fill_when_shown(recent, self.commands.open_path)
 
         themes = QActionGroup(self)
         for name in ("light", "dark", "contrast", "system"):
@@ -210,6 +218,7 @@ class MainWindow(QMainWindow):
         document = self.document
         for speaker in (document, *self._verbs, self.references):
             speaker.said.connect(self.status.say)
+        self.batch.started.connect(self._show_takes)
         choosing = self.actions_by_name["choose_references"]
         self.references.ended.connect(lambda: choosing.setChecked(False))
         self.welcome.open_requested.connect(self.commands.open)
@@ -239,9 +248,9 @@ class MainWindow(QMainWindow):
         verb()
 
     @property
-    def _verbs(self) -> tuple[Commands, Bulk, HandWork, Smoothing]:
+    def _verbs(self) -> tuple[Commands, Bulk, BatchReview, HandWork, Smoothing]:
         """What has verbs that actions name."""
-        return (self.commands, self.bulk, self.hand, self.smoothing)
+        return (self.commands, self.bulk, self.batch, self.hand, self.smoothing)
 
     def _own_verbs(self) -> dict[str, Callable[[], object]]:
         """Actions about what is seen, not about the review."""
@@ -289,9 +298,18 @@ class MainWindow(QMainWindow):
             "about": lambda: dialogs.show_about(self),
         }
 
+    def _show_dock(self, name: str) -> None:
+        self.docks[name].show()
+        self.docks[name].raise_()
+
+    def _show_takes(self) -> None:
+        """Show the list of takes, with room for some of them."""
+        self._show_dock("takes")
+        if self.docks["takes"].height() < TAKES_HIGH:
+            self.resizeDocks([self.docks["takes"]], [TAKES_HIGH], _V)
+
     def _write_note(self) -> None:
-        self.docks["inspector"].show()
-        self.docks["inspector"].raise_()
+        self._show_dock("inspector")
         self.inspector.artifact.note.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def _give_keys(self) -> None:
@@ -358,15 +376,6 @@ class MainWindow(QMainWindow):
         if name == "theme":
             self._wear(settings.text("theme", "system"))
 
-    def _fill_recent(self) -> None:
-        self.recent_menu.clear()
-        for path in settings.recent():
-            action = QAction(f"{path.name}   –   {path.parent}", self.recent_menu)
-            action.triggered.connect(lambda _=False, p=path: self.commands.open_path(p))
-            self.recent_menu.addAction(action)
-        if self.recent_menu.isEmpty():
-            self.recent_menu.addAction(self.tr("None yet")).setEnabled(False)
-
     # Following the document
 
     def _take_opened(self) -> None:
@@ -394,11 +403,18 @@ class MainWindow(QMainWindow):
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:
-        """Open a file that is dropped."""
+        """Open what is dropped."""
         paths = [Path(u.toLocalFile()) for u in event.mimeData().urls() if u.isLocalFile()]
         if paths:
             event.acceptProposedAction()
+            self.open_paths(paths)
+
+    def open_paths(self, paths: Sequence[Path]) -> None:
+        """Open a take; or review several, a folder of them, or what a batch left."""
+        if len(paths) == 1 and paths[0].is_file() and paths[0].suffix.lower() != ".json":
             self.commands.open_path(paths[0])
+        else:
+            self.batch.start(paths)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask about unexported work, remember the layout, and stop the workers."""

@@ -40,6 +40,18 @@ def paint_badge(painter: QPainter, rect: QRectF, text: str, color: QColor) -> No
     painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, text)
 
 
+def paint_share(painter: QPainter, rect: QRectF, share: float) -> None:
+    """Paint a small bar, filled to a share in [0, 1]."""
+    t = theme.current()
+    bar = QRectF(rect.left(), rect.center().y() - 2, rect.width(), 5)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(t.grid)
+    painter.drawRoundedRect(bar, 2.5, 2.5)
+    painter.setBrush(t.accent)
+    bar.setWidth(rect.width() * min(max(share, 0.0), 1.0))
+    painter.drawRoundedRect(bar, 2.5, 2.5)
+
+
 def badge_font(font: QFont) -> QFont:
     """The small semibold font badges are written in."""
     small = QFont(font)

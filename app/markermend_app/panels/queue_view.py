@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from PySide6.QtCore import (
     QEvent,
     QKeyCombination,
@@ -24,7 +26,7 @@ from PySide6.QtWidgets import (
 
 from markermend.artifact import Artifact
 from markermend_app import shortcuts, theme
-from markermend_app.panels.badge import badge_font, paint_badge
+from markermend_app.panels.badge import badge_font, paint_badge, paint_share
 from markermend_app.panels.queue_model import ARTIFACT, AXES, CONFIDENCE, KIND
 
 Index = QModelIndex | QPersistentModelIndex
@@ -94,7 +96,7 @@ class QueueView(QTableView):
         return next((verb for verb in VERBS if pressed in keys[verb]), "")
 
 
-class _PlainDelegate(QStyledItemDelegate):
+class PlainDelegate(QStyledItemDelegate):
     """Paints a cell's background; subclasses paint what stands on it."""
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
@@ -110,11 +112,11 @@ class _PlainDelegate(QStyledItemDelegate):
         self.paint_cell(painter, QRectF(option.rect.adjusted(8, 0, -4, 0)), index.data(ARTIFACT))
         painter.restore()
 
-    def paint_cell(self, painter: QPainter, rect: QRectF, a: Artifact) -> None:
-        """Paint what the cell says."""
+    def paint_cell(self, painter: QPainter, rect: QRectF, a: Any) -> None:
+        """Paint what the cell says of its row's object."""
 
 
-class _KindDelegate(_PlainDelegate):
+class _KindDelegate(PlainDelegate):
     """Class letter on its colour, and the class's name."""
 
     def paint_cell(self, painter: QPainter, rect: QRectF, a: Artifact) -> None:
@@ -131,7 +133,7 @@ class _KindDelegate(_PlainDelegate):
         )
 
 
-class _AxesDelegate(_PlainDelegate):
+class _AxesDelegate(PlainDelegate):
     """Letters of the axes that are wrong, in their colours; the others faint."""
 
     def paint_cell(self, painter: QPainter, rect: QRectF, a: Artifact) -> None:
@@ -148,24 +150,13 @@ class _AxesDelegate(_PlainDelegate):
             x += 14
 
 
-class _ConfidenceDelegate(_PlainDelegate):
+class _ConfidenceDelegate(PlainDelegate):
     """A small bar, and the share in percent."""
 
     def paint_cell(self, painter: QPainter, rect: QRectF, a: Artifact) -> None:
         """Bar and number."""
-        t = theme.current()
-        number = QFontMetrics(painter.font()).horizontalAdvance("100 %") + 4
-        width = max(rect.width() - number - 4, 0)
-        bar = QRectF(rect.left(), rect.center().y() - 2, width, 5)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(t.grid)
-        painter.drawRoundedRect(bar, 2.5, 2.5)
-        painter.setBrush(t.accent)
-        bar.setWidth(width * min(max(a.confidence, 0.0), 1.0))
-        painter.drawRoundedRect(bar, 2.5, 2.5)
-        painter.setPen(t.text)
-        painter.drawText(
-            rect,
-            Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight,
-            f"{100 * a.confidence:.0f} %",
-        )
+        number = QFontMetrics(painter.font()).horizontalAdvance("100 %") + 8
+        paint_share(painter, rect.adjusted(0, 0, -number, 0), a.confidence)
+        painter.setPen(theme.current().text)
+        side = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight
+        painter.drawText(rect, side, f"{100 * a.confidence:.0f} %")

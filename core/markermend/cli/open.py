@@ -12,9 +12,10 @@ GROUP = "markermend.app"
 
 
 def run(options: argparse.Namespace) -> int:
-    """Open the window, with a take when one is named."""
-    if options.take is not None and not Path(options.take).is_file():
-        raise MarkermendError(f"There is no file “{options.take}”.")
+    """Open the window, with a take when one is named, or a list of them to be reviewed."""
+    for take in options.takes:
+        if not Path(take).exists():
+            raise MarkermendError(f"There is no file “{take}”.")
     found = tuple(entry_points(group=GROUP))
     try:
         start = found[0].load() if found else None
@@ -27,4 +28,4 @@ def run(options: argparse.Namespace) -> int:
         raise MarkermendError(
             "The window is not installed; get it with: python -m pip install 'markermend[app]'"
         )
-    return int(start([] if options.take is None else [options.take]) or 0)
+    return int(start(options.takes) or 0)

@@ -102,7 +102,12 @@ def make_parser() -> argparse.ArgumentParser:
 
 
 def _add_open(p: argparse.ArgumentParser) -> None:
-    p.add_argument("take", metavar="TAKE", nargs="?", help="recording to open")
+    p.add_argument(
+        "takes",
+        metavar="TAKE",
+        nargs="*",
+        help="recording to open; several, a folder, or a batch's review.json to go through",
+    )
 
 
 def _add_info(p: argparse.ArgumentParser) -> None:
