@@ -151,7 +151,7 @@ def _time_weights(rows: IntArray, start: int, stop: int, memory: float | None) -
 
 
 @dataclass(frozen=True)
-class _Motion:
+class Motion:
     """Rigid motion of the local frame: lab = local @ turn + origin, by frame."""
 
     turn: FloatArray
@@ -170,22 +170,22 @@ def _regress(
     references: FloatArray, target: FloatArray, weight: FloatArray, inside: BoolArray
 ) -> FloatArray:
     """Fit target on references where weight is positive, and predict the frames inside."""
-    motion = _align(references)
-    inputs = _complete(motion.to_local(references).reshape(len(references), -1))
+    motion = align(references)
+    inputs = complete(motion.to_local(references).reshape(len(references), -1))
     known = weight > 0
     goal = motion.to_local(target[:, None])[known, 0]
-    features, ridge = _features(inputs, weight)
+    features, ridge = expand(inputs, weight)
     learned, weight = features[known], weight[known]
     robust = np.ones(len(weight))
     for _ in range(HUBER_PASSES):
         coefficients = _solve(learned, goal, weight * robust, ridge)
         error = np.sqrt(((goal - learned @ coefficients) ** 2).sum(axis=1))
         robust = 1.0 / np.maximum(1.0, error / max(2.0 * float(np.median(error)), 1e-9))
-    inner = _Motion(motion.turn[inside], motion.origin[inside])
+    inner = Motion(motion.turn[inside], motion.origin[inside])
     return inner.to_lab((features[inside] @ coefficients)[:, None])[:, 0]
 
 
-def _align(references: FloatArray) -> _Motion:
+def align(references: FloatArray) -> Motion:
     """Fit the references' typical pose onto every frame."""
     seen = ~np.isnan(references[:, :, 0])
     pose = _typical_pose(references, seen)
@@ -193,14 +193,14 @@ def _align(references: FloatArray) -> _Motion:
     motion = _fit(pose, references, seen & ~unplaced)
     if unplaced.any():
         firm = (seen & ~unplaced).sum(axis=1) >= 3
-        inner = _Motion(motion.turn[firm], motion.origin[firm]).to_local(references[firm])
+        inner = Motion(motion.turn[firm], motion.origin[firm]).to_local(references[firm])
         placed = unplaced & seen[firm].any(axis=0)
         pose[placed] = np.nanmedian(inner[:, placed], axis=0)
         motion = _fit(pose, references, seen & ~np.isnan(pose[:, 0]))
     return motion
 
 
-def _fit(pose: FloatArray, references: FloatArray, seen: BoolArray) -> _Motion:
+def _fit(pose: FloatArray, references: FloatArray, seen: BoolArray) -> Motion:
     """Rigid motion of the pose nearest to each frame (weighted orthogonal Procrustes)."""
     nearness = np.where(np.arange(len(pose)) < FRAME_MARKERS, 1.0, SPARE_WEIGHT)
     weight = np.where(seen, nearness, 0.0)
@@ -213,7 +213,7 @@ def _fit(pose: FloatArray, references: FloatArray, seen: BoolArray) -> _Motion:
     left, _, right = np.linalg.svd((pose - pose_centre[:, None]).transpose(0, 2, 1) @ arms)
     right[:, 2] *= np.sign(np.linalg.det(left) * np.linalg.det(right))[:, None]
     turn = left @ right
-    return _Motion(turn, centre - (pose_centre[:, None] @ turn)[:, 0])
+    return Motion(turn, centre - (pose_centre[:, None] @ turn)[:, 0])
 
 
 def _typical_pose(references: FloatArray, seen: BoolArray) -> FloatArray:
@@ -228,7 +228,7 @@ def _typical_pose(references: FloatArray, seen: BoolArray) -> FloatArray:
     return pose.copy()
 
 
-def _complete(inputs: FloatArray) -> FloatArray:
+def complete(inputs: FloatArray) -> FloatArray:
     """Replace missing inputs by their linear expectation given the others in the frame."""
     missing = np.isnan(inputs)
     if not missing.any():
@@ -241,8 +241,10 @@ def _complete(inputs: FloatArray) -> FloatArray:
     # Pairwise covariances need not be consistent: the ridge keeps the solution tame.
     ridge = np.diag(0.05 * covariance.diagonal() + 1e-6)
     filled = centred.copy()
-    patterns, which = np.unique(missing, axis=0, return_inverse=True)
-    for number, gone in enumerate(patterns):
+    packed = np.packbits(missing, axis=1)
+    keys = packed.view(np.dtype((np.void, packed.shape[1]))).ravel()
+    _, first, which = np.unique(keys, return_index=True, return_inverse=True)
+    for number, gone in enumerate(missing[first]):
         if not gone.any():
             continue
         rows, there = np.flatnonzero(which.ravel() == number), ~gone
@@ -253,7 +255,7 @@ def _complete(inputs: FloatArray) -> FloatArray:
     return filled + mean
 
 
-def _features(inputs: FloatArray, weight: FloatArray) -> tuple[FloatArray, FloatArray]:
+def expand(inputs: FloatArray, weight: FloatArray) -> tuple[FloatArray, FloatArray]:
     """One, the standardised inputs, products of their main components; and the ridge of each."""
     samples = np.count_nonzero(weight)
     share = weight / weight.sum()

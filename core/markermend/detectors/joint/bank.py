@@ -8,11 +8,20 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
 from markermend.arrays import FloatArray
-from markermend.detectors.joint.whiten import CLIP, LAGS, White
+from markermend.detectors.joint.bands import BANDS, HALF, filter_matrix, filters
+from markermend.detectors.joint.whiten import LAGS
 
 SHORTEST, LONGEST = 22, 100
-STRIDE = 4
-"""Norms change slowly: they are worked out every fourth frame."""
+WIDTH = LONGEST + LAGS + 2 * HALF
+STRIDE, KNOTS = 16, (22, 30, 40, 52, 66, 82, 100)
+"""Norms change slowly: they are worked out every so manieth frame, for these lengths."""
+
+
+KINDS: dict[str, int] = {"sharp": 0, "rounded 9": 9, "rounded 15": 15, "hann": 0}
+"""What a slow change may look like, and over how many frames its kinks are rounded."""
+STEPS = {"sharp": 2, "rounded 9": 4, "rounded 15": 6, "hann": 6}
+"""Frames from one length to the next: a sharp kink forgives little, a round one more."""
+LEAST_NORM = 0.02
 
 
 @lru_cache(maxsize=1)
@@ -22,28 +31,32 @@ def bank() -> tuple[FloatArray, tuple[tuple[str, int], ...]]:
     Returns
     -------
     shapes : (longest, n) float64, height 1, from the first row on
-    names : (kind, length in frames) of each: sharp, rounded triangles and Hann
+    names : (kind, length in frames) of each
     """
-    names: list[tuple[str, int]] = []
-    columns = []
-    for kind, step in (("sharp", 2), ("rounded", 4), ("hann", 4)):
-        for length in range(SHORTEST, LONGEST + 1, step):
-            names.append((kind, length))
-            columns.append(np.pad(shape_of(kind, length), (0, LONGEST - length)))
-    return np.column_stack(columns), tuple(names)
+    names = tuple(
+        (kind, length)
+        for kind, step in STEPS.items()
+        for length in range(SHORTEST, LONGEST + 1, step)
+    )
+    columns = [np.pad(shape_of(*name), (0, LONGEST - name[1])) for name in names]
+    return np.column_stack(columns), names
 
 
+@lru_cache(maxsize=1024)
 def shape_of(kind: str, length: int) -> FloatArray:
-    """One shape of height 1, (length,): ``sharp``, ``rounded`` over 11 frames, or ``hann``."""
+    """One shape of height 1, (length,); ``kind`` is a key of :data:`KINDS`.
+
+    A triangle, its kinks sharp or smoothed by a Hann window of 9 or 15 frames, or one period of
+    a raised cosine.
+    """
     if kind == "hann":
         return np.asarray(np.hanning(length + 2)[1:-1])
-    if kind == "rounded":
-        smooth = np.hanning(13)[1:-1]
-        inner = _triangle(max(length - 10, 3))
-        rounded = np.convolve(inner, smooth / smooth.sum())[:length]
-        rounded = np.pad(rounded, (0, length - len(rounded)))
-        return np.asarray(rounded / rounded.max())
-    return _triangle(length)
+    wide = KINDS[kind]
+    if not wide:
+        return _triangle(length)
+    smooth = np.hanning(wide + 2)[1:-1]
+    rounded = np.convolve(_triangle(length - wide + 1), smooth)
+    return np.asarray(rounded / rounded.max())
 
 
 def _triangle(length: int) -> FloatArray:
@@ -52,81 +65,103 @@ def _triangle(length: int) -> FloatArray:
     return np.asarray(np.minimum(ramp, ramp[::-1]) / ((length + 1) // 2))
 
 
-def scores(white: White) -> tuple[FloatArray, FloatArray]:
+@lru_cache(maxsize=1)
+def _norms() -> tuple[FloatArray, FloatArray]:
+    """Some shapes in bands, multiplied with themselves lagged; and how norms follow from them.
+
+    Returns
+    -------
+    products : (bands, lags, width, some)
+    share : (some, n) interpolates over lengths
+    """
+    shapes, names = bank()
+    some = [(kind, length) for kind in KINDS for length in KNOTS]
+    rows = np.stack([np.pad(shape_of(*name), (HALF, WIDTH - HALF - name[1])) for name in some])
+    parts = (rows @ filter_matrix(WIDTH)).reshape(len(some), BANDS, WIDTH)
+    products = np.zeros((BANDS, LAGS + 1, WIDTH, len(some)))
+    for lag in range(LAGS + 1):
+        twice = 1.0 if lag == 0 else 2.0
+        lagged = twice * parts[:, :, : WIDTH - lag] * parts[:, :, lag:]
+        products[:, lag, lag:] = lagged.transpose(1, 2, 0)
+    share = np.zeros((len(some), len(names)))
+    for n, (kind, length) in enumerate(names):
+        first = list(KINDS).index(kind) * len(KNOTS)
+        for k in range(len(KNOTS)):
+            share[first + k, n] = np.interp(length, KNOTS, np.eye(len(KNOTS))[k])
+    return products, share
+
+
+def scores(parts: FloatArray, weight: FloatArray, habit: FloatArray) -> FloatArray:
     """Fit every shape at every frame.
 
     Parameters
     ----------
-    white : whitened residual of (frames,)
+    parts, weight : (bands, frames) innovations and their inverse noise power
+    habit : (frames, 9) the filter that whitens
 
     Returns
     -------
-    score : (frames, n) signed signal-to-noise ratio of each shape that begins there
-    size : (frames, n) mm, its fitted height; shapes that do not end within the take have 0
+    (frames, n) signed signal-to-noise ratio of each shape that begins there; 0 for those that
+    do not end within the take
     """
     shapes, names = bank()
-    push, stiffness = adjoint(white)
-    numerator = _correlate(push, shapes)
-    thin = np.zeros((len(range(0, len(push), STRIDE)), shapes.shape[1]))
-    for lag in range(LAGS + 1):
-        shifted = np.zeros_like(shapes)
-        shifted[: len(shapes) - lag] = shapes[: len(shapes) - lag] * shapes[lag:]
-        thin += (1 if lag == 0 else 2) * _correlate(stiffness[:, lag], shifted, STRIDE)
-    at = np.minimum(np.arange(len(push)) / STRIDE, len(thin) - 1)
-    low = np.minimum(at.astype(int), len(thin) - 2) if len(thin) > 1 else np.zeros(len(push), int)
-    high = np.minimum(low + 1, len(thin) - 1)
-    share = (at - low)[:, None]
-    norm = np.maximum(thin[low] * (1 - share) + thin[high] * share, 1e-9)
-    lengths = np.array([length for _, length in names])
-    inside = np.arange(len(push))[:, None] + lengths <= len(push)
-    score = np.where(inside, numerator / np.sqrt(norm), 0.0)
-    return score, np.where(inside, numerator / norm, 0.0)
-
-
-def adjoint(white: White) -> tuple[FloatArray, FloatArray]:
-    """Turn innovations into what a shape is correlated with, and the quadratic form of its norm.
-
-    Returns
-    -------
-    push : (frames,) so that Σ shape · push is the matched filter's output
-    stiffness : (frames, 9) diagonals of the banded form whose value is its variance
-    """
-    frames = len(white.error)
-    clipped = np.clip(white.error, -CLIP * white.sigma, CLIP * white.sigma)
-    precision = 1.0 / white.sigma**2
-    habit = np.pad(white.habit, ((0, LAGS), (0, 0)))
-    pulled = np.pad(clipped * precision, (0, LAGS))
-    precise = np.pad(precision, (0, LAGS))
+    frames = len(habit)
+    habit = np.pad(habit, ((0, LAGS), (0, 0)))
+    pulled = sum(
+        np.convolve(e * w, taps, "same")
+        for e, w, taps in zip(parts, weight, filters(), strict=True)
+    )
+    pulled = np.pad(np.asarray(pulled), (0, LAGS))
     push = np.zeros(frames)
-    stiffness = np.zeros((frames, LAGS + 1))
     for k in range(LAGS + 1):
-        later = slice(k, k + frames)
-        push += habit[later, k] * pulled[later]
-        for lag in range(k + 1):
-            stiffness[:, lag] += habit[later, k] * habit[later, k - lag] * precise[later]
-    return push, stiffness
+        push += habit[k : k + frames, k] * pulled[k : k + frames]
+    windows = sliding_window_view(np.pad(push, (0, LONGEST - 1)), LONGEST)
+    norm = _norm(weight, habit)
+    inside = np.arange(frames)[:, None] + np.array([n for _, n in names]) <= frames
+    return np.where(inside, (windows @ shapes) / np.sqrt(norm), 0.0)
 
 
-def _correlate(signal: FloatArray, shapes: FloatArray, stride: int = 1) -> FloatArray:
-    """Σ_j signal[t + j] · shapes[j] for every ``stride``-th t, (frames, n)."""
-    windows = sliding_window_view(np.pad(signal, (0, len(shapes) - 1)), len(shapes))[::stride]
-    return np.asarray(windows @ shapes)
+def _norm(weight: FloatArray, habit: FloatArray) -> FloatArray:
+    """Variance of the matched filter of each shape at each frame, (frames, n)."""
+    products, share = _norms()
+    frames = weight.shape[1]
+    precise = np.pad(weight, ((0, 0), (0, LAGS)))
+    thin = np.zeros((len(range(0, frames, STRIDE)), share.shape[0]))
+    for lag in range(LAGS + 1):
+        stiff = np.zeros((BANDS, frames))
+        for k in range(LAGS + 1 - lag):
+            both = habit[k : k + frames, k] * habit[k : k + frames, k + lag]
+            stiff += both * precise[:, k : k + frames]
+        # Windows begin half a filter before the shape does.
+        padded = np.pad(stiff, ((0, 0), (HALF, WIDTH)))
+        windows = sliding_window_view(padded, WIDTH, axis=1)[:, :frames:STRIDE]
+        for b in range(BANDS):
+            thin += windows[b] @ products[b, lag]
+    norm = thin @ share
+    # Where a filter changes within a shape, what it makes of slopes may cancel to nothing.
+    norm = np.maximum(norm, np.maximum(LEAST_NORM * np.median(norm, axis=0), 1e-9))
+    at = np.arange(frames) / STRIDE
+    low = np.minimum(at.astype(int), len(norm) - 1)
+    high = np.minimum(low + 1, len(norm) - 1)
+    part = (at - low)[:, None]
+    return np.asarray(norm[low] * (1 - part) + norm[high] * part)
 
 
 def local_level(score: FloatArray, inner: int = 60, outer: int = 250) -> FloatArray:
     """How large scores usually are around, over what white noise gives: (frames,), at least 0.7.
 
-    The 80th percentile of magnitudes 60 to 250 frames away, over 1.28.
+    The 80th percentile of ``score``, (frames, n) magnitudes, 60 to 250 frames away, over 1.28.
     """
-    some = np.abs(score[::5, ::5])
+    some = score[::10, ::3]
     frames = len(score)
     level = np.empty(len(range(0, frames, 25)))
     for n, t in enumerate(range(0, frames, 25)):
-        left = some[max(0, (t - outer) // 5) : max(0, (t - inner) // 5)]
-        right = some[(t + inner) // 5 : (t + outer) // 5]
+        left = some[max(0, (t - outer) // 10) : max(0, (t - inner) // 10)]
+        right = some[(t + inner) // 10 : (t + outer) // 10]
         around = np.concatenate([left, right]).ravel()
         around = around[around > 0]
-        level[n] = np.quantile(around, 0.8) / 1.28 if len(around) else 1.0
+        k = int(0.8 * len(around))
+        level[n] = np.partition(around, k)[k] / 1.28 if len(around) else 1.0
     return np.asarray(
         np.maximum(np.interp(np.arange(frames), np.arange(0, frames, 25), level), 0.7)
     )

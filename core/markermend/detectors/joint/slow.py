@@ -12,9 +12,11 @@ from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.artifact import Artifact, Kind, axis_columns
 from markermend.detectors.finding import how_long, in_mm, overlap
 from markermend.detectors.joint.bank import LONGEST
-from markermend.detectors.joint.drift import APART, FEATURES, Candidates, Scan, scan
+from markermend.detectors.joint.drift import Candidates, scan
+from markermend.detectors.joint.measures import CROWDS, FEATURES
 from markermend.detectors.joint.shapes import fit_of
 from markermend.detectors.joint.trees import Trees, load_trees
+from markermend.predictors.left_out import distance_spreads
 from markermend.predictors.bridging import bridge
 from markermend.progress import Progress
 from markermend.take import AXES, Take
@@ -28,7 +30,7 @@ PARALLEL_FROM = 60_000
 SHORT_S = 0.1
 """Holes of this length a spline bridges as well as if the marker had been seen."""
 REACH = 6
-_NEIGHBOURS = FEATURES.index("neighbours")
+_LOUDNESS = FEATURES.index("reweighted")
 
 
 @dataclass(frozen=True)
@@ -117,7 +119,7 @@ def _height(x: FloatArray, step: Artifact, axes: list[int]) -> FloatArray:
     return np.asarray(np.mean(edges, axis=0)) if edges else np.zeros(len(axes))
 
 
-def scan_all(ground: Ground, jobs: int, progress: Progress) -> list[Scan]:
+def scan_all(ground: Ground, jobs: int, progress: Progress) -> list[Candidates]:
     """Look for candidates on every marker, in several processes where that pays."""
     from joblib import Parallel, delayed
 
@@ -125,8 +127,9 @@ def scan_all(ground: Ground, jobs: int, progress: Progress) -> list[Scan]:
     if frames < 3 * LONGEST or markers < 4:
         return []
     many = jobs if frames * markers >= PARALLEL_FROM else 1
+    spreads = distance_spreads(ground.positions, ground.trusted)
     calls = (
-        delayed(scan)(ground.positions, m, ground.known[:, m], ground.trusted)
+        delayed(scan)(ground.positions, m, ground.known[:, m], ground.trusted, spreads)
         for m in range(markers)
     )
     scans = []
@@ -140,15 +143,46 @@ def scan_all(ground: Ground, jobs: int, progress: Progress) -> list[Scan]:
     return scans
 
 
-def beside(candidates: Candidates, others: Sequence[FloatArray]) -> Candidates:
-    """Fill in how loud the loudest neighbour is at the middle of each candidate."""
-    rows = candidates.features.copy()
-    for n in range(len(rows)):
-        middle = int(candidates.start[n] + candidates.stop[n]) // 2
-        near = slice(max(0, middle - APART), middle + APART + 1)
-        loudest = max((float(o[near].max(initial=0.0)) for o in others), default=0.0)
-        rows[n, _NEIGHBOURS] = loudest / rows[n, 0]
-    return replace(candidates, features=rows)
+@dataclass(frozen=True, eq=False)
+class Crowd:
+    """How loud candidates are on one take: a threshold that adapts to it.
+
+    Attributes
+    ----------
+    each : of each marker the scores of its candidates, (n,) ascending
+    together : of all markers, ascending
+    minutes : length of the take
+    """
+
+    each: tuple[FloatArray, ...]
+    together: FloatArray
+    minutes: float
+
+    def fill_in(self, candidates: Candidates, marker: int, *, among: bool = True) -> Candidates:
+        """Count how many candidates are at least as loud, on the marker and on the take.
+
+        Parameters
+        ----------
+        candidates : of the marker
+        marker : which
+        among : whether the candidates themselves are part of the crowd
+        """
+        rows = candidates.features.copy()
+        own = rows[:, _LOUDNESS]
+        for column, crowd, minutes in (
+            (CROWDS[0], self.each[marker], self.minutes),
+            (CROWDS[1], self.together, self.minutes * len(self.each)),
+        ):
+            louder = len(crowd) - np.searchsorted(crowd, own) - (1 if among else 0)
+            rows[:, column] = np.log1p(np.maximum(louder, 0) / minutes)
+        return replace(candidates, features=rows)
+
+
+def crowd_of(scans: Sequence[Candidates], ground: Ground) -> Crowd:
+    """Gather the scores of a take's candidates."""
+    each = tuple(np.sort(one.features[:, _LOUDNESS]) for one in scans)
+    minutes = len(ground.positions) / (60.0 * RATE)
+    return Crowd(each, np.sort(np.concatenate(each)), minutes)
 
 
 def find_drifts(
@@ -177,10 +211,11 @@ def find_drifts(
     """
     scans = scan_all(ground, jobs, progress)
     found: list[Drift] = []
+    crowd = crowd_of(scans, ground) if scans else None
     for marker, one in enumerate(scans):
-        if not len(one.candidates.axis):
+        if crowd is None or not len(one):
             continue
-        judged = beside(one.candidates, [scans[n].loudness for n in neighbours[marker]])
+        judged = crowd.fill_in(one, marker)
         sure = 1.0 / (1.0 + np.exp(-trees.log_odds(judged.features)))
         for n in np.flatnonzero(sure >= least):
             start, stop = (int(v[n]) * ground.thin for v in (judged.start, judged.stop))

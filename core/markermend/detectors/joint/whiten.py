@@ -7,7 +7,6 @@ from itertools import pairwise
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
-from scipy.ndimage import median_filter
 
 from markermend.arrays import BoolArray, FloatArray
 
@@ -15,7 +14,7 @@ LAGS, LEADS = 8, 3
 BLOCK, AROUND = 50, 6
 WHOLE_WEIGHT = 0.05
 PASSES = 3
-SIGMA_WINDOW = 65
+SIGMA_WINDOW, STRIDE = 65, 8
 DUST_MM = 0.002
 CLIP = 6.0
 
@@ -36,13 +35,13 @@ class White:
     habit: FloatArray
 
 
-def whiten(residual: FloatArray, predicted: FloatArray, trusted: BoolArray) -> White:
+def whiten(residual: FloatArray, movers: FloatArray, trusted: BoolArray) -> White:
     """Foretell a residual from its own past and from how its body moves, and keep the rest.
 
     Parameters
     ----------
     residual : (frames,) mm, measured minus predicted
-    predicted : (frames,) mm
+    movers : (frames, k) what else may explain it, such as :func:`body_motion`
     trusted : (frames,) bool, samples that may be learned from
 
     Returns
@@ -53,9 +52,7 @@ def whiten(residual: FloatArray, predicted: FloatArray, trusted: BoolArray) -> W
     frames = len(residual)
     residual = residual - np.median(residual)
     past = sliding_window_view(np.pad(residual, (LAGS, 0)), LAGS)[:frames, ::-1]
-    speed = np.gradient(predicted)
-    moves = sliding_window_view(np.pad(speed, LEADS, mode="edge"), 2 * LEADS + 1)
-    columns = np.hstack([past, moves])
+    columns = np.hstack([past, movers])
     scale = np.maximum(columns.std(axis=0), 1e-9)
     columns = columns / scale
     both = np.hstack([columns, residual[:, None]])
@@ -74,11 +71,40 @@ def whiten(residual: FloatArray, predicted: FloatArray, trusted: BoolArray) -> W
         left = left + (1e-5 * size + 1e-12)[:, None, None] * np.eye(count)
         solved = np.linalg.solve(left, gram[:, :, count:])[:, :, 0]
         error = residual - (columns * solved[block_of]).sum(axis=1)
-        sigma = median_filter(np.abs(error), SIGMA_WINDOW, mode="nearest") / 0.6745 + DUST_MM
+        sigma = _local_sigma(error)
         weight = trusted / sigma**2 / np.maximum(1.0, np.abs(error) / (2.5 * sigma))
     habit = np.ones((frames, LAGS + 1))
     habit[:, 1:] = -(solved[:, :LAGS] / scale[:LAGS])[block_of]
     return White(error, sigma, habit)
+
+
+def body_motion(body: FloatArray, *others: FloatArray) -> FloatArray:
+    """Make what a residual may follow besides its own past.
+
+    Parameters
+    ----------
+    body : (frames,) mm, one axis of the prediction
+    others : (frames,) mm each, the same from other references
+
+    Returns
+    -------
+    (frames, 7 + 2 len(others)) the body's velocity three frames back to three ahead; how far the
+    others lie from it, and the velocity of that
+    """
+    moves = sliding_window_view(
+        np.pad(np.gradient(body), LEADS, mode="edge"), 2 * LEADS + 1
+    )
+    apart = [other - body for other in others]
+    return np.column_stack([moves, *apart, *(np.gradient(a) for a in apart)])
+
+
+def _local_sigma(error: FloatArray) -> FloatArray:
+    """Robust standard deviation over 65 frames, worked out every eighth, (frames,) mm."""
+    half = SIGMA_WINDOW // 2
+    windows = sliding_window_view(np.pad(np.abs(error), half, mode="reflect"), SIGMA_WINDOW)
+    level = np.median(windows[::STRIDE], axis=1) / 0.6745 + DUST_MM
+    frames = np.arange(len(error))
+    return np.asarray(np.interp(frames, frames[::STRIDE], level))
 
 
 def _around(grams: FloatArray, reach: int) -> FloatArray:
