@@ -12,7 +12,7 @@ from markermend.detectors.joint.bank import KINDS, bank, local_level, scores
 from markermend.detectors.joint.measures import FEATURES, measure, refine
 from markermend.detectors.joint.views import BODY, look
 
-LEAST = 4.4
+LEAST = 4.8
 APART = 15
 
 
@@ -52,7 +52,7 @@ def scan(
     marker : column
     known : (frames, 3) bool, samples of the target that are measured and not damaged
     trusted : (frames, markers) bool, samples that may be learned from
-    spreads : (markers, markers) from :func:`markermend.predictors.left_out.distance_spreads`
+    spreads : (markers, markers) from :func:`markermend.predictors.cross_fit.distance_spreads`
 
     Returns
     -------

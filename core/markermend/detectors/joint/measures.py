@@ -19,7 +19,8 @@ FEATURES = (
     *("start share", "apex share", "end share"),
     *("lowest band", "low band", "high band", "highest band"),
     *("lowest share", "low share", "high share"),
-    *("t ratio", "left over", "before", "after"),
+    *("without a part", "without a band", "weakest view"),
+    *("t ratio", "t gain", "left over", "before", "after"),
     *("even", "odd", "own", "even height", "odd height", "own height"),
     *("other axis", "third axis", "other t", "all axes loud"),
     *("rectangle", "hann", "saw up", "saw down", "step in", "step out", "early", "late", "wide"),
@@ -84,7 +85,7 @@ def measure(
     within = (frame >= HALF) & (frame < (length + LAGS + HALF)[:, None, None])
     raw, sign = seen.score, np.sign(push.sum(axis=1))
     loud = np.maximum(np.abs(raw), 1e-6)
-    parts, shares, chi = _parts(seen, length)
+    parts, shares, chi, without_part = _parts(seen, length)
     softened = chi / (1.0 + (0.15 * raw) ** 2 / 4)
     reweighted = loud / np.maximum(1.0, ((1 + (softened / 4) ** 3) / 2) ** (1 / 6))
     size, ratio = _robust(seen, within)
@@ -93,6 +94,7 @@ def measure(
     left = (within * rest**2 * seen.weight).sum(axis=(1, 2))
     count = np.maximum((within & (seen.weight[:, :1] > 0)).sum(axis=(1, 2)), 1)
     flank = [_activity(views, axis, at, length) for at in (start - length, start + length + LAGS)]
+    views_seen = [see(views, v, axis, start, shapes) for v in (EVEN, ODD, OWN)]
     columns = [
         loud / level,
         reweighted / level,
@@ -105,11 +107,14 @@ def measure(
         *shares[:, [0, 2, 4]].T,
         *(push * sign[:, None] / np.sqrt(mass)).T,
         *(mass / mass.sum(axis=1, keepdims=True))[:, :3].T,
+        without_part / level,
+        _without_one(push, mass) / level,
+        np.min([v.score * sign for v in views_seen[:2]], axis=0) / level,
         ratio / loud**2,
+        np.sqrt(np.maximum(ratio, 0.0)) / level,
         left / np.maximum(power, 1e-9),
         *(np.log((left / count + 0.1) / (f + 0.1)) for f in flank),
     ]
-    views_seen = [see(views, v, axis, start, shapes) for v in (EVEN, ODD, OWN)]
     columns += [v.score * sign / loud for v in views_seen]
     columns += [np.clip(v.height / np.where(size == 0, 1e-6, size), -3, 3) for v in views_seen]
     columns += _other_axes(views, axis, start, shapes, loud)
@@ -119,8 +124,10 @@ def measure(
     return size, np.column_stack(columns)
 
 
-def _parts(seen: Seen, length: IntArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Kinks and flanks: how far each stands from the whole, its share, and χ² of all."""
+def _parts(
+    seen: Seen, length: IntArray
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+    """Kinks and flanks: how far each stands from the whole, its share, χ²; score without one."""
     t = np.arange(seen.shape.shape[2])[None, :] - HALF
     middle = length[:, None] // 2 - 2
     end = length[:, None] - 2
@@ -132,7 +139,15 @@ def _parts(seen: Seen, length: IntArray) -> tuple[FloatArray, FloatArray, FloatA
     height = push.sum(axis=1) / mass.sum(axis=1)
     parts = (push - height[:, None] * mass) / np.sqrt(mass)
     chi = (push**2 / mass).sum(axis=1) - push.sum(axis=1) ** 2 / mass.sum(axis=1)
-    return parts, mass / mass.sum(axis=1, keepdims=True), np.maximum(chi, 0.0)
+    shares = mass / mass.sum(axis=1, keepdims=True)
+    return parts, shares, np.maximum(chi, 0.0), _without_one(push, mass)
+
+
+def _without_one(push: FloatArray, mass: FloatArray) -> FloatArray:
+    """The score that stays without whichever part, or band, it stands on most, (n,)."""
+    push = push * np.sign(push.sum(axis=1, keepdims=True))
+    rest = np.maximum(mass.sum(axis=1, keepdims=True) - mass, 1e-9)
+    return np.asarray(((push.sum(axis=1, keepdims=True) - push) / np.sqrt(rest)).min(axis=1))
 
 
 def _robust(seen: Seen, within: BoolArray) -> tuple[FloatArray, FloatArray]:

@@ -16,7 +16,7 @@ from markermend.detectors.joint.drift import Candidates, scan
 from markermend.detectors.joint.measures import CROWDS, FEATURES
 from markermend.detectors.joint.shapes import fit_of
 from markermend.detectors.joint.trees import Trees, load_trees
-from markermend.predictors.left_out import distance_spreads
+from markermend.predictors.cross_fit import distance_spreads
 from markermend.predictors.bridging import bridge
 from markermend.progress import Progress
 from markermend.take import AXES, Take

@@ -15,13 +15,23 @@ from markermend.detectors.finding import overlap
 from markermend.detectors.joint.bank import KINDS, LONGEST, SHORTEST, shape_of
 from markermend.detectors.joint.detect import detect_joint
 from markermend.detectors.joint.drift import Candidates, scan
+from markermend.detectors.joint.measures import FEATURES
 from markermend.detectors.joint.params import JointParams
 from markermend.detectors.joint.slow import Crowd, Ground, crowd_of, prepare, scan_all
-from markermend.predictors.left_out import distance_spreads
-from markermend.progress import Progress, quiet
+from markermend.detectors.joint.trees import Trees, from_scikit, rescaled
+from markermend.predictors.cross_fit import distance_spreads
+from markermend.progress import quiet
 from markermend.simulation import contaminate
 from markermend.take import Take, is_unlabelled
 
+DENSITY = 0.2
+"""Drifts a marker and minute that confidence reckons with."""
+RAISED = 20.0
+"""Drifts count so many times as often in learning; their odds are set right afterwards."""
+FOLDS, MODELS, TREES = 4, 3, 220
+RISING = ("score", "reweighted", "raw score", "without a part", "without a band")
+RISING += ("weakest view", "t gain", "over spread")
+FALLING = ("chi²", "left over", "crowd", "take crowd")
 AMPLITUDES_MM = (5.0, 10.0, 20.0)
 MEAN_LENGTH, APART = 50, 150
 SUDDEN, SHARE = (Kind.PEAK, Kind.NOISE, Kind.STEP), 0.05
@@ -145,3 +155,71 @@ def _hits(
             touched[i] = j
             real[i] = shares[j] >= REAL and drifts[j][2][int(candidates.axis[i])]
     return real, touched
+
+
+def fit_slow(takes: Sequence[Examples], *, seed: int = 0) -> Trees:
+    """Learn confidence from the examples of several takes.
+
+    Parameters
+    ----------
+    takes : examples of each take, two at least
+    seed : same examples and seed, same trees
+
+    Returns
+    -------
+    Trees whose log odds hold where :data:`DENSITY` drifts come on a marker and minute. How far
+    they may be believed on a take that was not learned from is found by leaving takes out, and
+    their odds are drawn together accordingly.
+    """
+    folds = [take for take in range(len(takes))]
+    held_out, truth, weight = [], [], []
+    for fold in range(min(FOLDS, len(takes))):
+        others = [takes[k] for k in folds if k % FOLDS != fold]
+        trees = from_scikit([_boost(others, seed)])
+        for k in folds:
+            if k % FOLDS == fold:
+                held_out.append(trees.log_odds(takes[k].features))
+                truth.append(takes[k].real)
+                weight.append(_weights(takes[k]))
+    odds, real, counts = (np.concatenate(v) for v in (held_out, truth, weight))
+    slope, shift = _straightened(odds - np.log(RAISED), real, counts)
+    trees = from_scikit([_boost(takes, seed + n) for n in range(MODELS)])
+    return rescaled(trees, slope, shift - slope * np.log(RAISED))
+
+
+def _weights(examples: Examples) -> FloatArray:
+    """How often each candidate comes for once that the clean take is seen."""
+    drifts = max(len(examples.drawn), 1)
+    return np.where(examples.drift >= 0, DENSITY * examples.minutes / drifts, 1.0)
+
+
+def _boost(takes: Sequence[Examples], seed: int) -> Any:
+    """One fitted ``HistGradientBoostingClassifier``."""
+    from sklearn.ensemble import HistGradientBoostingClassifier
+
+    features = np.concatenate([take.features for take in takes])
+    real = np.concatenate([take.real for take in takes])
+    raised = np.concatenate(
+        [_weights(take) * np.where(take.drift >= 0, RAISED, 1.0) for take in takes]
+    )
+    slopes = [(name in RISING) - (name in FALLING) for name in FEATURES]
+    model = HistGradientBoostingClassifier(
+        max_iter=TREES,
+        learning_rate=0.07,
+        max_depth=4,
+        min_samples_leaf=40,
+        l2_regularization=5.0,
+        max_features=0.5,
+        monotonic_cst=slopes,
+        early_stopping=False,
+        random_state=seed,
+    )
+    return model.fit(features, real, sample_weight=raised)
+
+
+def _straightened(odds: FloatArray, real: BoolArray, weight: FloatArray) -> tuple[float, float]:
+    """Slope and shift by which log odds become true on what was left out."""
+    from sklearn.linear_model import LogisticRegression
+
+    model = LogisticRegression(C=1e6).fit(odds[:, None], real, sample_weight=weight)
+    return float(model.coef_[0, 0]), float(model.intercept_[0])

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from markermend.arrays import FloatArray, IntArray
-
-DEPTH = 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,12 +34,12 @@ class Trees:
 
     def log_odds(self, rows: FloatArray) -> FloatArray:
         """Log odds of each row: (n, features) to (n,)."""
-        # Thresholds were learned on numbers rounded so.
-        rows = rows.astype(np.float32)
         trees = np.arange(len(self.feature))
         node = np.zeros((len(rows), len(trees)), dtype=np.int64)
-        for _ in range(DEPTH):
+        while True:
             column = self.feature[trees, node]
+            if (column < 0).all():
+                break
             asked = np.take_along_axis(rows, np.maximum(column, 0), axis=1)
             step = np.where(
                 asked <= self.threshold[trees, node],
@@ -55,10 +54,10 @@ class Trees:
         np.savez_compressed(
             path,
             feature=self.feature.astype(np.int16),
-            threshold=self.threshold,
+            threshold=self.threshold.astype(np.float32),
             left=self.left.astype(np.int16),
             right=self.right.astype(np.int16),
-            value=self.value,
+            value=self.value.astype(np.float32),
             bias=np.array(self.bias),
         )
 
@@ -76,22 +75,30 @@ def load_trees(path: Path) -> Trees:
         )
 
 
-def from_scikit(model: Any) -> Trees:
-    """Take the trees out of a fitted ``GradientBoostingClassifier`` of two classes."""
-    inner = [tree.tree_ for tree in model.estimators_[:, 0]]
-    nodes = max(t.node_count for t in inner)
+def from_scikit(models: Sequence[Any]) -> Trees:
+    """Take the trees out of fitted ``HistGradientBoostingClassifier``s of two classes.
 
-    def padded(values: Any, fill: float) -> FloatArray:
-        return np.pad(
-            np.asarray(values, dtype=np.float64), (0, nodes - len(values)), constant_values=fill
-        )
+    Their log odds are averaged.
+    """
+    inner = [tree.nodes for model in models for (tree,) in model._predictors]
+    nodes = max(len(t) for t in inner)
+    share = 1.0 / len(models)
 
-    prior = float(model.init_.class_prior_[1])
+    def padded(column: str, fill: float) -> FloatArray:
+        values = [np.asarray(t[column], dtype=np.float64) for t in inner]
+        return np.stack([np.pad(v, (0, nodes - len(v)), constant_values=fill) for v in values])
+
+    leaf = padded("is_leaf", 1.0) > 0
     return Trees(
-        np.stack([np.maximum(padded(t.feature, -1), -1) for t in inner]).astype(np.int64),
-        np.stack([padded(t.threshold, 0) for t in inner]),
-        np.stack([np.maximum(padded(t.children_left, 0), 0) for t in inner]).astype(np.int64),
-        np.stack([np.maximum(padded(t.children_right, 0), 0) for t in inner]).astype(np.int64),
-        np.stack([padded(t.value[:, 0, 0] * model.learning_rate, 0) for t in inner]),
-        float(np.log(prior / (1 - prior))),
+        np.where(leaf, -1, padded("feature_idx", 0)).astype(np.int64),
+        np.where(leaf, 0.0, padded("num_threshold", 0)),
+        padded("left", 0).astype(np.int64),
+        padded("right", 0).astype(np.int64),
+        np.where(leaf, share * padded("value", 0), 0.0),
+        share * sum(float(model._baseline_prediction[0, 0]) for model in models),
     )
+
+
+def rescaled(trees: Trees, slope: float, shift: float) -> Trees:
+    """Trees whose log odds are ``slope`` times the old ones plus ``shift``."""
+    return replace(trees, value=slope * trees.value, bias=slope * trees.bias + shift)

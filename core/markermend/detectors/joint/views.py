@@ -11,7 +11,7 @@ from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.detectors.joint.bands import BANDS, HALF, filter_matrix, split
 from markermend.detectors.joint.bank import LONGEST
 from markermend.detectors.joint.whiten import LAGS, body_motion, whiten
-from markermend.predictors.left_out import predict_left_out
+from markermend.predictors.cross_fit import predict_cross_fitted
 from markermend.predictors.local import INPUT_MARKERS
 
 BODY, EVEN, ODD, OWN = range(4)
@@ -53,7 +53,7 @@ def look(
     marker : column
     known : (frames, 3) bool, samples of the target that are measured and not damaged
     trusted : (frames, markers) bool, samples that may be learned from
-    spreads : (markers, markers) from :func:`markermend.predictors.left_out.distance_spreads`
+    spreads : (markers, markers) from :func:`markermend.predictors.cross_fit.distance_spreads`
 
     Returns
     -------
@@ -62,7 +62,7 @@ def look(
     """
     order = np.argsort(spreads[marker], kind="stable")
     order = order[np.isfinite(spreads[marker][order])]
-    predicted = predict_left_out(positions, marker, order[:INPUT_MARKERS], trusted)
+    predicted = predict_cross_fitted(positions, marker, order[:INPUT_MARKERS], trusted)
     judged = known & ~np.isnan(predicted)
     if judged.all(axis=1).sum() < 3 * LONGEST:
         return None
@@ -70,7 +70,7 @@ def look(
     halves = []
     for first in (0, 1):
         half = order[first : 2 * INPUT_MARKERS : 2]
-        p = predict_left_out(positions, marker, half, trusted)
+        p = predict_cross_fitted(positions, marker, half, trusted)
         halves.append(np.where(np.isnan(p), body, p))
     whites = []
     for axis in range(3):

@@ -45,7 +45,7 @@ def distance_spreads(positions: FloatArray, usable: BoolArray) -> FloatArray:
     return spread
 
 
-def predict_left_out(
+def predict_cross_fitted(
     positions: FloatArray, marker: int, references: IntArray, usable: BoolArray
 ) -> FloatArray:
     """Foretell a marker all through a take.
