@@ -48,9 +48,42 @@ def _run_sudden(options: argparse.Namespace) -> int:
     return 0
 
 
+def _run_slow(options: argparse.Namespace) -> int:
+    """Learn the trees of slow changes."""
+    from itertools import chain
+    from pathlib import Path
+
+    from markermend.detectors.joint.slow_training import collect_slow, dressed, fit_slow
+    from markermend.detectors.joint.training import performers
+    from markermend.errors import MethodError
+
+    check_outputs([options.output], source=None, force=options.force)
+    known = [(c.take, c.flaws) for c in clean_takes(options.takes, options.flaws)]
+    known += [(take, ()) for take in performers(options.performers, options.seed)]
+    folder = Path(options.poses) if options.poses else None
+    if folder and not any(folder.glob("*.amc")):
+        raise MethodError(f"There are no skeleton recordings (.amc) in {folder}.")
+    worn = dressed(folder, options.sets, options.seed) if folder else iter(())
+    with Bar() as bar:
+        examples = collect_slow(
+            chain(known, ((take, ()) for take in worn)),
+            rounds=options.rounds,
+            seed=options.seed,
+            jobs=options.jobs,
+            count=len(known) + (options.sets * len(list(folder.glob("*.amc"))) if folder else 0),
+            progress=bar,
+        )
+        if len(examples) < 2:
+            raise MethodError("Training slow changes needs two takes at least.")
+        fit_slow(examples, seed=options.seed).save(Path(options.output))
+    drifts = sum(len(e.drawn) for e in examples)
+    say(f"Learned from {drifts} drifts in {len(examples)} takes. Written: {options.output}.")
+    return 0
+
+
 def _figure(value: float) -> str:
     """Three digits, or a dash where there is nothing to measure."""
     return "–" if value != value else f"{value:.3f}"
 
 
-RUN = {"sudden": _run_sudden}
+RUN = {"sudden": _run_sudden, "slow": _run_slow}

@@ -6,13 +6,14 @@ import argparse
 
 MODELS = {
     "sudden": "how sure peaks, heavy noise and steps are: one curve a class",
+    "slow": "how sure slow changes are: boosted trees on what is measured of each",
 }
 """What can be trained; :mod:`markermend.cli.train` has a function for each."""
 
 
 def add_training(parser: argparse.ArgumentParser) -> None:
     """Give ``train`` a command for each model."""
-    adders = {"sudden": _add_sudden}
+    adders = {"sudden": _add_sudden, "slow": _add_slow}
     names = parser.add_subparsers(dest="model", metavar="MODEL", required=True)
     for name, summary in MODELS.items():
         adders[name](
@@ -20,13 +21,35 @@ def add_training(parser: argparse.ArgumentParser) -> None:
         )
 
 
-def _add_sudden(p: argparse.ArgumentParser) -> None:
+def _add_takes(p: argparse.ArgumentParser) -> None:
     p.add_argument("takes", metavar="TAKE", nargs="*", help="clean recordings")
     p.add_argument(
         "--flaws",
         metavar="FOLDER",
         help="what is damaged in TAKE already, as JSON of “detect” named after it; left out",
     )
+
+
+def _add_slow(p: argparse.ArgumentParser) -> None:
+    _add_takes(p)
+    p.add_argument(
+        "--poses",
+        metavar="FOLDER",
+        help="skeleton recordings (AMC and ASF) that markers are put on",
+    )
+    for name, usual, what in (
+        ("--sets", 4, "marker sets put on each skeleton recording"),
+        ("--performers", 6, "simulated performers beside them"),
+        ("--rounds", 1, "copies of each marker that drifts are put into"),
+        ("--jobs", -1, "processes, -1 for one a core"),
+    ):
+        help = f"{what} (default: {usual})"
+        p.add_argument(name, metavar="N", type=int, default=usual, help=help)
+    add_model_output(p)
+
+
+def _add_sudden(p: argparse.ArgumentParser) -> None:
+    _add_takes(p)
     p.add_argument(
         "--performers",
         metavar="N",

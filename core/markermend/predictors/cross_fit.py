@@ -6,6 +6,8 @@ itself and the stretches beside it; closed form, from Gram matrices added up by 
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
@@ -95,7 +97,7 @@ def _left_out(
     """Weighted ridge regression, each block by a fit without it and the blocks beside it."""
     both = np.hstack([features, goal])
     weighted = features * weight[:, None]
-    blocks = list(zip(edges[:-1], edges[1:], strict=True))
+    blocks = list(pairwise(edges))
     grams = np.stack([weighted[a:b].T @ both[a:b] for a, b in blocks])
     masses = np.array([weight[a:b].sum() for a, b in blocks])
     padded = np.pad(grams, ((1, 1), (0, 0), (0, 0)))

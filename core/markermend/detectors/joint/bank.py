@@ -74,7 +74,7 @@ def _norms() -> tuple[FloatArray, FloatArray]:
     products : (bands, lags, width, some)
     share : (some, n) interpolates over lengths
     """
-    shapes, names = bank()
+    _, names = bank()
     some = [(kind, length) for kind in KINDS for length in KNOTS]
     rows = np.stack([np.pad(shape_of(*name), (HALF, WIDTH - HALF - name[1])) for name in some])
     parts = (rows @ filter_matrix(WIDTH)).reshape(len(some), BANDS, WIDTH)
@@ -106,6 +106,7 @@ def scores(parts: FloatArray, weight: FloatArray, habit: FloatArray) -> FloatArr
     """
     shapes, names = bank()
     frames = len(habit)
+    norm = _norm(weight, habit)
     habit = np.pad(habit, ((0, LAGS), (0, 0)))
     pulled = sum(
         np.convolve(e * w, taps, "same")
@@ -116,7 +117,6 @@ def scores(parts: FloatArray, weight: FloatArray, habit: FloatArray) -> FloatArr
     for k in range(LAGS + 1):
         push += habit[k : k + frames, k] * pulled[k : k + frames]
     windows = sliding_window_view(np.pad(push, (0, LONGEST - 1)), LONGEST)
-    norm = _norm(weight, habit)
     inside = np.arange(frames)[:, None] + np.array([n for _, n in names]) <= frames
     return np.where(inside, (windows @ shapes) / np.sqrt(norm), 0.0)
 
@@ -125,16 +125,18 @@ def _norm(weight: FloatArray, habit: FloatArray) -> FloatArray:
     """Variance of the matched filter of each shape at each frame, (frames, n)."""
     products, share = _norms()
     frames = weight.shape[1]
-    precise = np.pad(weight, ((0, 0), (0, LAGS)))
+    # Windows begin half a filter before the shape does. Beyond the take all is as at its ends:
+    # cut off, the lags of a slope would no longer cancel.
+    long = frames + WIDTH
+    precise = np.pad(weight, ((0, 0), (HALF, WIDTH + LAGS)), mode="edge")
+    habit = np.pad(habit, ((HALF, WIDTH + LAGS), (0, 0)), mode="edge")
     thin = np.zeros((len(range(0, frames, STRIDE)), share.shape[0]))
     for lag in range(LAGS + 1):
-        stiff = np.zeros((BANDS, frames))
+        stiff = np.zeros((BANDS, long))
         for k in range(LAGS + 1 - lag):
-            both = habit[k : k + frames, k] * habit[k : k + frames, k + lag]
-            stiff += both * precise[:, k : k + frames]
-        # Windows begin half a filter before the shape does.
-        padded = np.pad(stiff, ((0, 0), (HALF, WIDTH)))
-        windows = sliding_window_view(padded, WIDTH, axis=1)[:, :frames:STRIDE]
+            both = habit[k : k + long, k] * habit[k : k + long, k + lag]
+            stiff += both * precise[:, k : k + long]
+        windows = sliding_window_view(stiff, WIDTH, axis=1)[:, :frames:STRIDE]
         for b in range(BANDS):
             thin += windows[b] @ products[b, lag]
     norm = thin @ share

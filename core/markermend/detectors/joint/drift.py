@@ -64,7 +64,9 @@ def scan(
     kinds, lengths = (np.array(v) for v in zip(*bank()[1], strict=True))
     found = []
     for axis in range(3):
-        score = np.abs(scores(views.error[BODY, axis], views.weight[BODY, axis], views.habit[BODY, axis]))
+        score = np.abs(
+            scores(views.error[BODY, axis], views.weight[BODY, axis], views.habit[BODY, axis])
+        )
         levels = {kind: local_level(score[:, kinds == kind]) for kind in KINDS}
         relative = np.hstack([score[:, kinds == kind] / levels[kind][:, None] for kind in KINDS])
         best = relative.argmax(axis=1)

@@ -124,9 +124,7 @@ def measure(
     return size, np.column_stack(columns)
 
 
-def _parts(
-    seen: Seen, length: IntArray
-) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+def _parts(seen: Seen, length: IntArray) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
     """Kinks and flanks: how far each stands from the whole, its share, χ²; score without one."""
     t = np.arange(seen.shape.shape[2])[None, :] - HALF
     middle = length[:, None] // 2 - 2

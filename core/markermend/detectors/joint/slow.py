@@ -16,8 +16,8 @@ from markermend.detectors.joint.drift import Candidates, scan
 from markermend.detectors.joint.measures import CROWDS, FEATURES
 from markermend.detectors.joint.shapes import fit_of
 from markermend.detectors.joint.trees import Trees, load_trees
-from markermend.predictors.cross_fit import distance_spreads
 from markermend.predictors.bridging import bridge
+from markermend.predictors.cross_fit import distance_spreads
 from markermend.progress import Progress
 from markermend.take import AXES, Take
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -19,9 +20,11 @@ from markermend.detectors.joint.measures import FEATURES
 from markermend.detectors.joint.params import JointParams
 from markermend.detectors.joint.slow import Crowd, Ground, crowd_of, prepare, scan_all
 from markermend.detectors.joint.trees import Trees, from_scikit, rescaled
+from markermend.files.pose import read_pose
 from markermend.predictors.cross_fit import distance_spreads
-from markermend.progress import quiet
+from markermend.progress import Progress, quiet
 from markermend.simulation import contaminate
+from markermend.simulation.dress import dress
 from markermend.take import Take, is_unlabelled
 
 DENSITY = 0.2
@@ -29,9 +32,12 @@ DENSITY = 0.2
 RAISED = 20.0
 """Drifts count so many times as often in learning; their odds are set right afterwards."""
 FOLDS, MODELS, TREES = 4, 3, 220
-RISING = ("score", "reweighted", "raw score", "without a part", "without a band")
-RISING += ("weakest view", "t gain", "over spread")
+RISING = (
+    *("score", "reweighted", "raw score", "without a part", "without a band"),
+    *("weakest view", "t gain", "over spread"),
+)
 FALLING = ("chi²", "left over", "crowd", "take crowd")
+MARKERS, LEAST_S = (12, 81), 6.0
 AMPLITUDES_MM = (5.0, 10.0, 20.0)
 MEAN_LENGTH, APART = 50, 150
 SUDDEN, SHARE = (Kind.PEAK, Kind.NOISE, Kind.STEP), 0.05
@@ -157,6 +163,71 @@ def _hits(
     return real, touched
 
 
+def collect_slow(
+    takes: Iterable[tuple[Take, Sequence[Artifact]]],
+    *,
+    rounds: int,
+    seed: int,
+    jobs: int = -1,
+    count: int = 0,
+    progress: Progress | None = None,
+) -> list[Examples]:
+    """Measure candidates on several takes, on every other one after it was suddenly damaged.
+
+    Parameters
+    ----------
+    takes : clean recordings, each with what is damaged in it already
+    rounds : damaged copies of each marker
+    seed : same takes and seed, same examples
+    jobs : processes, a take each
+    count : of takes, for the progress
+    progress : told after each take; may raise ``Cancelled``
+    """
+    from joblib import Parallel, delayed
+
+    report, collected = progress or quiet, []
+    calls = (
+        delayed(_one_take)(take, flaws, rounds, seed + i, i % 2 == 1)
+        for i, (take, flaws) in enumerate(takes)
+    )
+    results = Parallel(n_jobs=jobs, return_as="generator", pre_dispatch="2*n_jobs")(calls)
+    try:
+        for examples in results:
+            collected.append(examples)
+            report(len(collected) / max(count, len(collected)), "drifting")
+    finally:
+        results.close()
+    return collected
+
+
+def _one_take(
+    take: Take, flaws: Sequence[Artifact], rounds: int, seed: int, worn: bool
+) -> Examples:
+    """Examples of one take, as it is or after it was suddenly damaged."""
+    if worn:
+        take, found = suddenly_damaged(take, seed)
+        flaws = [*flaws, *found]
+    return examples_of(take, flaws, rounds=rounds, seed=seed)
+
+
+def dressed(folder: Path, sets: int, seed: int) -> Iterator[Take]:
+    """Skeleton recordings of a folder under marker sets of 12 to 80 markers, one after another.
+
+    Parameters
+    ----------
+    folder : with AMC files and their ASF
+    sets : marker sets for each recording; those shorter than six seconds are passed over
+    seed : same seed, same takes
+    """
+    for number in range(sets):
+        for i, path in enumerate(sorted(folder.glob("*.amc"))):
+            pose = read_pose(path)
+            if len(pose.positions) >= LEAST_S * pose.rate:
+                one = seed + 1000 * number + i
+                markers = int(np.random.default_rng(one).integers(*MARKERS))
+                yield dress(pose, markers=markers, seed=one)
+
+
 def fit_slow(takes: Sequence[Examples], *, seed: int = 0) -> Trees:
     """Learn confidence from the examples of several takes.
 
@@ -171,8 +242,10 @@ def fit_slow(takes: Sequence[Examples], *, seed: int = 0) -> Trees:
     they may be believed on a take that was not learned from is found by leaving takes out, and
     their odds are drawn together accordingly.
     """
-    folds = [take for take in range(len(takes))]
-    held_out, truth, weight = [], [], []
+    folds = range(len(takes))
+    held_out: list[FloatArray] = []
+    truth: list[BoolArray] = []
+    weight: list[FloatArray] = []
     for fold in range(min(FOLDS, len(takes))):
         others = [takes[k] for k in folds if k % FOLDS != fold]
         trees = from_scikit([_boost(others, seed)])
@@ -181,8 +254,8 @@ def fit_slow(takes: Sequence[Examples], *, seed: int = 0) -> Trees:
                 held_out.append(trees.log_odds(takes[k].features))
                 truth.append(takes[k].real)
                 weight.append(_weights(takes[k]))
-    odds, real, counts = (np.concatenate(v) for v in (held_out, truth, weight))
-    slope, shift = _straightened(odds - np.log(RAISED), real, counts)
+    odds = np.concatenate(held_out) - np.log(RAISED)
+    slope, shift = _straightened(odds, np.concatenate(truth), np.concatenate(weight))
     trees = from_scikit([_boost(takes, seed + n) for n in range(MODELS)])
     return rescaled(trees, slope, shift - slope * np.log(RAISED))
 

@@ -54,7 +54,7 @@ class Trees:
         np.savez_compressed(
             path,
             feature=self.feature.astype(np.int16),
-            threshold=self.threshold.astype(np.float32),
+            threshold=self.threshold,
             left=self.left.astype(np.int16),
             right=self.right.astype(np.int16),
             value=self.value.astype(np.float32),

@@ -73,6 +73,8 @@ def whiten(residual: FloatArray, movers: FloatArray, trusted: BoolArray) -> Whit
         error = residual - (columns * solved[block_of]).sum(axis=1)
         sigma = _local_sigma(error)
         weight = trusted / sigma**2 / np.maximum(1.0, np.abs(error) / (2.5 * sigma))
+    # The first have no past to be foretold from.
+    error[:LAGS] = 0.0
     habit = np.ones((frames, LAGS + 1))
     habit[:, 1:] = -(solved[:, :LAGS] / scale[:LAGS])[block_of]
     return White(error, sigma, habit)
@@ -91,9 +93,7 @@ def body_motion(body: FloatArray, *others: FloatArray) -> FloatArray:
     (frames, 7 + 2 len(others)) the body's velocity three frames back to three ahead; how far the
     others lie from it, and the velocity of that
     """
-    moves = sliding_window_view(
-        np.pad(np.gradient(body), LEADS, mode="edge"), 2 * LEADS + 1
-    )
+    moves = sliding_window_view(np.pad(np.gradient(body), LEADS, mode="edge"), 2 * LEADS + 1)
     apart = [other - body for other in others]
     return np.column_stack([moves, *apart, *(np.gradient(a) for a in apart)])
 
