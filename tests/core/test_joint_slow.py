@@ -200,3 +200,17 @@ def test_a_marker_without_a_body_has_no_candidates():
     known = ~np.isnan(positions)
     seen = known.all(axis=2)
     assert len(scan(positions, 0, known[:, 0], seen, distance_spreads(positions, seen))) == 0
+
+
+def test_the_ceiling_rises_with_size_and_sinks_with_round_kinks():
+    from markermend.bench.ceiling import ceiling_table, slow_ceiling
+    from markermend.bench.e1 import Clean
+
+    take = simulate_clean(duration_s=6.0, rate=120.0, seed=2, labels=LABELS)
+    sharp, *_, hann = found = slow_ceiling(Clean("one", take), seed=1)
+    assert found == slow_ceiling(Clean("one", take), seed=1)
+    assert list(sharp.shares) == sorted(sharp.shares)
+    assert 0.0 < hann.shares[0] < sharp.shares[0] <= 1.0
+    assert "hann" in ceiling_table(found)[-1]
+    few = Take(take.positions[:, :3], take.labels[:3], take.rate)
+    assert slow_ceiling(Clean("few", few)) == []

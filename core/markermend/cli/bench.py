@@ -21,6 +21,7 @@ def run(options: argparse.Namespace) -> int:
 
 def _run_e1(options: argparse.Namespace) -> int:
     """Contaminate takes, detect, and show the measures."""
+    from markermend.bench.ceiling import ceiling_table, slow_ceiling
     from markermend.bench.e1 import COMPANIONS, e1
     from markermend.bench.e1_svg import e1_figures, figure_names
     from markermend.bench.e1_text import e1_csv, e1_table
@@ -55,7 +56,12 @@ def _run_e1(options: argparse.Namespace) -> int:
     if options.csv is not None:
         write_text(options.csv, e1_csv(rows))
     if options.csv != STDOUT:
-        for line in e1_table(rows):
+        ceilings = (
+            []
+            if options.no_slow
+            else [c for t in takes for c in slow_ceiling(t, seed=options.seed, jobs=options.jobs)]
+        )
+        for line in [*e1_table(rows), *ceiling_table(ceilings)]:
             say(line)
     return 0
 
