@@ -93,7 +93,7 @@ def _clearness(
         see(views, BODY, axis, start, stack(np.repeat(kind, len(length)), length)).power.sum(axis=1)
         for kind in KINDS
     ]
-    return np.sqrt(np.stack(powers, axis=1))
+    return np.asarray(np.sqrt(np.stack(powers, axis=1)))
 
 
 def ceiling_table(ceilings: Sequence[Ceiling]) -> list[str]:
