@@ -29,7 +29,7 @@ def performers(frames: int, markers: int) -> Take:
         simulate_clean(duration_s=frames / RATE, rate=RATE, seed=n)
         for n in range(-(-markers // 53))
     ]
-    positions = [p.positions + [2000.0 * n, 0.0, 0.0] for n, p in enumerate(people)]
+    positions = [p.positions + 2000.0 * n for n, p in enumerate(people)]
     labels = [f"P{n}:{label}" for n, p in enumerate(people) for label in p.labels]
     return Take(np.concatenate(positions, axis=1)[:, :markers], tuple(labels[:markers]), RATE)
 

@@ -8,7 +8,7 @@ import pytest
 import markermend as mm
 from markermend.artifact import Artifact, Kind
 from markermend.detectors.joint import JointParams
-from markermend.detectors.joint.bands import filters, split
+from markermend.detectors.joint.bands import clipped, filters, split
 from markermend.detectors.joint.bank import KINDS, bank, scores, shape_of
 from markermend.detectors.joint.drift import scan
 from markermend.detectors.joint.measures import FEATURES
@@ -54,7 +54,8 @@ def test_whitening_recovers_the_innovations():
 
 def scored(red):
     white = whiten(red, np.zeros((len(red), 0)), np.ones(len(red), dtype=bool))
-    return scores(*split(white.error), white.habit)
+    parts, weight = split(white.error)
+    return scores(clipped(parts, weight), weight, white.habit)
 
 
 @pytest.mark.parametrize("kind", list(KINDS))
@@ -88,11 +89,12 @@ def test_scores_are_those_of_the_exact_filters():
     error = rng.standard_normal(frames) * np.linspace(0.5, 2.0, frames)
     habit = np.tile([1.0, -1.4, 0.5, -0.05, 0, 0, 0, 0, 0], (frames, 1))
     parts, weight = split(error)
-    four, three = (VIEWS, 3, 1, 1), (VIEWS, 3, 1, 1)
+    each = (VIEWS, 3, 1, 1)
     views = Views(
-        np.tile(parts, four),
-        np.tile(weight, four),
-        np.tile(habit, three),
+        np.tile(parts, each),
+        np.tile(weight, each),
+        np.tile(habit, each),
+        np.tile(parts, (3, 1, 1)),
         np.zeros((frames, 3)),
         np.zeros((frames, 3)),
     )

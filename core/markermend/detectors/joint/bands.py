@@ -54,16 +54,20 @@ def split(error: FloatArray) -> tuple[FloatArray, FloatArray]:
 
     Returns
     -------
-    parts : (bands, frames) mm, clipped
+    parts : (bands, frames) mm
     weight : (bands, frames) 1/mm², inverse noise power of a band, were it as wide as all together
     """
     parts = np.stack([np.convolve(error, taps, "same") for taps in filters()])
     weight = np.empty_like(parts)
     for b in range(BANDS):
-        sigma = _loudness(parts[b], WINDOWS[b])
-        np.clip(parts[b], -CLIPS[b] * sigma, CLIPS[b] * sigma, out=parts[b])
-        weight[b] = WIDTHS[b] / sigma**2
+        weight[b] = WIDTHS[b] / _loudness(parts[b], WINDOWS[b]) ** 2
     return parts, weight
+
+
+def clipped(parts: FloatArray, weight: FloatArray) -> FloatArray:
+    """Innovations no larger than is believed of them, (bands, frames) as from :func:`split`."""
+    most = np.array(CLIPS)[:, None] * np.sqrt(np.array(WIDTHS)[:, None] / weight)
+    return np.clip(parts, -most, most)
 
 
 def _loudness(part: FloatArray, window: int) -> FloatArray:

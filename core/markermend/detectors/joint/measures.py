@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from scipy.ndimage import maximum_filter1d, uniform_filter1d
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.detectors.joint.bands import HALF
 from markermend.detectors.joint.bank import KINDS, LONGEST, SHORTEST, shape_of
-from markermend.detectors.joint.views import BODY, EVEN, ODD, OWN, Seen, Views, see
+from markermend.detectors.joint.views import BODY, EVEN, ODD, OWN, Seen, Views, see, see_whole
 from markermend.detectors.joint.whiten import LAGS
 
 KINK = 10
@@ -89,6 +91,7 @@ def measure(
     softened = chi / (1.0 + (0.15 * raw) ** 2 / 4)
     reweighted = loud / np.maximum(1.0, ((1 + (softened / 4) ** 3) / 2) ** (1 / 6))
     size, ratio = _robust(seen, within)
+    fitted, _ = _robust(replace(seen, error=see_whole(views, axis, start, seen)), within)
     rest = seen.error - size[:, None, None] * seen.shape
     power = (within * seen.error**2 * seen.weight).sum(axis=(1, 2))
     left = (within * rest**2 * seen.weight).sum(axis=(1, 2))
@@ -121,7 +124,7 @@ def measure(
     columns += _competitors(views, axis, start, length, seen, size, loud)
     columns += _circumstances(views, axis, start, length, shapes, size)
     columns += [np.zeros(len(axis))] * 2
-    return size, np.column_stack(columns)
+    return fitted, np.column_stack(columns)
 
 
 def _parts(seen: Seen, length: IntArray) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.ndimage import maximum_filter1d
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
-from markermend.detectors.joint.bands import BANDS, HALF, filter_matrix, split
+from markermend.detectors.joint.bands import BANDS, HALF, clipped, filter_matrix, split
 from markermend.detectors.joint.bank import LONGEST
 from markermend.detectors.joint.whiten import LAGS, body_motion, whiten
 from markermend.predictors.cross_fit import predict_cross_fitted
@@ -24,9 +24,10 @@ class Views:
 
     Attributes
     ----------
-    error : (views, 3, bands, frames) mm, innovations; 0 where unknown
+    error : (views, 3, bands, frames) mm, innovations, clipped; 0 where unknown
     weight : (views, 3, bands, frames) their inverse noise power
     habit : (views, 3, frames, 9) the filters that whiten, see :class:`White`
+    whole : (3, bands, frames) mm, those against the body as they are
     residual : (frames, 3) mm, measured minus predicted from the body
     body : (frames, 3) mm, predicted
     """
@@ -34,6 +35,7 @@ class Views:
     error: FloatArray
     weight: FloatArray
     habit: FloatArray
+    whole: FloatArray
     residual: FloatArray
     body: FloatArray
 
@@ -88,13 +90,17 @@ def look(
     frames = len(own)
     error = np.empty((VIEWS, 3, BANDS, frames))
     weight, habit = np.empty_like(error), np.empty((VIEWS, 3, frames, LAGS + 1))
+    whole = np.empty((3, BANDS, frames))
     touched = maximum_filter1d((~judged).view(np.uint8), 2 * LAGS + 1, axis=0).T > 0
     for axis in range(3):
         for view, white in enumerate(whites[axis]):
             innovation = np.where(touched[axis], 0.0, white.error)
-            error[view, axis], weight[view, axis] = split(innovation)
+            parts, weight[view, axis] = split(innovation)
+            error[view, axis] = clipped(parts, weight[view, axis])
+            if view == BODY:
+                whole[axis] = parts
             habit[view, axis] = white.habit
-    return Views(error, weight, habit, own - body, body)
+    return Views(error, weight, habit, whole, own - body, body)
 
 
 def held(values: FloatArray, judged: BoolArray) -> FloatArray:
@@ -166,3 +172,10 @@ def see(views: Views, view: int, axis: IntArray, start: IntArray, shapes: FloatA
     band = np.arange(BANDS)[None, :, None]
     where = (view, row[:, :, None], band, at[:, None, :])
     return Seen(parts, views.error[where], views.weight[where] * inside[:, None, :])
+
+
+def see_whole(views: Views, axis: IntArray, start: IntArray, seen: Seen) -> FloatArray:
+    """Unclipped innovations against the body where shapes were seen, (n, bands, frames) mm."""
+    at = start[:, None] - HALF + np.arange(seen.shape.shape[2])
+    at = np.clip(at, 0, views.whole.shape[2] - 1)
+    return np.asarray(views.whole[axis[:, None, None], np.arange(BANDS)[:, None], at[:, None, :]])
