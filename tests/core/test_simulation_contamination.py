@@ -141,3 +141,16 @@ def test_gap_lengths_can_be_fixed_and_room_is_needed() -> None:
     assert {a.length for a in truth} == {20}
     with pytest.raises(DataError, match="room"):
         place_gaps(clean, mean_length=3300, seed=1)
+
+
+def test_kinks_of_slow_changes_can_be_rounded() -> None:
+    clean = smooth_take(frames=20000, gap=False)
+    damaged, truth = contaminate(clean, kinds=[Kind.SLOW], rounded=9, seed=11)
+    a = truth[3]
+    column, axis = clean.index(a.marker), axis_columns(a.axes)[0]
+    rows = slice(a.start, a.stop)
+    delta = np.abs(damaged.positions[rows, column, axis] - clean.positions[rows, column, axis])
+    assert delta.max() == pytest.approx(a.amplitude_mm)
+    kinks = [np.abs(np.diff(d, 2)).max() for d in (delta, a.amplitude_mm * triangle(a.length))]
+    assert kinks[0] < 0.3 * kinks[1]
+    assert len(triangle(30, 9)) == 30

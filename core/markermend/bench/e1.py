@@ -95,6 +95,7 @@ def e1(
     shares: Sequence[float] = (0.05, 0.1, 0.2),
     amplitudes_mm: Sequence[float] = (5.0, 10.0),
     simulations: int = 100,
+    rounded: int = 0,
     seed: int = 0,
     least_mm: float = 1.0,
     n_jobs: int = -1,
@@ -109,6 +110,7 @@ def e1(
     params : parameters by method, their defaults where not given
     shares, amplitudes_mm : settings of the contamination, each with each
     simulations : per setting; the same ones for every method
+    rounded : frames over which the kinks of slow changes are rounded; 0 as the paper has them
     seed : same seed, same result, on any number of processes
     least_mm : sudden artifacts drawn smaller are counted apart
     n_jobs : processes; −1 for one a core
@@ -148,7 +150,8 @@ def e1(
     chosen = dict(params or {})
     report = progress or quiet
     counted = Parallel(n_jobs=n_jobs, return_as="generator", pre_dispatch="2*n_jobs")(
-        delayed(_simulate)(small[t.clean], t, chosen.get(t.method), seed, least_mm) for t in tasks
+        delayed(_simulate)(small[t.clean], t, chosen.get(t.method), rounded, seed, least_mm)
+        for t in tasks
     )
     rows: dict[tuple[int, str, float, float], E1Row] = {}
     try:
@@ -175,7 +178,9 @@ def bare(clean: Clean) -> Clean:
     return Clean(clean.name, looked_at, clean.flaws)
 
 
-def _simulate(clean: Clean, task: _Task, params: Any, seed: int, least_mm: float) -> E1Row:
+def _simulate(
+    clean: Clean, task: _Task, params: Any, rounded: int, seed: int, least_mm: float
+) -> E1Row:
     """Contaminate, detect and count, once."""
     take = clean.take
     truth: tuple[Artifact, ...] = ()
@@ -186,6 +191,7 @@ def _simulate(clean: Clean, task: _Task, params: Any, seed: int, least_mm: float
             take,
             share=task.share,
             amplitude_mm=task.amplitude_mm,
+            rounded=rounded,
             markers=labels,
             seed=number,
         )

@@ -46,6 +46,7 @@ def _run_e1(options: argparse.Namespace) -> int:
             shares=options.share,
             amplitudes_mm=options.amplitude,
             simulations=options.simulations,
+            rounded=options.rounded,
             seed=options.seed,
             n_jobs=options.jobs,
             progress=bar,

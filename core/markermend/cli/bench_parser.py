@@ -74,6 +74,13 @@ def _add_e1(p: argparse.ArgumentParser) -> None:
         default=[5.0, 10.0],
         help="mean amplitudes (default: 5 10)",
     )
+    p.add_argument(
+        "--rounded",
+        metavar="N",
+        type=int,
+        default=0,
+        help="frames over which the kinks of slow changes are rounded (default: 0, sharp)",
+    )
     p.add_argument("--simulations", metavar="N", type=int, default=100, help="per setting")
     p.add_argument("--seed", metavar="N", type=int, default=0, help="same seed, same result")
     p.add_argument("--jobs", metavar="N", type=int, default=-1, help="processes (-1: all cores)")

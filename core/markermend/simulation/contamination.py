@@ -24,10 +24,17 @@ _WHY = {
 }
 
 
-def triangle(length: int) -> FloatArray:
-    """Return a symmetric triangle of height 1 that is nowhere zero, (length,) float64."""
-    ramp = np.arange(1, length + 1, dtype=np.float64)
-    return np.minimum(ramp, ramp[::-1]) / ((length + 1) // 2)
+def triangle(length: int, rounded: int = 0) -> FloatArray:
+    """Return a symmetric triangle of height 1 that is nowhere zero, (length,) float64.
+
+    ``rounded``, less than the length, is over how many frames a Hann window smooths its kinks.
+    """
+    ramp = np.arange(1, length - max(rounded - 1, 0) + 1, dtype=np.float64)
+    sharp = np.minimum(ramp, ramp[::-1]) / ((len(ramp) + 1) // 2)
+    if not rounded:
+        return np.asarray(sharp)
+    smooth = np.convolve(sharp, np.hanning(rounded + 2)[1:-1])
+    return np.asarray(smooth / smooth.max())
 
 
 def contaminate(
@@ -37,6 +44,7 @@ def contaminate(
     amplitude_mm: float = 10.0,
     kinds: Sequence[str] = ALL_KINDS,
     mean_length: float = 50.0,
+    rounded: int = 0,
     markers: Sequence[str] | None = None,
     seed: int,
 ) -> tuple[Take, tuple[Artifact, ...]]:
@@ -56,6 +64,8 @@ def contaminate(
     kinds : any of ``"peak"``, ``"noise"``, ``"step"``, ``"slow"``
     mean_length : mean length of bulk damage in samples, as the paper has it whatever the rate;
         ``0.5 * take.rate`` gives its half second instead
+    rounded : over how many frames the kinks of slow changes are rounded; those shorter than
+        twice that stay sharp
     markers : labels that may be damaged; every labelled marker when not given
     seed : same seed, same damage
 
@@ -90,7 +100,7 @@ def contaminate(
     for kind, start, length in _bulk_layout(wanted, target, mean_length, take.frames, rng):
         marker, axis = channels.draw(start, start + length)
         size = abs(rng.normal(amplitude_mm, 0.4 * amplitude_mm))
-        shape = _bulk_shape(kind, length, rng) * size * rng.choice([-1.0, 1.0])
+        shape = _bulk_shape(kind, length, rounded, rng) * size * rng.choice([-1.0, 1.0])
         damages.append(added(take, marker, axis, start, shape, kind, size, _WHY[kind]))
         taken[start : start + length] = True
     if Kind.PEAK in wanted:
@@ -146,12 +156,12 @@ def _bulk_layout(
     ]
 
 
-def _bulk_shape(kind: Kind, length: int, rng: np.random.Generator) -> FloatArray:
+def _bulk_shape(kind: Kind, length: int, rounded: int, rng: np.random.Generator) -> FloatArray:
     """Deviation of unit amplitude: rectangle, triangle or white noise."""
     if kind is Kind.STEP:
         return np.ones(length)
     if kind is Kind.SLOW:
-        return triangle(length)
+        return triangle(length, rounded if length >= 2 * rounded else 0)
     return rng.standard_normal(length)
 
 

@@ -10,6 +10,7 @@ from numpy.lib.stride_tricks import sliding_window_view
 from markermend.arrays import FloatArray
 from markermend.detectors.joint.bands import BANDS, HALF, filter_matrix, filters
 from markermend.detectors.joint.whiten import LAGS
+from markermend.simulation.contamination import triangle
 
 SHORTEST, LONGEST = 22, 100
 WIDTH = LONGEST + LAGS + 2 * HALF
@@ -51,18 +52,7 @@ def shape_of(kind: str, length: int) -> FloatArray:
     """
     if kind == "hann":
         return np.asarray(np.hanning(length + 2)[1:-1])
-    wide = KINDS[kind]
-    if not wide:
-        return _triangle(length)
-    smooth = np.hanning(wide + 2)[1:-1]
-    rounded = np.convolve(_triangle(length - wide + 1), smooth)
-    return np.asarray(rounded / rounded.max())
-
-
-def _triangle(length: int) -> FloatArray:
-    """Symmetric triangle of height 1, nowhere zero."""
-    ramp = np.arange(1, length + 1, dtype=np.float64)
-    return np.asarray(np.minimum(ramp, ramp[::-1]) / ((length + 1) // 2))
+    return triangle(length, KINDS[kind])
 
 
 @lru_cache(maxsize=1)

@@ -24,6 +24,9 @@ from markermend.mesh import Mesh
 from markermend.progress import Progress, part
 from markermend.take import Take, is_unlabelled
 
+SLOW_LEAST = 0.7
+"""Of the confidence that others need, what slow changes need: they are seldom surer."""
+
 
 def detect_joint(
     take: Take, params: JointParams, mesh: Mesh | None, progress: Progress
@@ -98,6 +101,6 @@ def _slow(
 ) -> list[Artifact]:
     """Slow changes, on what the sudden artifacts leave."""
     ground = prepare(take, markers, sudden)
-    least = 1.0 - params.sensitivity
+    least = SLOW_LEAST * (1.0 - params.sensitivity)
     drifts = find_drifts(ground, neighbours, shipped_trees(), least, params.jobs, progress)
     return drift_artifacts(take, markers, [d for d in drifts if d.size_mm >= params.least_mm])

@@ -31,7 +31,7 @@ DENSITY = 0.2
 """Drifts a marker and minute that confidence reckons with."""
 RAISED = 20.0
 """Drifts count so many times as often in learning; their odds are set right afterwards."""
-FOLDS, MODELS, TREES = 4, 3, 220
+FOLDS, MODELS, TREES = 4, 3, 120
 RISING = (
     *("score", "reweighted", "raw score", "without a part", "without a band"),
     *("weakest view", "t gain", "over spread"),
@@ -278,7 +278,7 @@ def _boost(takes: Sequence[Examples], seed: int) -> Any:
     slopes = [(name in RISING) - (name in FALLING) for name in FEATURES]
     model = HistGradientBoostingClassifier(
         max_iter=TREES,
-        learning_rate=0.07,
+        learning_rate=0.12,
         max_depth=4,
         min_samples_leaf=40,
         l2_regularization=5.0,
