@@ -19,7 +19,7 @@ Curve = tuple[Sequence[float], Sequence[float]]
 
 
 def chart(curves: Mapping[str, Curve], title: str, across: str, up: str) -> str:
-    """Draw named curves on common axes, the vertical one from zero.
+    """Draw named curves on common axes, the vertical one with its zero.
 
     Parameters
     ----------
@@ -34,7 +34,9 @@ def chart(curves: Mapping[str, Curve], title: str, across: str, up: str) -> str:
     every_y = [v for _, y in curves.values() for v in y if math.isfinite(v)]
     low, high = min(every_x, default=0.0), max(every_x, default=1.0)
     wide = high - low or 1.0
-    top = max(every_y, default=1.0) * 1.05 or 1.0
+    floor = min(0.0, 1.05 * min(every_y, default=0.0))
+    top = max(0.0, 1.05 * max(every_y, default=1.0))
+    tall = top - floor or 1.0
     right, bottom = _WIDTH - _RIGHT, _HEIGHT - _BOTTOM
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {_WIDTH:g} {_HEIGHT:g}" '
@@ -46,8 +48,8 @@ def chart(curves: Mapping[str, Curve], title: str, across: str, up: str) -> str:
         f'<text x="14" y="{(_TOP + bottom) / 2:g}" text-anchor="middle" '
         f'transform="rotate(-90 14 {(_TOP + bottom) / 2:g})">{escape(up)}</text>',
     ]
-    for value in ticks(0.0, top, 6):
-        y = bottom - value / top * (bottom - _TOP)
+    for value in ticks(floor, floor + tall, 6):
+        y = bottom - (value - floor) / tall * (bottom - _TOP)
         parts.append(
             f'<path d="M{_LEFT:g} {y:.1f}H{right:g}" stroke="#ddd"/>'
             f'<text x="{_LEFT - 6:g}" y="{y + 4:.1f}" text-anchor="end">{value:g}</text>'
@@ -58,7 +60,7 @@ def chart(curves: Mapping[str, Curve], title: str, across: str, up: str) -> str:
     for number, (name, (xs, ys)) in enumerate(curves.items()):
         colour = _COLOURS[number % len(_COLOURS)]
         x_at = _LEFT + (np.asarray(xs, dtype=np.float64) - low) / wide * (right - _LEFT)
-        y_at = bottom - np.asarray(ys, dtype=np.float64) / top * (bottom - _TOP)
+        y_at = bottom - (np.asarray(ys, dtype=np.float64) - floor) / tall * (bottom - _TOP)
         y = _TOP + 16.0 * number
         parts.append(
             f'<path d="{path(x_at, y_at)}" fill="none" stroke="{colour}" stroke-width="1.5" '

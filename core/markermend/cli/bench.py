@@ -11,6 +11,7 @@ from markermend.cli.bench_e3 import run_e3
 from markermend.cli.bench_predictors import run_predictors
 from markermend.cli.bench_smooth import run_smooth
 from markermend.cli.bench_takes import clean_takes
+from markermend.cli.bench_training import run_training
 from markermend.cli.console import STDOUT, Bar, check_outputs, say, write_text
 
 
@@ -102,4 +103,5 @@ RUN = {
     "gaps": _run_gaps,
     "predictors": run_predictors,
     "smooth": run_smooth,
+    "training": run_training,
 }

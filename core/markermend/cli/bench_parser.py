@@ -12,6 +12,8 @@ from markermend.cli.bench_predictors import SUMMARY as PREDICTORS
 from markermend.cli.bench_predictors import add_predictors
 from markermend.cli.bench_smooth import SUMMARY as SMOOTH
 from markermend.cli.bench_smooth import add_smooth
+from markermend.cli.bench_training import SUMMARY as TRAINING
+from markermend.cli.bench_training import add_training
 
 EXPERIMENTS = {
     "e1": "contaminate clean takes, detect, compare by sample and by event",
@@ -20,6 +22,7 @@ EXPERIMENTS = {
     "gaps": "hide pieces of takes, fill them, compare with what was hidden",
     "predictors": PREDICTORS,
     "smooth": SMOOTH,
+    "training": TRAINING,
 }
 
 
@@ -32,6 +35,7 @@ def add_experiments(parser: argparse.ArgumentParser) -> None:
         "gaps": _add_gaps,
         "predictors": add_predictors,
         "smooth": add_smooth,
+        "training": add_training,
     }
     names = parser.add_subparsers(dest="experiment", metavar="NAME", required=True)
     for name, summary in EXPERIMENTS.items():

@@ -57,6 +57,7 @@ class Repair:
     params : parameters used
     leaves : sudden artifacts that the detector would find there once it is carried out; None
         when it did not look
+    weights : how many numbers a network learnt for it; 0 for methods that learn none
     """
 
     method: str
@@ -66,6 +67,7 @@ class Repair:
     band_mm: FloatArray | None = None
     params: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
     leaves: tuple[Artifact, ...] | None = None
+    weights: int = 0
 
     def __reduce__(self) -> tuple[Any, ...]:
         # A read-only mapping cannot be pickled, and plugins repair in another process.

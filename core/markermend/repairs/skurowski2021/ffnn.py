@@ -40,17 +40,22 @@ def _learn(tanh: bool) -> Learn:
     return learn
 
 
+def _count(inputs: int, params: Any) -> int:
+    """Weights of the network (Table 4)."""
+    return glorot(inputs, 3, tanh=False, seed=0).parameters
+
+
 register(
     "ffnn_lin",
     label="Linear network",
     summary="A network of 8 linear neurons predicts the marker from its parent and siblings.",
     params=NetworkParams,
     source="skurowski2021, 3.1.4 and eq. 12",
-)(network_method("ffnn_lin", _learn(tanh=False)))
+)(network_method("ffnn_lin", _learn(tanh=False), _count))
 register(
     "ffnn_tanh",
     label="Tanh network",
     summary="A network of 8 tanh neurons predicts the marker from its parent and siblings.",
     params=NetworkParams,
     source="skurowski2021, 3.1.4 and eq. 12",
-)(network_method("ffnn_tanh", _learn(tanh=True)))
+)(network_method("ffnn_tanh", _learn(tanh=True), _count))

@@ -51,6 +51,20 @@ def can_learn() -> bool:
     return find_spec("keras") is not None and find_spec("jax") is not None
 
 
+def count_weights(kind: str, inputs: int, *, dense: bool = False) -> int:
+    """How many numbers a network of :func:`build` learns (Table 4); needs no extra.
+
+    Parameters
+    ----------
+    kind, inputs, dense : as for :func:`build`
+    """
+    gates, directions = {"lstm": (4, 1), "gru": (3, 1), "bilstm": (4, 2)}[kind]
+    given = directions * UNITS
+    recurrent = given * gates * (inputs + UNITS + 1)
+    between, last = (HIDDEN * (given + 1), HIDDEN) if dense else (0, given)
+    return recurrent + between + 3 * (last + 1)
+
+
 def build(kind: str, inputs: int, *, dense: bool = False, seed: int = 0) -> Any:
     """Make an untrained network; needs the extra ``deep``.
 
@@ -169,7 +183,11 @@ def _learn(kind: str) -> Learn:
 
 def _method(kind: str, label: str) -> MethodFunction:
     """A repair method that says how to get the extra where it is missing."""
-    method = network_method(kind, _learn(kind))
+
+    def count(inputs: int, params: Any) -> int:
+        return count_weights(kind, inputs, dense=params.dense)
+
+    method = network_method(kind, _learn(kind), count)
 
     def run(evidence: Evidence, artifact: Artifact, params: Any) -> Repair:
         if not can_learn():

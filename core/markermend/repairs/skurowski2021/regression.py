@@ -12,6 +12,7 @@ take the frame before is that same one.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -35,6 +36,8 @@ Learn = Callable[[FloatArray, FloatArray, BoolArray, Any, Progress], FloatArray]
 All arrays have one row a frame and are standardised by the rows to learn from; targets of other
 rows are 0.
 """
+Count = Callable[[int, Any], int]
+"""``(inputs, params) -> weights`` that are learnt (Table 4)."""
 
 
 def neighbours(evidence: Evidence, artifact: Artifact) -> tuple[int, ...]:
@@ -76,7 +79,7 @@ def input_vectors(neighbours: FloatArray) -> FloatArray:
     return np.concatenate([neighbours, former], axis=2).reshape(len(neighbours), -1)
 
 
-def network_method(name: str, learn: Learn) -> MethodFunction:
+def network_method(name: str, learn: Learn, count: Count) -> MethodFunction:
     """A repair method from a network; its parameters need a field ``join``."""
 
     def run(evidence: Evidence, artifact: Artifact, params: Any) -> Repair:
@@ -111,7 +114,8 @@ def network_method(name: str, learn: Learn) -> MethodFunction:
         if len(beside):
             left = track[beside] - predicted[beside]
             values = values + bridge(beside, left, start, stop, take.rate)[0]
-        return make_repair(name, evidence, artifact, values, params)
+        made = make_repair(name, evidence, artifact, values, params)
+        return replace(made, weights=count(inputs.shape[1], params))
 
     return run
 
