@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from plots import LEFT, RIGHT, SHIFT, Bench
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu
 
@@ -394,3 +394,20 @@ def test_curves_are_used_again_and_keep_nothing_of_the_marker_before(bench):
     np.testing.assert_array_equal(first.yData, wanted)
     drawn = [i for i in row.plot.listDataItems() if i.xData is not None and len(i.xData) > 1]
     assert drawn == [first]
+
+
+def test_many_names_do_not_make_the_window_wider(bench):
+    header = bench.panel.header
+    narrow = header.minimumSizeHint().width()
+    bench.document.show(bench.document.session.original.labels)
+    QCoreApplication.processEvents()
+    assert header.minimumSizeHint().width() == narrow
+    assert narrow < 300
+    legend = header.legend
+    for width in (150, 300, 900):
+        legend.resize(width, 26)
+        named = [c for c in legend.chips if not c.isHidden()]
+        assert named[-1].geometry().right() <= width
+        assert legend.more.text() == f"and {8 - len(named)} more"
+        assert legend.more.isHidden() or legend.more.geometry().right() <= width
+    assert len(named) > 2

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QWidget
+from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap, QResizeEvent
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
 from markermend_app import theme
+from markermend_app.panels.naming import short_names
 
-_MOST = 6
+_MOST, _GAP = 6, 4
 
 
 class PlotHeader(QWidget):
@@ -26,8 +27,8 @@ class PlotHeader(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._markers: tuple[str, ...] = ()
-        self._legend = QHBoxLayout()
-        self._legend.setSpacing(4)
+        self.legend = Legend()
+        self.legend.chosen.connect(self.chosen)
         self.readout = QLabel()
         self.readout.setObjectName("readout")
         self.readout.setAccessibleName(self.tr("Readout"))
@@ -42,8 +43,7 @@ class PlotHeader(QWidget):
         self.plots.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.plots.setToolTip(self.tr("Choose what the plots show"))
         layout.addWidget(self.plots)
-        layout.addLayout(self._legend)
-        layout.addStretch()
+        layout.addWidget(self.legend, 1)
         layout.addWidget(self.readout)
         theme.watcher.changed.connect(self._restyle)
         self._restyle()
@@ -60,31 +60,93 @@ class PlotHeader(QWidget):
     def show_markers(self, markers: Sequence[str]) -> None:
         """List these markers, each in its colour, the foremost first."""
         self._markers = tuple(markers)
-        while (item := self._legend.takeAt(0)) is not None:
-            widget = item.widget()
-            if widget is not None:
-                widget.hide()
-                widget.deleteLater()
-        for i, name in enumerate(self._markers[:_MOST]):
-            button = QToolButton()
-            button.setText(name)
-            button.setIcon(_swatch(theme.marker_color(i)))
-            button.setIconSize(QSize(12, 12))
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-            button.setToolTip(self.tr("Bring {marker} to the front").format(marker=name))
-            button.clicked.connect(lambda _=False, name=name: self.chosen.emit(name))
-            self._legend.addWidget(button)
-        rest = len(self._markers) - _MOST
-        if rest > 0:
-            label = QLabel(self.tr("and {count} more").format(count=rest))
-            label.setProperty("role", "small")
-            label.setToolTip(", ".join(self._markers[_MOST:]))
-            self._legend.addWidget(label)
+        self.legend.show_markers(self._markers)
 
     def _restyle(self) -> None:
         """Take over the theme's colours."""
         self.plots.setIcon(theme.icon("curves"))
         self.show_markers(self._markers)
+
+
+class Legend(QWidget):
+    """Names of markers in the colours of their curves; as many as have room.
+
+    Signals
+    -------
+    chosen(str) : a marker was clicked
+    """
+
+    chosen = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        # Its names must not make the window wider.
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._markers: tuple[str, ...] = ()
+        self.chips: list[QToolButton] = []
+        self.more = QLabel(self)
+        self.more.setProperty("role", "small")
+
+    def show_markers(self, markers: Sequence[str]) -> None:
+        """Name these markers."""
+        self._markers = tuple(markers)
+        for chip in self.chips:
+            chip.hide()
+            chip.deleteLater()
+        short = short_names(self._markers)
+        self.chips = [
+            self._chip(name, short[name], theme.marker_color(i))
+            for i, name in enumerate(self._markers[:_MOST])
+        ]
+        self._arrange()
+
+    def sizeHint(self) -> QSize:
+        """As high as a button."""
+        return QSize(0, 26)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Name as many as have room now."""
+        super().resizeEvent(event)
+        self._arrange()
+
+    def _chip(self, name: str, text: str, color: QColor) -> QToolButton:
+        """The button of a marker."""
+        chip = QToolButton(self)
+        chip.setText(text)
+        chip.setIcon(_swatch(color))
+        chip.setIconSize(QSize(12, 12))
+        chip.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        chip.setToolTip(self.tr("Bring {marker} to the front").format(marker=name))
+        chip.clicked.connect(lambda: self.chosen.emit(name))
+        return chip
+
+    def _arrange(self) -> None:
+        """Put the names beside one another, and count those without room."""
+        self._count(len(self._markers))
+        room = self.width()
+        widths = [chip.sizeHint().width() + _GAP for chip in self.chips]
+        fitting = len(self.chips)
+        while fitting > 1:
+            needed = sum(widths[:fitting])
+            if fitting < len(self._markers):
+                needed += self.more.sizeHint().width()
+            if needed <= room:
+                break
+            fitting -= 1
+        x = 0
+        for chip, width in zip(self.chips[:fitting], widths, strict=False):
+            chip.setGeometry(x, 0, width - _GAP, self.height())
+            x += width
+        for i, chip in enumerate(self.chips):
+            chip.setVisible(i < fitting)
+        self._count(len(self._markers) - fitting)
+        self.more.setGeometry(x, 0, self.more.sizeHint().width(), self.height())
+
+    def _count(self, rest: int) -> None:
+        """Say how many are not named."""
+        self.more.setText(self.tr("and {count} more").format(count=rest))
+        self.more.setToolTip(", ".join(self._markers[len(self._markers) - rest :]))
+        self.more.setVisible(rest > 0)
 
 
 def _swatch(color: QColor) -> QIcon:
