@@ -110,6 +110,14 @@ def test_lanes_tell_markers_apart(shown):
     assert intervals.hit(_at(view, 15, LANE_HEIGHT * 1.5)) is None
 
 
+def test_lanes_of_many_markers_leave_the_curves_free(shown):
+    _, view, intervals, rows = shown
+    intervals.show(rows, ["A", "B", *(f"M{i}" for i in range(25))])
+    assert intervals.strip_height <= 3 * LANE_HEIGHT
+    assert intervals.hit(_at(view, 35, 0.7)) == rows[0].id
+    assert intervals.hit(_at(view, 35, 2.0)) == rows[2].id
+
+
 def test_extent_is_none_out_of_view(shown):
     _, view, intervals, rows = shown
     assert intervals.extent(rows[0].id).width() == pytest.approx(

@@ -78,7 +78,7 @@ class Intervals(pg.GraphicsObject):
     @property
     def strip_height(self) -> int:
         """Pixels that the lanes take at the bottom of the plot."""
-        return max(1, len(self._lanes)) * self._lane_height()
+        return round(max(1, len(self._lanes)) * self._lane_height())
 
     def hit(self, scene: QPointF) -> str | None:
         """Id of the artifact under a point of the scene: in its lane, else in its band.
@@ -140,9 +140,15 @@ class Intervals(pg.GraphicsObject):
 
     # Inner workings
 
-    def _lane_height(self) -> int:
-        """Height of one lane: with room for letters while there are few markers."""
-        return LANE_HEIGHT if len(self._lanes) <= 3 else THIN_LANE_HEIGHT
+    def _lane_height(self) -> float:
+        """Height of one lane: with room for letters while there are few markers.
+
+        Many lanes share what three take, else they would cover the curves.
+        """
+        lanes = len(self._lanes)
+        if lanes <= 3:
+            return LANE_HEIGHT
+        return min(THIN_LANE_HEIGHT, max(1.0, 3 * LANE_HEIGHT / lanes))
 
     def _view_in_scene(self) -> QRectF:
         """The visible part of the plot, in scene pixels."""
@@ -205,7 +211,7 @@ class Intervals(pg.GraphicsObject):
         """One artifact in the strip: filled, outlined, hatched or hollow by its status."""
         color = look.kinds[p.artifact.kind]
         left, right = round(p.left), max(round(p.right), round(p.left) + 1)
-        box = QRectF(left, p.top, right - left, p.height - 1)
+        box = QRectF(left, p.top, right - left, max(1.0, p.height - 1))
         status = p.artifact.status
         if box.width() <= 3 and p.artifact.id != self._current:
             painter.fillRect(box, theme.faded(color, _NARROW[status]))

@@ -83,7 +83,8 @@ class MarkerTree(QWidget):
         self.view.setUniformRowHeights(True)
         self.view.setIndentation(8)
         self.view.setIconSize(QSize(12, 12))
-        self.view.setTextElideMode(Qt.TextElideMode.ElideRight)
+        # Markers of one segment often differ in their last letter only.
+        self.view.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         self.view.setItemDelegateForColumn(OPEN, _CountsDelegate(self.view))
         header = self.view.header()
         header.setStretchLastSection(False)

@@ -27,7 +27,7 @@ from markermend_app.panels.quality_model import COUNTS, DECIDED, OPEN, QualityMo
 
 Index = QModelIndex | QPersistentModelIndex
 _SETTLED_MS = 60
-_WIDTHS = (104, 146, 70, 64, 74, 82, 86, 96)
+_WIDTHS = (112, 146, 74, 66, 76, 78, 82, 96)
 _ROW_PX = 26
 
 

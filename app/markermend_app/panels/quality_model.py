@@ -130,7 +130,7 @@ def _text(row: Standing, column: int) -> str:
         )
     if column in (MEAN, WORST):
         error = row.mean_mm if column == MEAN else row.worst_mm
-        return "–" if error is None else units.number(error)
+        return "–" if error is None else units.length(error)
     return _percent(_KEYS[column](row))
 
 
@@ -149,7 +149,6 @@ def _alignment(column: int) -> Qt.AlignmentFlag:
 
 def _titles() -> tuple[tuple[str, str], ...]:
     """Names of the columns and what they mean, in the language spoken."""
-    unit = units.unit()
     return (
         (tr("Marker"), tr("Click to see it in the plots, double-click for its worst artifact")),
         (tr("Open"), tr("Artifacts to be decided, by class")),
@@ -157,9 +156,9 @@ def _titles() -> tuple[tuple[str, str], ...]:
         (tr("Now"), tr("Share of frames without a sample as the take stands")),
         (tr("Mended"), tr("Share of frames that were filled or edited")),
         (
-            tr("Error ({0})").format(unit),
+            tr("Error"),
             tr("Mean expected error of the repairs, each counted by its length"),
         ),
-        (tr("Worst ({0})").format(unit), tr("Largest expected error of a repair")),
+        (tr("Worst"), tr("Largest expected error of a repair")),
         (tr("Decided"), tr("Artifacts accepted, rejected or repaired, by class")),
     )
