@@ -20,6 +20,7 @@ from markermend.detectors.joint.strays import find_strays
 from markermend.detectors.joint.sudden import find_sudden
 from markermend.detectors.joint.texture import stand_out, texture_mm
 from markermend.detectors.joint.verdict import to_artifacts
+from markermend.detectors.joint.witness import LARGEST_WEIGHT, ask, with_witness
 from markermend.mesh import Mesh
 from markermend.progress import Progress, part
 from markermend.take import Take, is_unlabelled
@@ -67,7 +68,14 @@ def detect_joint(
     ]
     report(0.8, "what is wrong, and how sure that is")
     least = 1.0 - params.sensitivity
-    sudden = to_artifacts(take, markers, found, confidences(found), least)
+    sure = confidences(found)
+    sudden = to_artifacts(take, markers, found, sure, least)
+    witness = ask(take, sudden)
+    if witness is not None:
+        # Fainter ones may come up to the least by what it says.
+        faint = least / (least + LARGEST_WEIGHT * (1 - least))
+        fainter = to_artifacts(take, markers, found, sure, faint)
+        sudden = [a for a in with_witness(take, fainter, witness) if a.confidence >= least]
     sudden = name_swaps(take, stand_out(sudden, texture_mm(sudden, take), least))
     sudden = _with_unseen_jumps(take, sudden, markers, neighbours, least)
     if not params.slow:
