@@ -16,6 +16,9 @@ _HEAD = (
     *("rejected", "doubtful", "missed", "added"),
 )
 
+# Right is green, wrong is red, and what nobody can say lies between; Okabe and Ito's.
+_PARTS = {"approved": "#009e73", "doubtful": "#e69f00", "rejected": "#d55e00", "missed": "#999999"}
+
 
 def e2_table(rows: Sequence[E2Row]) -> list[str]:
     """Write one line a row, as Table 2 of skurowski2022 has it, with what was added.
@@ -53,7 +56,6 @@ def e2_figure(rows: Sequence[E2Row]) -> str:
     -------
     A whole SVG document
     """
-    parts = ("approved", "doubtful", "rejected", "missed")
     bars = {
         f"{r.take}, {r.repair or 'raw'}, {r.method}": (
             *(float(n) for n in (r.approved, r.doubtful, r.rejected)),
@@ -61,4 +63,4 @@ def e2_figure(rows: Sequence[E2Row]) -> str:
         )
         for r in rows
     }
-    return stacked_bars(bars, parts, "Flags held against reviewed lists", "artifacts")
+    return stacked_bars(bars, _PARTS, "Flags held against reviewed lists", "artifacts")

@@ -72,14 +72,14 @@ def chart(curves: Mapping[str, Curve], title: str, across: str, up: str) -> str:
 
 
 def stacked_bars(
-    bars: Mapping[str, Sequence[float]], parts: Sequence[str], title: str, across: str
+    bars: Mapping[str, Sequence[float]], parts: Mapping[str, str], title: str, across: str
 ) -> str:
     """Draw named bars, each of several parts side by side.
 
     Parameters
     ----------
     bars : name to the size of each part, none negative
-    parts : their names, at most seven
+    parts : their names, each with its colour
     title, across : what is shown, along the horizontal axis
 
     Returns
@@ -97,10 +97,10 @@ def stacked_bars(
         f'<text x="{(_NAME + right) / 2:g}" y="{bottom + 34:g}" text-anchor="middle">'
         f"{escape(across)}</text>",
     ]
-    for k, name in enumerate(parts):
+    for k, (name, colour) in enumerate(parts.items()):
         x = _NAME + 95.0 * k
         lines.append(
-            f'<rect x="{x:g}" y="{_TOP:g}" width="12" height="12" fill="{_COLOURS[k]}"/>'
+            f'<rect x="{x:g}" y="{_TOP:g}" width="12" height="12" fill="{colour}"/>'
             f'<text x="{x + 17:g}" y="{_TOP + 11:g}">{escape(name)}</text>'
         )
     for value in ticks(0.0, longest, 6):
@@ -114,11 +114,11 @@ def stacked_bars(
         lines.append(
             f'<text x="{_NAME - 8:g}" y="{y + 13:g}" text-anchor="end">{escape(name)}</text>'
         )
-        for k, size in enumerate(sizes):
+        for size, colour in zip(sizes, parts.values(), strict=True):
             wide = size / longest * (right - _NAME)
             lines.append(
                 f'<rect x="{x:.1f}" y="{y + 2:g}" width="{wide:.1f}" height="{_BAR - 4:g}" '
-                f'fill="{_COLOURS[k]}"/>'
+                f'fill="{colour}"/>'
             )
             x += wide
     return "".join(lines) + "</svg>\n"
