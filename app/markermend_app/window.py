@@ -53,6 +53,7 @@ from markermend_app.panels.welcome import Welcome
 from markermend_app.preferred import Preferred
 from markermend_app.recent_menu import fill_when_shown
 from markermend_app.references import References
+from markermend_app.reporting import Reporting
 from markermend_app.shortcut_sheet import ShortcutSheet
 from markermend_app.smoothing import Smoothing
 
@@ -73,6 +74,7 @@ class MainWindow(QMainWindow):
         self.bulk = Bulk(self.document, self)
         self.batch = BatchReview(self.document, self.commands, self.lane, self)
         self.smoothing = Smoothing(self.document, self)
+        self.reporting = Reporting(self.document, self.lane, self)
         self.attention = Attention(self.document, self)
         self.setWindowIcon(theme.app_icon())
         self.setAcceptDrops(True)
@@ -248,9 +250,16 @@ class MainWindow(QMainWindow):
         verb()
 
     @property
-    def _verbs(self) -> tuple[Commands, Bulk, BatchReview, HandWork, Smoothing]:
+    def _verbs(self) -> tuple[Commands, Bulk, BatchReview, HandWork, Smoothing, Reporting]:
         """What has verbs that actions name."""
-        return (self.commands, self.bulk, self.batch, self.hand, self.smoothing)
+        return (
+            self.commands,
+            self.bulk,
+            self.batch,
+            self.hand,
+            self.smoothing,
+            self.reporting,
+        )
 
     def _own_verbs(self) -> dict[str, Callable[[], object]]:
         """Actions about what is seen, not about the review."""

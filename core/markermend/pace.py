@@ -69,6 +69,15 @@ class Pace:
         """Minutes spent on the take."""
         return self.spent_s / 60.0
 
+    def to_dict(self) -> dict[str, float | int | None]:
+        """Return plain values for ``json.dumps``."""
+        return {
+            "decided": self.decided,
+            "total": self.total,
+            "spent_s": round(self.spent_s, 3),
+            "seconds_each": None if self.seconds_each is None else round(self.seconds_each, 3),
+        }
+
 
 def pace_of(artifacts: Iterable[Artifact], spent_s: float) -> Pace:
     """Count what is decided: accepted, rejected or repaired."""

@@ -144,8 +144,12 @@ class Session:
             for a in self.with_status(Status.REPAIRED)
             for note in [self._state.notes.get(a.id)]
         )
-        by_hand = (s.label for s in self._done if parts(s.edit, SetBase, SetNames))
-        return (*repaired, *by_hand)
+        return (*repaired, *self.by_hand)
+
+    @property
+    def by_hand(self) -> tuple[str, ...]:
+        """Work by hand on samples and names, in the words of the history."""
+        return tuple(s.label for s in self._done if parts(s.edit, SetBase, SetNames))
 
     @property
     def pace(self) -> Pace:

@@ -17,11 +17,15 @@ from hypothesis import strategies as st
 import markermend as mm
 from markermend.artifact import Artifact, Kind, Status
 from markermend.cli import main
+from markermend.hand import cut
 from markermend.outcome import Outcome, cleaned_document, outcomes
+from markermend.pace import Stopwatch
 from markermend.patch import patched
 from markermend.repairs import repair_all
 from markermend.report import batch_parts, quality, take_report
 from markermend.report.svg import damage_map, decimate, path, ticks, worst
+from markermend.session import Session
+from markermend.session_file import open_session
 
 EMPTY = {"meta", "link", "br", "hr", "img", "input"}
 HOSTILE = "</script><b>&\"LFHD'"
@@ -194,3 +198,60 @@ def test_clean_writes_a_report(tmp_path: Path) -> None:
     Reader(text)
     assert embedded(text, "take")[0]["take"] == "t.c3d"
     assert main(words) == 1
+
+
+@pytest.fixture
+def review(tmp_path: Path) -> tuple[Path, Session]:
+    """Review a take: one of each decision, a note, samples cut by hand; then save."""
+    take, truth = mm.simulate(duration_s=4, seed=3)
+    path = tmp_path / "walk.c3d"
+    mm.write(take, path)
+    file = open_session(mm.read(path))
+    session, clock = file.session, iter(range(0, 100, 2))
+    session.stopwatch = Stopwatch(lambda: next(clock))
+    session.add_detected(truth, "truth")
+    accepted, rejected, mended = (a.id for a in session.artifacts[:3])
+    session.set_status([accepted], Status.ACCEPTED)
+    session.annotate(accepted, f"the marker fell off {HOSTILE}")
+    session.set_status([rejected], Status.REJECTED)
+    others = [a for a in session.artifacts if a.id == mended]
+    session.repair([(a.id, r) for a, r in repair_all(session.take, others, min_confidence=0)])
+    cut(session, take.labels[0], 5, 9)
+    file.save()
+    file.close()
+    return path, session
+
+
+def test_a_review_is_reported_with_notes_hand_work_and_pace(
+    review: tuple[Path, Session], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, session = review
+    page, facts = tmp_path / "walk.html", tmp_path / "walk.json"
+    assert main(["report", str(path), "-o", str(page), "--json", str(facts)]) == 0
+    assert "3 of" in capsys.readouterr().out
+    text = page.read_text(encoding="utf-8")
+    Reader(text)
+    values = json.loads(re.findall(r'class="take">(.*?)</script>', text)[0])
+    told = json.loads(facts.read_text(encoding="utf-8"))
+    assert values["pace"] == told["pace"]
+    assert told["pace"] == session.pace.to_dict()
+    assert told["pace"]["decided"] == 3
+    assert told["pace"]["spent_s"] > 0
+    assert told["by_hand"] == list(session.by_hand)
+    assert len(told["by_hand"]) == 1
+    by_status = {a["status"]: a for a in told["artifacts"]}
+    assert by_status["accepted"]["note"].startswith("the marker fell off")
+    (mended,) = session.notes.values()
+    assert by_status["repaired"]["repair"]["method"] == mended.method
+    assert "the marker fell off &lt;/script&gt;" in text
+    assert "Rejected as a false alarm." in text
+    assert told["by_hand"][0] in text
+
+
+def test_a_take_without_a_review_is_not_reported(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    mm.write(mm.simulate(duration_s=3)[0], tmp_path / "walk.c3d")
+    assert main(["report", str(tmp_path / "walk.c3d"), "-o", str(tmp_path / "r.html")]) == 1
+    assert "no review of “walk.c3d”" in capsys.readouterr().err
+    assert not (tmp_path / "r.html").exists()

@@ -40,6 +40,7 @@ COMMANDS = {
     "convert": "write a take in another format: c3d, trc or csv",
     "diff": "what differs between two files: samples, parameters, bytes",
     "batch": "clean many takes alike, in several processes",
+    "report": "what the review of a take came to, as one HTML file",
     "methods": "every method there is, with its parameters",
     "simulate": "make a take of a synthetic performer, damaged, with the truth",
     "bench": "rerun an experiment and print its table",
@@ -77,6 +78,7 @@ def make_parser() -> argparse.ArgumentParser:
     )
     adders = {
         "open": _add_open,
+        "report": _add_report,
         "info": _add_info,
         "detect": _add_detect,
         "clean": _add_clean,
@@ -108,6 +110,15 @@ def _add_open(p: argparse.ArgumentParser) -> None:
         nargs="*",
         help="recording to open; several, a folder, or a batch's review.json to go through",
     )
+
+
+def _add_report(p: argparse.ArgumentParser) -> None:
+    _take(p)
+    p.add_argument(
+        "-o", "--output", metavar="FILE.html", required=True, help="where the report is written"
+    )
+    _json(p)
+    _force(p)
 
 
 def _add_info(p: argparse.ArgumentParser) -> None:

@@ -9,6 +9,16 @@ from __future__ import annotations
 
 from markermend.report.index import index_section
 from markermend.report.quality import Quality, quality
+from markermend.report.review import Reviewed, review_report, reviewed
 from markermend.report.sections import batch_parts, take_report
 
-__all__ = ["Quality", "batch_parts", "index_section", "quality", "take_report"]
+__all__ = [
+    "Quality",
+    "Reviewed",
+    "batch_parts",
+    "index_section",
+    "quality",
+    "review_report",
+    "reviewed",
+    "take_report",
+]

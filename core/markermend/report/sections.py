@@ -10,6 +10,7 @@ from statistics import median
 import markermend as mm
 from markermend.artifact import Kind
 from markermend.outcome import Outcome, cleaned_document
+from markermend.pace import Pace
 from markermend.report import page
 from markermend.report.index import error, index_section, percent, tiles
 from markermend.report.quality import Quality, quality
@@ -30,9 +31,16 @@ _CURVES_KEY = (
 
 
 def take_report(
-    before: Take, after: Take, done: Sequence[Outcome], *, method: str, name: str
+    before: Take,
+    after: Take,
+    done: Sequence[Outcome],
+    *,
+    method: str,
+    name: str,
+    pace: Pace | None = None,
+    by_hand: Sequence[str] = (),
 ) -> str:
-    """Report on one cleaned take.
+    """Report on one cleaned or reviewed take.
 
     Parameters
     ----------
@@ -40,12 +48,15 @@ def take_report(
     done : what became of every artifact
     method : what found the artifacts
     name : the take's file name
+    pace : of the operator who reviewed it, or None
+    by_hand : what was done to samples and names by hand, one line each
 
     Returns
     -------
     An HTML page that needs no other file and no network; the same input gives the same text
     """
-    return page.head(name) + _section(before, after, done, method, name) + page.tail()
+    section = _section(before, after, done, method, name, pace, by_hand)
+    return page.head(name) + section + page.tail()
 
 
 def batch_parts(
@@ -70,7 +81,15 @@ def batch_parts(
     yield page.tail()
 
 
-def _section(before: Take, after: Take, done: Sequence[Outcome], method: str, name: str) -> str:
+def _section(
+    before: Take,
+    after: Take,
+    done: Sequence[Outcome],
+    method: str,
+    name: str,
+    pace: Pace | None,
+    by_hand: Sequence[str],
+) -> str:
     """Everything about one take."""
     q = quality(name, before, after, done)
     found, mended = len(done), sum(o.method is not None for o in done)
@@ -90,6 +109,7 @@ def _section(before: Take, after: Take, done: Sequence[Outcome], method: str, na
                 ("Repaired", f"{mended:,}"),
                 ("For review", f"{q.review:,}"),
                 ("Worst expected error", error(q.worst_mm)),
+                *_paced(pace),
             ]
         ),
         *(f'<p class="dim">{escape(warning)}</p>' for warning in before.warnings),
@@ -101,7 +121,9 @@ def _section(before: Take, after: Take, done: Sequence[Outcome], method: str, na
     if any(shapes):
         parts += ["<h3>Worst repairs, before and after</h3>", _CURVES_KEY]
         parts.append(f'<div class="figures">{"".join(shapes)}</div>')
-    parts += [*_repaired(before, done), *_left(before, done)]
+    parts += [*_repaired(before, done), *_by_hand(by_hand), *_left(before, done)]
+    if pace is not None:
+        values |= {"pace": pace.to_dict(), "by_hand": list(by_hand)}
     parts += [page.data("take", values | {"quality": q.to_dict()}), "</section>"]
     return "\n".join(parts)
 
@@ -157,7 +179,7 @@ def _left(take: Take, done: Sequence[Outcome]) -> list[str]:
             *_where(take, o),
             page.number(o.artifact.confidence, f"{o.artifact.confidence:.0%}"),
             escape(o.artifact.why),
-            escape(o.reason),
+            _said(o, o.reason),
         ]
         for o in sorted(left, key=lambda o: -o.artifact.confidence)[:_MOST_ROWS]
     ]
@@ -183,7 +205,31 @@ def _where(take: Take, o: Outcome) -> list[str]:
 
 def _error_and_note(o: Outcome) -> list[str]:
     """Cells for a repair's expected error and what else is to be known about it."""
-    return [page.number(o.error_mm, error(o.error_mm)), escape(o.note)]
+    return [page.number(o.error_mm, error(o.error_mm)), _said(o, o.note)]
+
+
+def _paced(pace: Pace | None) -> list[tuple[str, str]]:
+    """How the operator's review went, at a glance."""
+    if pace is None:
+        return []
+    cards = [("Decided", f"{pace.decided:,} of {pace.total:,}")]
+    if pace.seconds_each is not None and pace.spent_s:
+        cards.append(("An artifact", f"{pace.seconds_each:.1f} s"))
+        cards.append(("Time spent on it", f"{pace.minutes:.1f} min"))
+    return cards
+
+
+def _by_hand(steps: Sequence[str]) -> list[str]:
+    """What was done by hand, step by step."""
+    if not steps:
+        return []
+    lines = "".join(f"<li>{escape(step)}</li>" for step in steps[:_MOST_ROWS])
+    return ["<h3>By hand</h3>", f"<ol>{lines}</ol>", *_cut(len(steps))]
+
+
+def _said(o: Outcome, text: str) -> str:
+    """A text about an artifact, after what the operator wrote about it."""
+    return escape(" – ".join(filter(None, (o.artifact.note and f"✎ {o.artifact.note}", text))))
 
 
 def _cut(number: int) -> list[str]:

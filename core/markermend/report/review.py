@@ -1,0 +1,93 @@
+"""The report of a review: what the operator decided, with notes, work by hand and pace."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from markermend.artifact import Artifact, Status
+from markermend.outcome import Outcome
+from markermend.pace import Pace
+from markermend.report.sections import take_report
+from markermend.session import Session
+from markermend.take import Take
+
+_LEFT = {
+    Status.PENDING: "Not decided yet.",
+    Status.ACCEPTED: "Accepted: the flag is right, the samples are left.",
+    Status.REJECTED: "Rejected as a false alarm.",
+}
+
+
+def review_outcomes(session: Session) -> tuple[Outcome, ...]:
+    """Say what became of every artifact of a review, by start and marker."""
+    return tuple(_outcome(session, a) for a in session.artifacts)
+
+
+@dataclass(frozen=True, eq=False)
+class Reviewed:
+    """A review as it stood at a moment; later decisions do not change it.
+
+    Attributes
+    ----------
+    before, after : the take as read and as it stands
+    done : what became of every artifact
+    method : what found them
+    pace : the operator's
+    by_hand : what was done to samples and names by hand, one line each
+    """
+
+    before: Take
+    after: Take
+    done: tuple[Outcome, ...]
+    method: str
+    pace: Pace
+    by_hand: tuple[str, ...]
+
+
+def reviewed(session: Session) -> Reviewed:
+    """Hold on to a review as it stands, with a copy of its samples."""
+    searched = dict.fromkeys(
+        label.removeprefix("Detect (").removesuffix(")")
+        for label in session.history
+        if label.startswith("Detect (")
+    )
+    return Reviewed(
+        session.original,
+        session.take.viewing(session.positions.copy(), session.origin.copy()),
+        review_outcomes(session),
+        ", ".join(searched) or "hand",
+        session.pace,
+        session.by_hand,
+    )
+
+
+def review_report(review: Reviewed, *, name: str) -> str:
+    """Report on a review.
+
+    Parameters
+    ----------
+    review : from :func:`reviewed`
+    name : the take's file name
+
+    Returns
+    -------
+    An HTML page as :func:`markermend.report.take_report` makes it
+    """
+    return take_report(
+        review.before,
+        review.after,
+        review.done,
+        method=review.method,
+        name=name,
+        pace=review.pace,
+        by_hand=review.by_hand,
+    )
+
+
+def _outcome(session: Session, artifact: Artifact) -> Outcome:
+    """What became of one artifact."""
+    if artifact.status is not Status.REPAIRED:
+        return Outcome(artifact, None, None, _LEFT[artifact.status])
+    note = session.notes.get(artifact.id)
+    method, error = (note.method, note.error_mm) if note is not None else ("by hand", None)
+    return Outcome(artifact, method, error, "")
