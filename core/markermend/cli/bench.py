@@ -8,6 +8,7 @@ from pathlib import Path
 import markermend as mm
 from markermend.cli.bench_e2 import run_e2
 from markermend.cli.bench_e3 import run_e3
+from markermend.cli.bench_pose import run_pose
 from markermend.cli.bench_predictors import run_predictors
 from markermend.cli.bench_smooth import run_smooth
 from markermend.cli.bench_takes import clean_takes
@@ -101,6 +102,7 @@ RUN = {
     "e2": run_e2,
     "e3": run_e3,
     "gaps": _run_gaps,
+    "pose": run_pose,
     "predictors": run_predictors,
     "smooth": run_smooth,
     "training": run_training,

@@ -8,6 +8,8 @@ from markermend.cli.bench_e2 import SUMMARY as E2
 from markermend.cli.bench_e2 import add_e2
 from markermend.cli.bench_e3 import SUMMARY as E3
 from markermend.cli.bench_e3 import add_e3
+from markermend.cli.bench_pose import SUMMARY as POSE
+from markermend.cli.bench_pose import add_pose
 from markermend.cli.bench_predictors import SUMMARY as PREDICTORS
 from markermend.cli.bench_predictors import add_predictors
 from markermend.cli.bench_smooth import SUMMARY as SMOOTH
@@ -20,6 +22,7 @@ EXPERIMENTS = {
     "e2": E2,
     "e3": E3,
     "gaps": "hide pieces of takes, fill them, compare with what was hidden",
+    "pose": POSE,
     "predictors": PREDICTORS,
     "smooth": SMOOTH,
     "training": TRAINING,
@@ -33,6 +36,7 @@ def add_experiments(parser: argparse.ArgumentParser) -> None:
         "e2": add_e2,
         "e3": add_e3,
         "gaps": _add_gaps,
+        "pose": add_pose,
         "predictors": add_predictors,
         "smooth": add_smooth,
         "training": add_training,

@@ -16,6 +16,7 @@ from markermend.poses.restore import Restored
 def run(options: argparse.Namespace) -> int:
     """Restore one recording."""
     from markermend.files.pose import WRITABLE
+    from markermend.poses.prior import load_prior, shipped_prior
     from markermend.poses.restore import restore
 
     check_outputs([options.output], source=options.pose, force=options.force)
@@ -23,11 +24,12 @@ def run(options: argparse.Namespace) -> int:
         raise ExportError(
             f"“{options.output}” should end in {' or '.join(WRITABLE)}, to tell what to write."
         )
+    prior = shipped_prior() if options.prior is None else load_prior(Path(options.prior))
     pose = mm.read_pose(options.pose, skeleton=options.skeleton, rate=options.rate)
     for warning in pose.warnings:
         warn(warning)
     with Bar() as bar:
-        restored = restore(pose, progress=bar)
+        restored = restore(pose, prior=prior, progress=bar)
     mm.write_pose(restored.pose, options.output)
     for line in _listing(restored) if options.list else ():
         say(line)

@@ -204,6 +204,9 @@ def _add_denoise(p: argparse.ArgumentParser) -> None:
         "--rate", metavar="HZ", type=_positive, help="poses per second, where the file is silent"
     )
     p.add_argument("--skeleton", metavar="ASF", help="skeleton of an AMC that is not beside it")
+    p.add_argument(
+        "--prior", metavar="FILE", help="how bodies move, of “train prior”, instead of our own"
+    )
     p.add_argument("--list", action="store_true", help="show what was done to every joint")
     _force(p)
 

@@ -6,6 +6,7 @@ import argparse
 
 from markermend.cli.bench_takes import clean_takes
 from markermend.cli.console import Bar, check_outputs, say, table, write_json
+from markermend.cli.train_pose import run_networks, run_prior
 
 
 def run(options: argparse.Namespace) -> int:
@@ -86,4 +87,9 @@ def _figure(value: float) -> str:
     return "–" if value != value else f"{value:.3f}"
 
 
-RUN = {"sudden": _run_sudden, "slow": _run_slow}
+RUN = {
+    "sudden": _run_sudden,
+    "slow": _run_slow,
+    "prior": run_prior,
+    "pose": run_networks,
+}

@@ -7,13 +7,20 @@ import argparse
 MODELS = {
     "sudden": "how sure peaks, heavy noise and steps are: one curve a class",
     "slow": "how sure slow changes are: boosted trees on what is measured of each",
+    "prior": "how bodies move, for “denoise”: from clean skeleton recordings",
+    "pose": "the network of Goncalves and others (2024), in its three trainings (extra “deep”)",
 }
 """What can be trained; :mod:`markermend.cli.train` has a function for each."""
 
 
 def add_training(parser: argparse.ArgumentParser) -> None:
     """Give ``train`` a command for each model."""
-    adders = {"sudden": _add_sudden, "slow": _add_slow}
+    adders = {
+        "sudden": _add_sudden,
+        "slow": _add_slow,
+        "prior": _add_prior,
+        "pose": _add_pose,
+    }
     names = parser.add_subparsers(dest="model", metavar="MODEL", required=True)
     for name, summary in MODELS.items():
         adders[name](
@@ -67,8 +74,34 @@ def _add_sudden(p: argparse.ArgumentParser) -> None:
     add_model_output(p)
 
 
+def _add_prior(p: argparse.ArgumentParser) -> None:
+    p.add_argument("poses", metavar="POSE", nargs="+", help="clean skeleton recordings")
+    add_output(p)
+
+
+def _add_pose(p: argparse.ArgumentParser) -> None:
+    p.add_argument("poses", metavar="POSE", nargs="+", help="clean skeleton recordings")
+    p.add_argument(
+        "--leave-out",
+        action="store_true",
+        help="for each person, whom names begin with, networks that never saw them",
+    )
+    p.add_argument("--epochs", metavar="N", type=int, default=100, help="default: 100")
+    p.add_argument(
+        "--resume",
+        action="store_true",
+        help="keep each network's state beside the model, and go on from one that is there",
+    )
+    add_model_output(p)
+
+
 def add_model_output(p: argparse.ArgumentParser) -> None:
     """Add what every model needs: a seed and a file to write."""
     p.add_argument("--seed", metavar="N", type=int, default=0, help="same seed, same model")
+    add_output(p)
+
+
+def add_output(p: argparse.ArgumentParser) -> None:
+    """Add the file to write."""
     p.add_argument("-o", "--output", metavar="FILE", required=True, help="model to write")
     p.add_argument("--force", action="store_true", help="overwrite what is there already")

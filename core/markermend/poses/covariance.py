@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from markermend.arrays import BoolArray, FloatArray
+from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.poses.bridging import SIDE, bridge
 
 # Lengths in seconds for which movement within a gap is learnt.
@@ -42,8 +42,8 @@ class Moments:
         near[self.counts <= 0] = np.inf
         return np.asarray(self.within[int(np.argmin(near))])
 
-    def of(self, channels: BoolArray) -> Moments:
-        """Moments of some of the channels."""
+    def of(self, channels: BoolArray | IntArray) -> Moments:
+        """Moments of some of the channels, or of all in another order."""
         both = np.ix_(channels, channels)
         within = self.within[:, both[0], both[1]]
         return Moments(self.mean[channels], self.whole[both], within, self.weight, self.counts)

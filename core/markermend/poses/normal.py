@@ -103,16 +103,22 @@ def bone_lengths(positions: FloatArray, parents: tuple[int, ...]) -> FloatArray:
 def _offsets(pose: Pose) -> FloatArray:
     """(joints, 4) constant rotation that lays each joint's bone along its axis."""
     offsets = np.tile([0.0, 0.0, 0.0, 1.0], (len(pose.joints), 1))
-    child_of = {parent: j for j, parent in reversed(list(enumerate(pose.parents)))}
-    for joint, name in enumerate(pose.joints):
+    usual = [usual_name(name) for name in pose.joints]
+    # Of several children the first of Nuitrack's order, in whatever order the file has them.
+    by_rank = sorted(
+        range(len(usual)),
+        key=lambda j: JOINTS.index(usual[j]) if usual[j] in JOINTS else len(JOINTS),
+    )
+    child_of = {pose.parents[j]: j for j in reversed(by_rank)}
+    for joint, name in enumerate(usual):
         child = child_of.get(joint)
-        if child is None or usual_name(name) not in JOINTS:
+        if child is None or name not in JOINTS:
             continue
         bone = pose.positions[:, child] - pose.positions[:, joint]
         local = turn(inverse(pose.rotations[:, joint]), bone)[pose.turned[:, joint]]
         local = local[~np.isnan(local[:, 0])]
         if len(local):
-            offsets[joint] = _onto_axis(np.median(local, axis=0), *aligned_axis(usual_name(name)))
+            offsets[joint] = _onto_axis(np.median(local, axis=0), *aligned_axis(name))
     return offsets
 
 

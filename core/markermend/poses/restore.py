@@ -13,7 +13,9 @@ from markermend.poses.channels import Channels, to_channels, to_features
 from markermend.poses.covariance import Moments
 from markermend.poses.filling import fill
 from markermend.poses.normal import FEATURES, denormalise
+from markermend.poses.nuitrack import mirrored
 from markermend.poses.pose import Pose
+from markermend.poses.prior import Prior, fitting, shipped_prior
 from markermend.poses.smoothing import LEAST_NOISE, noise_level, smooth
 from markermend.progress import Progress, quiet
 
@@ -46,27 +48,33 @@ class Restored:
     filled: BoolArray
 
 
-def denoise(pose: Pose, *, progress: Progress | None = None) -> Pose:
+def denoise(pose: Pose, *, prior: Prior | None = None, progress: Progress | None = None) -> Pose:
     """Return a recording made clean; see :func:`restore` for what is done, and how sure it is.
+
+    Parameters
+    ----------
+    pose : any skeleton with one root, at any rate
+    prior : how bodies move; the one that comes with Markermend where not given
+    progress : told the share done; may raise to stop
 
     Raises
     ------
     DataError
         when nothing can be made of it: fewer than three poses, or no bone ever seen whole
     """
-    return restore(pose, progress=progress).pose
+    return restore(pose, prior=prior or shipped_prior(), progress=progress).pose
 
 
 def restore(
-    pose: Pose, *, prior: Moments | None = None, progress: Progress | None = None
+    pose: Pose, *, prior: Prior | None = None, progress: Progress | None = None
 ) -> Restored:
     """Fill what was not seen, take out noise, and keep bones as long as they are.
 
     Parameters
     ----------
     pose : any skeleton with one root, at any rate
-    prior : how bodies move, learnt from other recordings: moments of the same joints in the same
-        order
+    prior : how bodies move, learnt from other recordings; used where its joints are the
+        recording's. Left-handed recordings are found and mirrored for it.
     progress : told the share done; may raise to stop
 
     Returns
@@ -78,9 +86,20 @@ def restore(
     DataError
         when there are fewer than three poses, or no bone was ever seen whole
     """
-    tell = progress or quiet
     if pose.frames < _LEAST_FRAMES:
         raise DataError(f"{pose.frames} poses are too few; it takes at least {_LEAST_FRAMES}.")
+    fit = fitting(pose, prior) if prior is not None else None
+    if fit is None:
+        return _restore(pose, None, progress or quiet)
+    moments, left_handed = fit
+    if not left_handed:
+        return _restore(pose, moments, progress or quiet)
+    restored = _restore(mirrored(pose), moments, progress or quiet)
+    return replace(restored, pose=mirrored(restored.pose))
+
+
+def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
+    """Restore with moments of the recording's own channels."""
     channels = to_channels(pose)
     usable = np.asarray(channels.known.any(axis=0))
     values, known = channels.values[:, usable], channels.known[:, usable]

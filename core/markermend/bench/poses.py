@@ -1,0 +1,268 @@
+"""Damage clean skeleton recordings, restore them by several means, compare with the truth."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.interpolate import PchipInterpolator
+
+from markermend.arrays import BoolArray, FloatArray, IntArray
+from markermend.errors import DataError
+from markermend.poses.network import Network, smoothed
+from markermend.poses.noise import Noise, corrupt
+from markermend.poses.normal import Normal, denormalise, normalise
+from markermend.poses.nuitrack import to_nuitrack
+from markermend.poses.pose import Pose
+from markermend.poses.prior import Prior, learn_prior
+from markermend.poses.quaternion import inverse, multiply, turn, unit, unrolled, upright
+from markermend.poses.restore import restore
+from markermend.poses.sensor import RATE_HZ, as_depth_sensor
+from markermend.progress import Progress, quiet
+
+HIDDEN = (0, 1, 2, 3, 4)
+"""Joints occluded in one pose; the last stands for more, too."""
+
+_MOST_HIDDEN = HIDDEN[-1]
+_LOSS = {
+    "both": Noise(),
+    "occlusions": Noise(displacement=0.0),
+    "displacements": Noise(occlusion=0.0),
+}
+
+
+@dataclass(frozen=True)
+class Case:
+    """One kind of damage.
+
+    Attributes
+    ----------
+    name : as the table has it
+    kind : ``"both"``, ``"occlusions"`` or ``"displacements"``
+    burst_s : seconds that an occlusion lasts; 0 for single frames
+    limbs : whole arms and legs
+    slow : at 30 Hz, every fourth pose of 120
+    sensor : of a simulated depth sensor: 30 Hz, other proportions and axes
+    """
+
+    name: str
+    kind: str
+    burst_s: float = 0.0
+    limbs: bool = False
+    slow: bool = False
+    sensor: bool = False
+
+    def noise(self, rate: float) -> Noise:
+        """The noise at a rate."""
+        base = _LOSS[self.kind]
+        burst = max(round(self.burst_s * rate), 1)
+        return Noise(base.occlusion, base.displacement, burst, self.limbs)
+
+
+CASES = (
+    *(Case("frame by frame", kind) for kind in _LOSS),
+    *(Case("bursts of 0.25 s", kind, 0.25) for kind in ("both", "occlusions")),
+    Case("whole limb, bursts of 1 s", "occlusions", 1.0, limbs=True),
+    *(Case("bursts of 1 s, 30 Hz", kind, 1.0, slow=True) for kind in ("both", "occlusions")),
+    *(
+        Case("simulated sensor, bursts of 1 s", kind, 1.0, sensor=True)
+        for kind in ("both", "occlusions")
+    ),
+)
+"""What is tried."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """One method on one recording.
+
+    Attributes
+    ----------
+    clip, subject : the recording, and who was left out of what had been learnt
+    case, kind, method : what was done
+    error : mean absolute error over the features of all poses
+    by_hidden : the same for poses with as many joints occluded as :data:`HIDDEN` says; NaN where
+        there is none
+    poses_hidden : number of those
+    poses : number of all
+    """
+
+    clip: str
+    subject: str
+    case: str
+    kind: str
+    method: str
+    error: float
+    by_hidden: tuple[float, ...]
+    poses_hidden: tuple[int, ...]
+    poses: int
+
+
+def subject_of(clip: str) -> str:
+    """Who a recording shows: what stands before the underscore of its name."""
+    return clip.partition("_")[0]
+
+
+def compare(
+    clips: Mapping[str, Pose],
+    *,
+    cases: Sequence[Case] = CASES,
+    networks: Mapping[str, Network] | None = None,
+    seed: int = 1,
+    progress: Progress | None = None,
+) -> list[Row]:
+    """Restore people never seen: everything that is learnt leaves the subject out.
+
+    Parameters
+    ----------
+    clips : name to recording of the CMU skeleton or the 17 joints, clean; two subjects or more
+    cases : what is done to them
+    networks : ``without<subject>-…`` to network, trained on the others
+    seed : of the damage; each clip has its own
+    progress : told the share done; may raise to stop
+
+    Raises
+    ------
+    DataError
+        when all clips show one subject
+    """
+    bodies = {name: to_nuitrack(pose) for name, pose in clips.items()}
+    subjects = sorted({subject_of(name) for name in bodies})
+    if len(subjects) < 2:
+        raise DataError("To leave one subject out, recordings of two or more are needed.")
+    rows: list[Row] = []
+    steps, done = len(bodies) * len(cases), 0
+    for subject in subjects:
+        others = [pose for name, pose in bodies.items() if subject_of(name) != subject]
+        prior = learn_prior(others)
+        mine = {
+            name.partition("-")[2]: network
+            for name, network in (networks or {}).items()
+            if name.startswith(f"without{subject}-")
+        }
+        for n, (name, pose) in enumerate(bodies.items()):
+            if subject_of(name) != subject:
+                continue
+            for case in cases:
+                (progress or quiet)(done / steps, f"{name}: {case.name}")
+                done += 1
+                rows += _try(name, pose, case, prior, mine, seed + n)
+    return rows
+
+
+def _try(
+    clip: str, pose: Pose, case: Case, prior: Prior, networks: Mapping[str, Network], seed: int
+) -> list[Row]:
+    """All methods on one damaged recording."""
+    truth = _at(pose, case, seed)
+    features, normal = normalise(truth)
+    features[..., 3:] = upright(features[..., 3:])
+    damaged, occluded = corrupt(features, truth.parents, case.noise(truth.rate), seed=seed)
+    damaged[..., 3:] = upright(unit(damaged[..., 3:]))
+    known = _known(occluded, truth.parents)
+    results = {name: method(damaged, known) for name, method in SIMPLE.items()}
+    for name, network in networks.items():
+        results[f"network {name}"] = network(damaged)
+        results[f"network {name}, filtered"] = smoothed(results[f"network {name}"])
+    given = truth.with_samples(*denormalise(damaged, normal), np.where(occluded, 0.0, 1.0))
+    for name, learnt in (("restore, no prior", None), ("restore", prior)):
+        results[name] = _relative(restore(given, prior=learnt).pose, normal)
+    hidden = np.count_nonzero(occluded, axis=1)
+    rows = []
+    for name, result in results.items():
+        off = error_of(result, features)
+        groups = [off[np.minimum(hidden, _MOST_HIDDEN) == n] for n in HIDDEN]
+        rows.append(
+            Row(
+                clip,
+                subject_of(clip),
+                case.name,
+                case.kind,
+                name,
+                float(off.mean()),
+                tuple(float(g.mean()) if len(g) else float("nan") for g in groups),
+                tuple(len(g) for g in groups),
+                len(off),
+            )
+        )
+    return rows
+
+
+def error_of(result: FloatArray, truth: FloatArray) -> FloatArray:
+    """(frames,) mean absolute error over the features of all joints but the first."""
+    own = result[:, 1:].copy()
+    own[..., 3:] = upright(unit(own[..., 3:]))
+    return np.asarray(np.abs(own - truth[:, 1:]).mean(axis=(1, 2)))
+
+
+def _at(pose: Pose, case: Case, seed: int) -> Pose:
+    """The recording as a case has it before the damage."""
+    if case.sensor:
+        return as_depth_sensor(pose, seed=seed)
+    if not case.slow:
+        return pose
+    step = max(round(pose.rate / RATE_HZ), 1)
+    return Pose(
+        pose.positions[::step],
+        pose.rotations[::step],
+        pose.joints,
+        pose.parents,
+        pose.rate / step,
+        pose.confidence[::step],
+    )
+
+
+def _known(occluded: BoolArray, parents: tuple[int, ...]) -> BoolArray:
+    """(frames, joints, 7) bool: features that the damage left."""
+    turned = ~occluded
+    for joint, parent in enumerate(parents):
+        if parent > 0:
+            turned[:, parent] &= ~occluded[:, joint]
+    return np.concatenate(
+        [np.repeat(~occluded[..., None], 3, axis=2), np.repeat(turned[..., None], 4, axis=2)],
+        axis=2,
+    )
+
+
+def _relative(pose: Pose, normal: Normal) -> FloatArray:
+    """(frames, joints, 7) of a recording by the normalisation of another."""
+    back = inverse(normal.rotation)[:, None]
+    places = turn(back, pose.positions - normal.position[:, None]) / normal.scale
+    return np.concatenate([places, multiply(back, multiply(pose.rotations, normal.offset))], axis=2)
+
+
+def _interpolated(
+    cross: Callable[[IntArray, FloatArray, IntArray], FloatArray],
+) -> Callable[[FloatArray, BoolArray], FloatArray]:
+    """Each feature by itself, ends held."""
+
+    def run(damaged: FloatArray, known: BoolArray) -> FloatArray:
+        path = np.where(known, damaged, np.nan)
+        path[..., 3:] = unrolled(path[..., 3:])
+        flat = path.reshape(len(path), -1)
+        time = np.arange(len(flat))
+        for column in flat.T:
+            there = np.flatnonzero(~np.isnan(column))
+            if 1 < len(there) < len(column):
+                column[:] = cross(there, column[there], np.clip(time, there[0], there[-1]))
+        return flat.reshape(path.shape)
+
+    return run
+
+
+def _pchip(there: IntArray, values: FloatArray, time: IntArray) -> FloatArray:
+    return np.asarray(PchipInterpolator(there, values)(time))
+
+
+def _filtered(damaged: FloatArray, known: BoolArray) -> FloatArray:
+    return smoothed(_interpolated(_pchip)(damaged, known))
+
+
+SIMPLE: Mapping[str, Callable[[FloatArray, BoolArray], FloatArray]] = {
+    "as it is": lambda damaged, known: damaged,
+    "linear": _interpolated(lambda there, values, time: np.interp(time, there, values)),
+    "pchip": _interpolated(_pchip),
+    "pchip, filtered": _filtered,
+}
+"""What needs no knowledge of bodies."""

@@ -1,0 +1,80 @@
+"""Errors on skeleton recordings as a table and as CSV."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+
+from markermend.bench.columns import aligned
+from markermend.bench.poses import HIDDEN, Row
+
+
+def poses_table(rows: Sequence[Row]) -> list[str]:
+    """Mean absolute error of every method in every case, subjects never seen, poses pooled."""
+    lines = ["Mean absolute error over all features; whoever is shown was left out of learning."]
+    for case in dict.fromkeys(row.case for row in rows):
+        here = [row for row in rows if row.case == case]
+        kinds = list(dict.fromkeys(row.kind for row in here))
+        body = [
+            [
+                method,
+                *(_pooled(r for r in here if (r.method, r.kind) == (method, k)) for k in kinds),
+            ]
+            for method in dict.fromkeys(row.method for row in here)
+        ]
+        head = ["Method", *kinds]
+        lines += ["", f"{case[0].upper()}{case[1:]}", *aligned([head, *body])]
+    return lines
+
+
+def hidden_table(rows: Sequence[Row]) -> list[str]:
+    """The same by the number of joints occluded in a pose, both noises."""
+    lines: list[str] = []
+    for case in dict.fromkeys(row.case for row in rows if row.kind == "both"):
+        here = [row for row in rows if row.case == case and row.kind == "both"]
+        head = ["Joints occluded", *(f"{n}" for n in HIDDEN[:-1]), f"{HIDDEN[-1]} and more"]
+        body = []
+        for method in dict.fromkeys(row.method for row in here):
+            groups = np.array([row.by_hidden for row in here if row.method == method])
+            weight = np.array([row.poses_hidden for row in here if row.method == method])
+            total = np.maximum(weight.sum(axis=0), 1)
+            mean = np.sum(weight * np.nan_to_num(groups), axis=0) / total
+            body.append([method, *(f"{value:.4f}" for value in mean.tolist())])
+        lines += ["", f"{case[0].upper()}{case[1:]}, both", *aligned([head, *body])]
+    return lines
+
+
+def poses_csv(rows: Sequence[Row]) -> str:
+    """Every method on every recording."""
+    file = io.StringIO()
+    writer = csv.writer(file, lineterminator="\n")
+    writer.writerow(
+        [
+            "clip",
+            "subject",
+            "case",
+            "kind",
+            "method",
+            "error",
+            *(f"hidden{n}" for n in HIDDEN),
+            "poses",
+        ]
+    )
+    for row in rows:
+        writer.writerow(
+            [row.clip, row.subject, row.case, row.kind, row.method, f"{row.error:.6f}"]
+            + [f"{value:.6f}" for value in row.by_hidden]
+            + [row.poses]
+        )
+    return file.getvalue()
+
+
+def _pooled(rows: Iterable[Row]) -> str:
+    """Mean over poses."""
+    some = list(rows)
+    if not some:
+        return "–"
+    return f"{sum(r.error * r.poses for r in some) / sum(r.poses for r in some):.4f}"

@@ -1,0 +1,67 @@
+"""``markermend bench pose``: damage skeleton recordings, restore them, compare with the truth."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+import markermend as mm
+from markermend.cli.console import STDOUT, Bar, check_outputs, say, write_text
+from markermend.errors import MethodError
+
+SUMMARY = "damage clean skeleton recordings, restore people never seen, compare with the truth"
+
+
+def add_pose(p: argparse.ArgumentParser) -> None:
+    """Give the experiment its options."""
+    p.add_argument(
+        "poses",
+        metavar="POSE",
+        nargs="+",
+        help="clean recordings of two people or more; names begin with the person (01_05.amc)",
+    )
+    p.add_argument(
+        "--networks",
+        metavar="FILE",
+        nargs="+",
+        default=[],
+        help="what “train pose --leave-out” wrote, to be tried as well",
+    )
+    p.add_argument("--case", metavar="TEXT", nargs="+", help="only cases whose name has this text")
+    p.add_argument("--hidden", action="store_true", help="show errors by number of occluded joints")
+    p.add_argument("--seed", metavar="N", type=int, default=1, help="same seed, same damage")
+    p.add_argument(
+        "--csv", metavar="FILE", help="write every error as CSV; “-” for standard output"
+    )
+    p.add_argument("--force", action="store_true", help="overwrite what is there already")
+
+
+def run_pose(options: argparse.Namespace) -> int:
+    """Restore, and show how far off the results are."""
+    from markermend.bench.poses import CASES, compare
+    from markermend.bench.poses_text import hidden_table, poses_csv, poses_table
+    from markermend.poses.network import Network, load_networks
+
+    check_outputs([options.csv], source=None, force=options.force)
+    wanted = options.case
+    cases = [c for c in CASES if wanted is None or any(text in c.name for text in wanted)]
+    if not cases:
+        names = ", ".join(dict.fromkeys(case.name for case in CASES))
+        raise MethodError(f"No case has “{wanted[0]}” in its name; there are: {names}.")
+    networks: dict[str, Network] = {}
+    for path in options.networks:
+        networks |= load_networks(Path(path))
+    with Bar() as bar:
+        rows = compare(
+            {Path(path).stem: mm.read_pose(path) for path in options.poses},
+            cases=cases,
+            networks=networks,
+            seed=options.seed,
+            progress=bar,
+        )
+    if options.csv is not None:
+        write_text(options.csv, poses_csv(rows))
+    if options.csv != STDOUT:
+        for line in poses_table(rows) + (hidden_table(rows) if options.hidden else []):
+            say(line)
+    return 0

@@ -1,0 +1,184 @@
+"""How bodies move, learnt from recordings of other people: small, and kept in a file."""
+
+from __future__ import annotations
+
+import io
+import zipfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib.resources import files
+from pathlib import Path
+from typing import IO
+
+import numpy as np
+
+from markermend.arrays import FloatArray, IntArray
+from markermend.errors import DataError, FileFormatError
+from markermend.files.atomic import write_whole
+from markermend.poses.bridging import bridged
+from markermend.poses.channels import to_channels
+from markermend.poses.covariance import LENGTHS_S, Moments, averaged, learn
+from markermend.poses.normal import FEATURES
+from markermend.poses.nuitrack import mirrored, to_nuitrack, usual_name
+from markermend.poses.pose import Pose
+from markermend.progress import Progress, quiet
+
+WEIGHT = 300.0
+"""Poses of the recording itself that a prior counts for."""
+
+# Mean distance of joints from where the prior has them, in mean bone lengths, up to which it fits.
+_ALIKE = 1.0
+_SHIPPED = ("models", "pose_prior.npz")
+
+
+@dataclass(frozen=True, eq=False)
+class Prior:
+    """Moments of bodies with certain joints.
+
+    Attributes
+    ----------
+    joints : names, the root first
+    moments : of all joints but the root, :data:`FEATURES` each
+    """
+
+    joints: tuple[str, ...]
+    moments: Moments
+
+
+def learn_prior(poses: Sequence[Pose], *, progress: Progress | None = None) -> Prior:
+    """Learn from clean recordings.
+
+    Parameters
+    ----------
+    poses : of Nuitrack's joints or the CMU skeleton, which are reduced to those; else all of the
+        same joints. Frames in which something was not seen are bridged by time.
+    progress : told the share of recordings done
+
+    Raises
+    ------
+    DataError
+        when there is none, joints differ, or one was never seen
+    """
+    if not poses:
+        raise DataError("A prior needs at least one recording to learn from.")
+    parts, joints = [], None
+    for n, pose in enumerate(poses):
+        (progress or quiet)(n / len(poses), f"Learning from recording {n + 1}")
+        body = _usual(pose)
+        if joints is not None and body.joints != joints:
+            raise DataError("All recordings a prior learns from must have the same joints.")
+        joints = body.joints
+        parts.append(learn(_filled(body), body.rate))
+    assert joints is not None
+    return Prior(joints, averaged(parts, WEIGHT))
+
+
+def _usual(pose: Pose) -> Pose:
+    """The 17 joints where a recording has them, the recording itself where not."""
+    try:
+        return to_nuitrack(pose)
+    except DataError:
+        return pose
+
+
+def _filled(pose: Pose) -> FloatArray:
+    """(frames, channels) without NaN."""
+    channels = to_channels(pose)
+    if not channels.known.any(axis=0).all():
+        raise DataError("A joint of a recording to learn from was never seen.")
+    return bridged(channels.values, channels.known)
+
+
+def fitting(pose: Pose, prior: Prior) -> tuple[Moments, bool] | None:
+    """Moments in the order of a recording's joints, where the prior fits it.
+
+    Parameters
+    ----------
+    pose : the recording
+    prior : of joints with usual names, such as Nuitrack's
+
+    Returns
+    -------
+    moments, and whether they are those of the recording :func:`mirrored`, as left-handed sensors
+    have it; None where joints are others, or stand elsewhere than bodies have them
+    """
+    names = [usual_name(joint) for joint in pose.joints]
+    root = pose.order[0]
+    if sorted(names) != sorted(prior.joints) or names[root] != prior.joints[0]:
+        return None
+    at = {name: i for i, name in enumerate(prior.joints[1:])}
+    order = np.array([at[name] for j, name in enumerate(names) if j != root])
+    columns: IntArray = (order[:, None] * FEATURES + np.arange(FEATURES)).ravel()
+    moments = prior.moments.of(columns)
+    apart = [_apart(body, moments) for body in (pose, mirrored(pose))]
+    return (moments, apart[1] < apart[0]) if min(apart) < _ALIKE else None
+
+
+def _apart(pose: Pose, moments: Moments) -> float:
+    """Mean distance of joints from where moments have them."""
+    channels = to_channels(pose)
+    values = np.where(channels.known, channels.values, np.nan)
+    with np.errstate(invalid="ignore"):
+        count = np.maximum(channels.known.sum(axis=0), 1)
+        away = (np.nansum(values, axis=0) / count - moments.mean).reshape(-1, FEATURES)
+    seen = np.asarray(channels.known.any(axis=0))[::FEATURES]
+    return float(np.mean(np.sqrt(np.sum(away[seen, :3] ** 2, axis=1)))) if seen.any() else np.inf
+
+
+@lru_cache(maxsize=1)
+def shipped_prior() -> Prior:
+    """The prior that comes with Markermend: Nuitrack's 17 joints."""
+    return load_prior(Path(str(files("markermend_resources").joinpath(*_SHIPPED))))
+
+
+def save_prior(prior: Prior, path: Path) -> None:
+    """Write a prior, whole or not at all."""
+    moments = prior.moments
+    upper = np.triu_indices(len(moments.mean))
+    memory = io.BytesIO()
+    np.savez_compressed(
+        memory,
+        joints=np.array(prior.joints),
+        mean=moments.mean.astype(np.float32),
+        whole=moments.whole[upper].astype(np.float32),
+        within=moments.within[:, upper[0], upper[1]].astype(np.float32),
+    )
+
+    def put(file: IO[bytes]) -> None:
+        file.write(memory.getvalue())
+
+    write_whole(path, put, backup=False)
+
+
+def load_prior(path: Path) -> Prior:
+    """Read what :func:`save_prior` wrote.
+
+    Raises
+    ------
+    FileFormatError
+        when the file holds no prior
+    """
+    try:
+        with np.load(path, allow_pickle=False) as file:
+            arrays = {key: file[key] for key in file.files}
+        joints = tuple(str(joint) for joint in arrays["joints"])
+        mean = arrays["mean"].astype(np.float64)
+        if mean.shape != ((len(joints) - 1) * FEATURES,):
+            raise ValueError("its sizes do not fit")
+        whole = _square(arrays["whole"][None], len(mean))[0]
+        within = _square(arrays["within"], len(mean))
+        if len(within) != len(LENGTHS_S):
+            raise ValueError("it knows other lengths")
+    except (ValueError, KeyError, OSError, zipfile.BadZipFile) as error:
+        raise FileFormatError(f"{path.name} holds no prior of poses: {error}.") from error
+    return Prior(joints, Moments(mean, whole, within, WEIGHT, np.full(len(within), WEIGHT)))
+
+
+def _square(upper: FloatArray, size: int) -> FloatArray:
+    """(n, size, size) symmetric matrices from their upper triangles."""
+    rows, columns = np.triu_indices(size)
+    full = np.zeros((len(upper), size, size))
+    full[:, rows, columns] = upper
+    full[:, columns, rows] = upper
+    return full

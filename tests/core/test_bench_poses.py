@@ -1,0 +1,119 @@
+"""The experiment on skeleton recordings, and what is learnt for it."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import markermend as mm
+from markermend.bench.poses import CASES, compare, error_of, subject_of
+from markermend.bench.poses_text import hidden_table, poses_csv, poses_table
+from markermend.cli import main
+from markermend.errors import DataError, FileFormatError
+from markermend.poses.noise import Noise, corrupt_pose
+from markermend.poses.nuitrack import mirrored, to_nuitrack
+from markermend.poses.prior import fitting, learn_prior, load_prior, save_prior, shipped_prior
+from markermend.poses.restore import restore
+
+
+@pytest.fixture(scope="module")
+def clips(shared_data):
+    folder = shared_data / "poses"
+    return {name: to_nuitrack(mm.read_pose(folder / f"{name}.amc")) for name in ("02_01", "03_02")}
+
+
+def test_errors_are_the_papers():
+    truth = np.zeros((2, 3, 7))
+    truth[..., 6] = 1.0
+    result = truth.copy()
+    result[1, 1, 0] = 0.7
+    result[:, 2, 3:] *= -2.0
+    assert_allclose(error_of(result, truth), [0.0, 0.7 / 14])
+    assert subject_of("01_05") == "01"
+
+
+def test_restoring_beats_what_knows_no_bodies(clips):
+    cases = [CASES[0], CASES[7]]
+    rows = compare(clips, cases=cases)
+    error = {
+        (case, method): np.mean([r.error for r in rows if (r.case, r.method) == (case, method)])
+        for case in {r.case for r in rows}
+        for method in {r.method for r in rows}
+    }
+    for case in cases:
+        for simple in ("as it is", "linear", "pchip", "pchip, filtered"):
+            assert error[case.name, "restore"] < 0.8 * error[case.name, simple]
+    assert [r.error for r in rows] == [r.error for r in compare(clips, cases=cases)]
+    text = "\n".join(poses_table(rows) + hidden_table(rows))
+    assert "Frame by frame" in text
+    assert "restore, no prior" in text
+    assert len(poses_csv(rows).splitlines()) == 1 + len(rows)
+    with pytest.raises(DataError, match="two or more"):
+        compare({"02_01": clips["02_01"]}, cases=cases)
+
+
+def test_a_prior_helps_whom_it_never_saw(clips):
+    prior = learn_prior([clips["02_01"]])
+    truth = clips["03_02"]
+    damaged = corrupt_pose(truth, Noise(displacement=0.0, burst=120), seed=4)
+
+    def error(known):
+        gone = restore(damaged, prior=known).pose.positions - truth.positions
+        return np.sqrt(np.mean(gone[~damaged.seen] ** 2))
+
+    assert error(prior) < 0.95 * error(None)
+
+
+def test_a_prior_fits_left_hands_and_refuses_strangers(clips):
+    prior, pose = shipped_prior(), clips["02_01"]
+    moments, left_handed = fitting(pose, prior)
+    assert not left_handed
+    assert moments.mean.shape == (112,)
+    assert fitting(mirrored(pose), prior)[1]
+    shuffled = mm.Pose(
+        pose.positions[:, ::-1],
+        pose.rotations[:, ::-1],
+        pose.joints[::-1],
+        tuple(16 - p if p >= 0 else -1 for p in pose.parents[::-1]),
+        pose.rate,
+    )
+    turned = fitting(shuffled, prior)[0]
+    assert_allclose(turned.mean.reshape(16, 7)[::-1], moments.mean.reshape(16, 7))
+    assert (
+        fitting(
+            mm.Pose(pose.positions[:, :2], pose.rotations[:, :2], ("a", "b"), (-1, 0), 30.0), prior
+        )
+        is None
+    )
+    damaged = corrupt_pose(pose, Noise(displacement=0.0, burst=20), seed=4)
+    one, other = restore(damaged, prior=prior), restore(mirrored(damaged), prior=prior)
+    assert_allclose(mirrored(other.pose).positions, one.pose.positions, atol=1e-6)
+
+
+def test_priors_are_kept_in_files(clips, tmp_path):
+    prior = learn_prior(list(clips.values()))
+    save_prior(prior, tmp_path / "p.npz")
+    back = load_prior(tmp_path / "p.npz")
+    assert back.joints == prior.joints
+    assert_allclose(back.moments.within, prior.moments.within, atol=1e-5)
+    (tmp_path / "q.npz").write_bytes(b"nothing")
+    with pytest.raises(FileFormatError, match="no prior"):
+        load_prior(tmp_path / "q.npz")
+    with pytest.raises(DataError, match="at least one"):
+        learn_prior([])
+
+
+def test_command_line(shared_data, tmp_path, capsys):
+    folder = shared_data / "poses"
+    clip, prior = str(folder / "02_01.amc"), str(tmp_path / "prior.npz")
+    assert main(["train", "prior", clip, "-o", prior]) == 0
+    assert "Learnt from 343 poses" in capsys.readouterr().out
+    assert main(["denoise", clip, "-o", str(tmp_path / "o.csv"), "--prior", prior]) == 0
+    assert main(["bench", "pose", clip, "--case", "nothing"]) == 1
+    assert "frame by frame" in capsys.readouterr().err
+    table = tmp_path / "t.csv"
+    clips = [clip, str(folder / "03_02.amc")]
+    assert main(["bench", "pose", *clips, "--case", "0.25", "--hidden", "--csv", str(table)]) == 0
+    assert "Joints occluded" in capsys.readouterr().out
+    assert "restore" in table.read_text()
