@@ -284,6 +284,7 @@ def test_numbers_of_low_rows_do_not_cover_each_other(panel):
         low, high = row.view.viewRange()[1]
         height = row.view.height()
         at = row.values.tickValues(low, high, height)[0][1]
+        assert at, row.quantity.name
         pixels = np.diff(sorted(at)) * height / (high - low)
         assert (pixels >= 14).all(), row.quantity.name
 

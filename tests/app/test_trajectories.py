@@ -411,3 +411,9 @@ def test_many_names_do_not_make_the_window_wider(bench):
         assert legend.more.text() == f"and {8 - len(named)} more"
         assert legend.more.isHidden() or legend.more.geometry().right() <= width
     assert len(named) > 2
+    assert legend.chips[0].text() == "CLAV"
+    bench.document.show(["CLAV"])
+    legend.resize(legend.chips[0].sizeHint().width() - 6, 26)
+    assert legend.chips[0].text() not in ("", "CLAV")
+    legend.resize(900, 26)
+    assert legend.chips[0].text() == "CLAV"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pyqtgraph as pg
 
 LABEL_PX = 15.0
@@ -13,11 +15,16 @@ class ValueAxis(pg.AxisItem):
     def __init__(self) -> None:
         super().__init__("left")
 
-    def tickSpacing(self, minVal: float, maxVal: float, size: float) -> list[tuple[float, float]]:
-        """Wider steps where numbers would be less than a line apart."""
-        levels = super().tickSpacing(minVal, maxVal, size)
-        wanted = LABEL_PX * abs(maxVal - minVal) / max(size, 1.0)
-        spacing, offset = levels[0]
-        while spacing < wanted:
-            spacing *= 2
-        return [(spacing, offset), *(level for level in levels[1:] if level[0] < spacing)]
+    def tickValues(
+        self, minVal: float, maxVal: float, size: float
+    ) -> list[tuple[float, list[float]]]:
+        """Only every second value, or fewer, where their numbers would be less than a line apart.
+
+        Multiples of the wider step are taken, as long as there is one in view.
+        """
+        spacing, values = super().tickValues(minVal, maxVal, size)[0]
+        step = math.ceil(LABEL_PX * abs(maxVal - minVal) / max(size, 1.0) / spacing)
+        if step < 2 or not len(values):
+            return [(spacing, list(values))]
+        first = -round(values[0] / spacing) % step
+        return [(spacing, list(values[first if first < len(values) else 0 :: step]))]

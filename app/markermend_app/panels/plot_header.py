@@ -84,6 +84,7 @@ class Legend(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._markers: tuple[str, ...] = ()
         self.chips: list[QToolButton] = []
+        self._first = ""
         self.more = QLabel(self)
         self.more.setProperty("role", "small")
 
@@ -98,6 +99,7 @@ class Legend(QWidget):
             self._chip(name, short[name], theme.marker_color(i))
             for i, name in enumerate(self._markers[:_MOST])
         ]
+        self._first = short[self._markers[0]] if self._markers else ""
         self._arrange()
 
     def sizeHint(self) -> QSize:
@@ -122,24 +124,29 @@ class Legend(QWidget):
 
     def _arrange(self) -> None:
         """Put the names beside one another, and count those without room."""
-        self._count(len(self._markers))
-        room = self.width()
+        if not self.chips:
+            self._count(0)
+            return
+        self.chips[0].setText(self._first)
         widths = [chip.sizeHint().width() + _GAP for chip in self.chips]
-        fitting = len(self.chips)
-        while fitting > 1:
-            needed = sum(widths[:fitting])
-            if fitting < len(self._markers):
-                needed += self.more.sizeHint().width()
-            if needed <= room:
+        for fitting in range(len(self.chips), 0, -1):
+            self._count(len(self._markers) - fitting)
+            over = sum(widths[:fitting]) - self.width()
+            over += 0 if self.more.isHidden() else self.more.sizeHint().width()
+            if over <= 0:
                 break
-            fitting -= 1
+        else:
+            # Not even the foremost name has room: its middle goes.
+            metrics = self.chips[0].fontMetrics()
+            room = metrics.horizontalAdvance(self._first) - over
+            elided = metrics.elidedText(self._first, Qt.TextElideMode.ElideMiddle, max(room, 0))
+            self.chips[0].setText(elided)
+            widths[0] -= over
         x = 0
-        for chip, width in zip(self.chips[:fitting], widths, strict=False):
-            chip.setGeometry(x, 0, width - _GAP, self.height())
-            x += width
-        for i, chip in enumerate(self.chips):
+        for i, (chip, width) in enumerate(zip(self.chips, widths, strict=True)):
             chip.setVisible(i < fitting)
-        self._count(len(self._markers) - fitting)
+            chip.setGeometry(x, 0, width - _GAP, self.height())
+            x += width if i < fitting else 0
         self.more.setGeometry(x, 0, self.more.sizeHint().width(), self.height())
 
     def _count(self, rest: int) -> None:

@@ -15,6 +15,7 @@ from markermend_app import settings, theme
 from markermend_app.document import Document
 from markermend_app.panels.empty_state import EmptyState
 from markermend_app.panels.floating_buttons import FloatingButtons
+from markermend_app.panels.naming import short_names
 from markermend_app.panels.plot_beside import channel, grouped
 from markermend_app.panels.plot_crosshair import Crosshair
 from markermend_app.panels.plot_frame import PlotFrame, events_of
@@ -263,9 +264,10 @@ class TrajectoryPanel(QWidget):
 
     def _name_distance(self) -> None:
         """Say to which marker distances are measured."""
-        row = self.canvas.row("distance")
+        row, partner = self.canvas.row("distance"), self.partner
         if row is not None:
-            row.set_title(self.tr("To {0}").format(self.partner) if self.partner else row.title)
+            short = short_names((partner, *self.document.shown)) if partner else {}
+            row.set_title(self.tr("To {0}").format(short[partner]) if partner else row.title)
 
     def _refresh(self, change: Change) -> None:
         """Draw changed samples anew."""
