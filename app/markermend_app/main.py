@@ -66,7 +66,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     languages.install(app)
     theme.apply(app, chosen.theme or settings.text("theme", "system"))
     window = MainWindow()
-    FileOpener(window.commands.open_path, app)
+    if sys.platform == "darwin":
+        # Nobody else is told in this way, and the filter costs every event of the app.
+        FileOpener(window.commands.open_path, app)
     _report_crashes(window)
     window.show()
     if chosen.screenshot is not None:

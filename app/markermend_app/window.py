@@ -158,6 +158,7 @@ class MainWindow(QMainWindow):
             "queue": self._dock("queue", self.tr("Review queue"), self.queue, bottom),
             "quality": self._dock("quality", self.tr("Quality"), self.quality, bottom),
         }
+        self.docks["quality"].visibilityChanged.connect(self.quality.set_seen)
         self.tabifyDockWidget(self.docks["queue"], self.docks["quality"])
         self.docks["queue"].raise_()
         # Beside the history, and only where there is more than one take.
@@ -226,6 +227,8 @@ class MainWindow(QMainWindow):
         self.welcome.open_requested.connect(self.commands.open)
         self.welcome.demo_requested.connect(self.commands.open_demo)
         self.welcome.path_requested.connect(self.commands.open_path)
+        self.lane.started.connect(self.queue.set_doing)
+        self.lane.finished.connect(lambda: self.queue.set_doing(""))
         self.queue.repair_requested.connect(self.commands.repair_many)
         self.trajectories.mark_requested.connect(self.hand.mark_selection)
         self.trajectories.verb_requested.connect(self._run)

@@ -8,13 +8,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
-from PySide6.QtCore import QPointF
+from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend_app import theme
 from markermend_app.items.band import Band
-from markermend_app.items.curve import curve, lone_samples, pieces, prepare_plot
+from markermend_app.items.curve import curve, lone_samples, pieces, prepare_plot, wear
 from markermend_app.items.intervals import LANE_HEIGHT, Intervals
 from markermend_app.items.time_axis import TimeAxis
 
@@ -172,3 +172,17 @@ def test_time_axis_speaks_in_the_files_numbers(qtbot):
     for _, values in axis.tickValues(0, 1000, 600):
         assert all(float(v + 101) % 1 == 0 for v in values)
     assert all(spacing >= 1 for spacing, _ in axis.tickValues(0, 2, 600))
+
+
+def test_wide_lines_are_as_wide_on_fine_screens_and_drawn_quickly(qapp, monkeypatch):
+    black = QColor("black")
+    item = curve(black, width=2)
+    assert item.opts["pen"].widthF() == 2.0
+    monkeypatch.setattr(type(qapp), "devicePixelRatio", lambda _: 2.0)
+    wear(item, black, width=2)
+    assert item.opts["pen"].widthF() == 4.0
+    assert item.curve.opts["segmentedLineMode"] == "on"
+    for thin in ({}, {"width": 2, "style": Qt.PenStyle.DashLine}):
+        wear(item, black, **thin)
+        assert item.opts["pen"].widthF() == thin.get("width", 1)
+        assert item.curve.opts["segmentedLineMode"] == "off"

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+import re
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QAbstractTableModel, Qt
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QAbstractItemView, QApplication, QLabel
 
 import markermend as mm
 from markermend.artifact import Kind
@@ -86,6 +87,26 @@ def test_lengths_are_written_in_the_chosen_unit_everywhere(page, window):
         for c in range(queue.columnCount())
     }
     assert "2.50 cm" in cells
+    # Nothing else goes on counting in millimetres, but the engine's own sentences.
+    assert not [text for text in texts_of(window) if re.search(r"\bmm\b", text)]
+
+
+def texts_of(window):
+    """What labels and tables say, but for the reasons that the engine gave."""
+    why = {a.why for a in window.document.session.artifacts}
+    for label in window.findChildren(QLabel):
+        if label.text() not in why:
+            yield label.text()
+    for view in window.findChildren(QAbstractItemView):
+        model = view.model()
+        if not isinstance(model, QAbstractTableModel):
+            continue
+        for column in range(model.columnCount()):
+            yield str(model.headerData(column, Qt.Orientation.Horizontal))
+            for row in range(model.rowCount()):
+                text = str(model.index(row, column).data())
+                if text not in why:
+                    yield text
 
 
 def test_lengths_keep_their_precision():

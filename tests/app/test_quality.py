@@ -147,3 +147,19 @@ def test_a_long_take_is_counted_within_a_frame_or_two(qtbot, tmp_path):
     assert best < 0.05
     document.open(None, None)
     document.proposals.close()
+
+
+def test_nothing_is_counted_while_another_tab_covers_it(review, damaged, qtbot, monkeypatch):
+    window = review(*damaged)
+    quality = window.quality
+    window.docks["queue"].raise_()
+    qtbot.waitUntil(lambda: quality._covered)
+    counted = []
+    monkeypatch.setattr(
+        "markermend_app.panels.quality.standings", lambda *_: counted.append(1) or ()
+    )
+    window.document.reject([window.document.current.id])
+    qtbot.waitUntil(lambda: not quality._settle.isActive())
+    assert not counted
+    window.docks["quality"].raise_()
+    qtbot.waitUntil(lambda: counted == [1])

@@ -231,3 +231,14 @@ def test_gaps_at_the_ends_of_a_take_come_last():
     peak = Artifact("A", "x", 70, 71, Kind.PEAK, 0.9, 2.0)
     order = sorted([leading, inside, trailing, peak], key=lambda a: -badness(a, 100.0, 400))
     assert order[:2] == [inside, peak]
+
+
+def test_says_what_is_worked_on_before_anything_is_listed(tmp_path, damaged, qtbot):
+    document = Document()
+    queue = ReviewQueue(document)
+    qtbot.addWidget(queue)
+    document.open(open_session(damaged[0], folder=tmp_path), None)
+    queue.set_doing("Looking for artifacts")
+    assert queue._hint.text() == "Looking for artifacts…"
+    queue.set_doing("")
+    assert "D looks for artifacts" in queue._hint.text()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor
+from PySide6.QtGui import QColor, QGuiApplication
 
 from markermend.arrays import BoolArray, FloatArray, runs
 
@@ -20,16 +20,32 @@ def prepare_plot(plot: pg.PlotItem) -> None:
     plot.disableAutoRange()
 
 
+def wear(
+    item: pg.PlotDataItem,
+    color: QColor,
+    *,
+    width: float = 1,
+    style: Qt.PenStyle = Qt.PenStyle.SolidLine,
+) -> None:
+    """Draw a curve in a colour, as wide in every zoom; ``width`` in the screen's own points.
+
+    Qt counts such widths in pixels, of which a screen of high resolution has several to a point.
+    Curves of width 1, and dashed ones, stay as thin as can be there: wide ones of a whole take
+    cannot be moved at 60 Hz.
+    """
+    app, wide = QGuiApplication.instance(), style == Qt.PenStyle.SolidLine and width > 1
+    ratio = app.devicePixelRatio() if wide and isinstance(app, QGuiApplication) else 1.0
+    item.setPen(pg.mkPen(color, width=width * ratio, style=style, cosmetic=True))
+    # As one line, a wide one that jumps up and down takes a hundred times as long.
+    item.curve.setSegmentedLineMode("on" if wide else "off")
+
+
 def curve(
     color: QColor, *, width: int = 1, style: Qt.PenStyle = Qt.PenStyle.SolidLine
 ) -> pg.PlotDataItem:
     """An empty curve, to be filled with ``setData``; NaN leaves a hole."""
-    item = pg.PlotDataItem(
-        pen=pg.mkPen(color, width=width, style=style, cosmetic=True),
-        connect="finite",
-        autoDownsampleFactor=1.0,
-        antialias=True,
-    )
+    item = pg.PlotDataItem(connect="finite", autoDownsampleFactor=1.0, antialias=True)
+    wear(item, color, width=width, style=style)
     item.setZValue(10)
     return item
 

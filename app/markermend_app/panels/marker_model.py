@@ -176,6 +176,10 @@ class MarkerModel(QAbstractItemModel):
                 node = node.parent
         self._announce(OPEN, (r for r in _walk(self._root) if dict(r.counts) != before[id(r)]))
 
+    def open_counts(self) -> list[Counter[Kind]]:
+        """Counts of the markers that have open artifacts."""
+        return [node.counts for node in self._by_label.values() if node.counts]
+
     def set_missing(self, take: Take, labels: Iterable[str]) -> None:
         """Work out the share of frames without these markers."""
         nodes = [self._by_label[label] for label in labels if label in self._by_label]

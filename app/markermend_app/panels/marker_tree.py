@@ -186,10 +186,8 @@ class MarkerTree(QWidget):
         session = self._document.session
         if session is None:
             return
-        widest = 54
-        for row in session.original.labels:
-            counts = self._model.data(self._model.index_of(row).siblingAtColumn(OPEN), COUNTS)
-            widest = max(widest, counts_width(counts or {}, self.view.font()))
+        font = self.view.font()
+        widest = max([54, *(counts_width(counts, font) for counts in self._model.open_counts())])
         header = self.view.header()
         width = min(widest, _COUNTS_WIDEST, max(54, self.width() // 4))
         if header.sectionSize(OPEN) != width:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -151,6 +152,13 @@ def _argb(color: QColor) -> int:
 
 def _ramp(colors: Sequence[QColor]) -> Colors:
     """(256,) colours, evenly mixed from the first to the last."""
+    return _mixed(tuple(_argb(color) for color in colors))
+
+
+@lru_cache(maxsize=32)
+def _mixed(values: tuple[int, ...]) -> Colors:
+    """(256,) colours; the picture is painted anew at every decision."""
+    colors = [QColor.fromRgb(value) for value in values]
     at = np.linspace(0.0, len(colors) - 1, _STEPS + 1)
     mixed = []
     for place in at.tolist():

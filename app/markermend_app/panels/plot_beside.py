@@ -16,7 +16,7 @@ from PySide6.QtGui import QColor
 from markermend.arrays import FloatArray
 from markermend.take import Take
 from markermend_app import theme
-from markermend_app.items.curve import curve
+from markermend_app.items.curve import curve, wear
 from markermend_app.panels.plot_frame import PlotFrame
 from markermend_app.panels.plot_range import value_range
 
@@ -134,7 +134,7 @@ class BesideRow(PlotFrame):
         unit = self.channels[0].unit if self.channels else ""
         self.name_values(kind, unit, theme.current().muted)
         for item, place, line in self._curves:
-            item.setPen(pg.mkPen(theme.marker_color(place), width=1, style=line, cosmetic=True))
+            wear(item, theme.marker_color(place), style=line)
 
     def words(self) -> list[tuple[str, QColor]]:
         """Name the channels."""

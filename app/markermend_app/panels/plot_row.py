@@ -15,7 +15,7 @@ from markermend.patch import Patch
 from markermend.take import AXES, Origin
 from markermend_app import theme, units
 from markermend_app.items.band import Band
-from markermend_app.items.curve import curve, dots, lone_samples, pieces
+from markermend_app.items.curve import curve, dots, lone_samples, pieces, wear
 from markermend_app.items.edges import Edges
 from markermend_app.items.intervals import Intervals
 from markermend_app.panels.plot_frame import PlotFrame
@@ -253,7 +253,7 @@ class PlotRow(PlotFrame):
         self.edges.set_color(accent)
         self.band.set_color(theme.faded(accent, 0.22))
         for item in self._proposals:
-            item.setPen(pg.mkPen(accent, width=2, cosmetic=True))
+            wear(item, accent, width=2)
         for i, trace in enumerate(self._pool):
             self._style(trace, i)
         self.intervals.update()
@@ -273,16 +273,13 @@ class PlotRow(PlotFrame):
         look, color = theme.current(), theme.marker_color(index)
         mended = theme.blend(color, look.accent, 0.55)
         original = color if self._before else look.original
-        trace.measured.setPen(pg.mkPen(color, width=1))
-        trace.original.setPen(pg.mkPen(original, width=1))
+        wear(trace.measured, color)
+        wear(trace.original, original)
         style = Qt.PenStyle.DotLine if self._before else Qt.PenStyle.DashLine
-        trace.changed.setPen(
-            pg.mkPen(look.original if self._before else mended, width=1, style=style)
-        )
+        wear(trace.changed, look.original if self._before else mended, style=style)
         trace.lone.setSymbolBrush(color)
-        trace.predicted.setPen(
-            pg.mkPen(theme.blend(look.accent, color, 0.3), width=1, style=Qt.PenStyle.DotLine)
-        )
+        faint = theme.blend(look.accent, color, 0.3)
+        wear(trace.predicted, faint, style=Qt.PenStyle.DotLine)
 
     def _resized(self, *_: object) -> None:
         """Work out anew how many samples a pixel stands for."""

@@ -82,6 +82,7 @@ class QualityPanel(QWidget):
         whole.setContentsMargins(0, 0, 0, 0)
         whole.addWidget(self._pages)
 
+        self._covered = False
         # A decision changes samples, artifacts and history: it is counted once, after it is shown.
         self._settle = QTimer(self)
         self._settle.setSingleShot(True)
@@ -114,7 +115,13 @@ class QualityPanel(QWidget):
     def showEvent(self, event: QShowEvent) -> None:
         """Catch up with what was decided while another panel was seen."""
         super().showEvent(event)
-        if self._stale:
+        if self._stale and not self._covered:
+            self._count()
+
+    def set_seen(self, seen: bool) -> None:
+        """Be told whether another tab covers it, of which Qt tells the dock alone."""
+        self._covered = not seen
+        if seen and self._stale:
             self._count()
 
     def _count(self) -> None:
@@ -122,7 +129,7 @@ class QualityPanel(QWidget):
         self._settle.stop()
         session = self._document.session
         self._pages.setCurrentIndex(0 if session is None else 1)
-        self._stale = not self.isVisible()
+        self._stale = self._covered or not self.isVisible()
         if session is None:
             self.total.set_standings(())
             self.model.set_standings(())

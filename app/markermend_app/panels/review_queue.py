@@ -54,6 +54,7 @@ class ReviewQueue(QWidget):
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._document = document
+        self._doing = ""
         self._syncing = self._choosing = False
         self.model = QueueModel(self)
         self.view = QueueView()
@@ -294,6 +295,11 @@ class ReviewQueue(QWidget):
         for kind, button in self.kinds.items():
             button.setText(str(pending[kind]))
 
+    def set_doing(self, label: str) -> None:
+        """Be told what is worked on, empty for nothing: found may be what is not listed yet."""
+        self._doing = label
+        self._explain()
+
     def _explain(self) -> None:
         """Say why nothing is listed."""
         session = self._document.session
@@ -303,7 +309,9 @@ class ReviewQueue(QWidget):
         elif not session.original.markers:
             text = self.tr("This file has no markers, so there is nothing to review.")
         elif not session.artifacts:
-            if any(step.startswith("Detect") for step in session.history):
+            if self._doing:
+                text = f"{self._doing}…"
+            elif any(step.startswith("Detect") for step in session.history):
                 text = self.tr("Nothing was found. Sweep over a curve with Shift to mark by hand.")
             else:
                 text = self.tr("Nothing found yet. {0} looks for artifacts.").format(

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import QHBoxLayout, QMenu, QWidget
 
 from markermend.arrays import FloatArray
 from markermend.measures import differing
-from markermend_app import theme
+from markermend_app import theme, units
 from markermend_app.document import Document
 from markermend_app.panels import scene_paint as paint
 from markermend_app.panels.scene_buttons import SceneButtons
@@ -188,9 +188,9 @@ class Scene(QWidget):
         names = [(i, self.seen.names[take.labels[i]]) for i in named]
         paint.paint_labels(sight, spots, names)
         paint.paint_triad(sight)
-        unit = self.stage.unit
-        text = f"{unit / 1000:g} m" if unit >= 100 else f"{unit:g} mm"
-        paint.paint_note(sight, self.tr("One square: {0}").format(text))
+        unit, factor = units.unit(), units.FACTORS[units.unit()]
+        square = f"{self.stage.unit * factor:g} {unit}"
+        paint.paint_note(sight, self.tr("One square: {0}").format(square))
         if self.before:
             paint.paint_title(sight, self.tr("Before repair"))
         if self._outline is not None:
