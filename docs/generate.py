@@ -41,8 +41,9 @@ def page() -> str:
             *_sections(DETECTORS.values()),
             "## Repair",
             "",
-            "`auto` gives a peak the spline, a step with a known counterpart the swap, and "
-            "everything else the local regression; where one cannot work, the next that can.",
+            "`auto` gives a peak the Kalman smoother, a step with a known counterpart the swap, "
+            "and everything else the local regression; where one cannot work, or leaves damage, "
+            "the next that can.",
             "",
             *_sections(REPAIRS.values()),
             "## Smoothing",

@@ -97,9 +97,9 @@ def test_expected_errors_follow_the_true_ones_on_real_takes(shared_data: Path) -
             positions[start:stop, take.index(label)] = np.nan
         evidence = evidence_for(Take(positions, take.labels, take.rate))
         for label, start, stop in case.gaps:
-            began = time.perf_counter()
+            began = time.process_time()
             best = advise(evidence, Artifact(label, "xyz", start, stop, Kind.GAP))[0]
-            seconds.append(time.perf_counter() - began)
+            seconds.append(time.process_time() - began)
             truth = take.positions[start:stop, take.index(label)]
             miss = np.linalg.norm(best.repair.patches[0].values - truth, axis=1)
             expected.append(best.error_mm)

@@ -55,13 +55,13 @@ def test_repair_without_patches_is_not_looked_at(walk: Take) -> None:
 
 
 def shaken(take: Take) -> tuple[Take, Artifact]:
-    """Short gap of a marker whose references all jump in the middle of it."""
+    """Gap of a marker whose references all jump in the middle of it."""
     positions = take.positions.copy()
     column = 5
     others = [i for i in range(len(take.labels)) if i != column]
-    positions[START + 4 : START + 6, others] += [0.0, 60.0, 0.0]
-    positions[START : START + 10, column] = np.nan
-    gap = Artifact(take.labels[column], "xyz", START, START + 10, Kind.GAP)
+    positions[START + 4 : START + 6, others] += [0.0, 2000.0, 0.0]
+    positions[START : START + 30, column] = np.nan
+    gap = Artifact(take.labels[column], "xyz", START, START + 30, Kind.GAP)
     return take.with_positions(positions, take.origin), gap
 
 

@@ -272,7 +272,7 @@ def test_damage_in_a_reference_is_not_believed(rigid: Take) -> None:
 
 
 def test_choice_by_kind() -> None:
-    assert choose(Artifact("M", "x", 1, 2, Kind.PEAK)) == "spline"
+    assert choose(Artifact("M", "x", 1, 2, Kind.PEAK)) == "kalman"
     assert choose(Artifact("M", "x", 1, 9, Kind.STEP, counterpart="N")) == "swap"
     for kind in (Kind.STEP, Kind.GAP, Kind.NOISE, Kind.SLOW):
         assert choose(Artifact("M", "x", 1, 9, kind)) == "local_regression"
@@ -283,7 +283,7 @@ def test_auto_falls_back_and_says_why() -> None:
     wave = np.stack([np.sin(t), np.cos(t), t], axis=1) * 100
     take = with_missing(lonely(wave), "M0", 80, 90)
     done = propose(take, gap("M0", 80, 90))
-    assert done.method == "spline"
+    assert done.method == "kalman"
     assert done.patches
     assert done.reason
     long = propose(with_missing(lonely(wave), "M0", 40, 160), gap("M0", 40, 160))
@@ -314,7 +314,7 @@ def test_patches_of_repair_all_give_what_repair_gives(rigid: Take) -> None:
     shares: list[float] = []
     clean = repair(take, flags, progress=lambda share, _: shares.append(share))
     pairs = repair_all(take, flags)
-    assert [r.method for _, r in pairs] == ["spline", "local_regression", "local_regression"]
+    assert [r.method for _, r in pairs] == ["kalman", "local_regression", "local_regression"]
     replayed = patched(take, [p for _, r in pairs for p in r.patches])
     assert np.array_equal(replayed.positions, clean.positions)
     assert np.abs(clean.positions - rigid.positions).max() < 0.05

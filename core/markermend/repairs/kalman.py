@@ -27,6 +27,8 @@ RATIOS = np.geomspace(1e-8, 1e4, 37)
 # The first state is as good as unknown; the observations that settle it say nothing of the noise.
 UNKNOWN, SETTLING = 1e9, 3
 LEAST_VARIANCE_MM2 = 1e-8
+# The filter is too sure of itself where the movement changes: its deviation is counted so much.
+DOUBT = 1.5
 
 
 @dataclass(frozen=True)
@@ -69,13 +71,9 @@ def repair_kalman(evidence: Evidence, artifact: Artifact, params: Any) -> Repair
 
     Refuses where either side has fewer than four trusted samples, so also at the take's ends.
     """
-    take, marker = evidence.take, evidence.take.index(artifact.marker)
-    reach = max(LEAST_SIDE, round(params.context_s * take.rate))
-    first = max(0, artifact.start - reach)
-    last = min(take.frames, artifact.stop + reach)
-    known: BoolArray = np.all(evidence.trusted[first:last, marker], axis=1)
-    known[artifact.start - first : artifact.stop - first] = False
-    sides = int(known[: artifact.start - first].sum()), int(known[artifact.stop - first :].sum())
+    first, known = _around(evidence, artifact, params.context_s)
+    start, stop = artifact.start - first, artifact.stop - first
+    sides = int(known[:start].sum()), int(known[stop:].sum())
     if min(sides) < LEAST_SIDE:
         where = "before" if sides[0] < LEAST_SIDE else "after"
         reason = (
@@ -83,9 +81,48 @@ def repair_kalman(evidence: Evidence, artifact: Artifact, params: Any) -> Repair
             f"{LEAST_SIDE} are needed."
         )
         return refuse(METHOD, reason, params)
-    track = take.positions[first:last, marker]
+    mean, deviation = _across(evidence, artifact, first, known)
+    return make_repair(METHOD, evidence, artifact, mean, params, deviation)
+
+
+def own_course(evidence: Evidence, artifact: Artifact) -> tuple[FloatArray, FloatArray] | None:
+    """Where the marker's own movement alone would take it through an interval.
+
+    Parameters
+    ----------
+    evidence : what may be believed
+    artifact : the interval
+
+    Returns
+    -------
+    mean, deviation : (stop - start, 3) mm; None where too little is seen on a side
+    """
+    first, known = _around(evidence, artifact, KalmanParams().context_s)
+    start, stop = artifact.start - first, artifact.stop - first
+    if min(known[:start].sum(), known[stop:].sum()) < LEAST_SIDE:
+        return None
+    return _across(evidence, artifact, first, known)
+
+
+def _around(evidence: Evidence, artifact: Artifact, context_s: float) -> tuple[int, BoolArray]:
+    """First frame looked at, and which frames from there on are known."""
+    take = evidence.take
+    reach = max(LEAST_SIDE, round(context_s * take.rate))
+    first = max(0, artifact.start - reach)
+    last = min(take.frames, artifact.stop + reach)
+    known: BoolArray = np.all(evidence.trusted[first:last, take.index(artifact.marker)], axis=1)
+    known[artifact.start - first : artifact.stop - first] = False
+    return first, known
+
+
+def _across(
+    evidence: Evidence, artifact: Artifact, first: int, known: BoolArray
+) -> tuple[FloatArray, FloatArray]:
+    """Mean and deviation in an interval of which nothing is known."""
+    take = evidence.take
+    track = take.positions[first : first + len(known), take.index(artifact.marker)]
     mean, variance = smooth(track, known, artifact.start - first, artifact.stop - first)
-    return make_repair(METHOD, evidence, artifact, mean, params, np.sqrt(variance))
+    return mean, DOUBT * np.sqrt(variance)
 
 
 def smooth(

@@ -3,7 +3,8 @@
 The marker is seen from two frames that move with its nearest references: one held by those that
 are rigid to it, one by the nearest four alike. In each its place is a Gaussian process of the
 references' pose and of time, conditioned on all frames near the interval and on an even sample of
-the rest of the take; the two are averaged.
+the rest of the take; the two are averaged. Over short intervals the marker's own movement, by the
+Kalman smoother, is averaged in.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from markermend.repairs.body_frame import (
     rank_references,
     to_frame,
 )
+from markermend.repairs.kalman import own_course
 from markermend.repairs.kriging import View, condition
 from markermend.repairs.pose import FORCE_S, describe_pose
 from markermend.repairs.registry import Evidence, Repair, register
@@ -36,6 +38,9 @@ LEAST_FRAMES = 20
 FRAME_MARKERS = 4
 # How far around the interval the noise is estimated, and its limits.
 NOISE_S = 2.0
+# Up to here the marker's own movement has a say beside the body. Both err alike in part, so that
+# their average is not as sure as if they did not.
+OWN_COURSE_S, IN_COMMON, LEAST_MM2 = 0.5, 1.25, 1e-12
 LEAST_NOISE_MM, MOST_NOISE_MM = 0.03, 1.0
 
 
@@ -109,8 +114,25 @@ def repair_local_regression(evidence: Evidence, artifact: Artifact, params: Any)
     noise = _noise(take.positions[:, marker], seen[:, marker], artifact, take.rate)
     near = _near(known, artifact, take.rate, params)
     values, deviation = condition(frames, take.rate, views, noise, artifact.length, near)
+    if artifact.length <= OWN_COURSE_S * take.rate:
+        values, deviation = _with_own_course(evidence, artifact, values, deviation)
     return make_repair(
         METHOD, evidence, artifact, values, params, np.repeat(deviation[:, None], 3, axis=1)
+    )
+
+
+def _with_own_course(
+    evidence: Evidence, artifact: Artifact, values: FloatArray, deviation: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Average with what the marker's own movement says, each by its inverse variance."""
+    own = own_course(evidence, artifact)
+    if own is None:
+        return values, deviation
+    course, alone = own
+    alone, body = np.mean(alone**2, axis=1) + LEAST_MM2, deviation**2 + LEAST_MM2
+    share = (body / (alone + body))[:, None]
+    return share * course + (1.0 - share) * values, (
+        IN_COMMON * np.sqrt(alone * body / (alone + body))
     )
 
 

@@ -16,7 +16,7 @@ from markermend.mesh import Mesh
 from markermend.patch import Patch, patched
 from markermend.progress import Progress, quiet
 from markermend.repairs.advice import with_expected_error
-from markermend.repairs.choice import alternatives, choose
+from markermend.repairs.automatic import best_repair, counting_references
 from markermend.repairs.look_again import looked_at
 from markermend.repairs.registry import Evidence, Repair, find_method
 from markermend.repairs.result import read_params, refuse, without_own
@@ -25,10 +25,6 @@ from markermend.take import AXES, Take, is_unlabelled
 AUTO = "auto"
 # A repair this short is as good as measured, and may serve as evidence for the next.
 TRUSTED_REPAIR_S = 0.1
-# What is expected to be further off than this is left, unless a method is named.
-MOST_ERROR_MM = 50.0
-# A repair that leaves damage gives way to one that leaves none and errs up to this much more.
-HARDLY_FURTHER = 1.5
 
 
 def evidence_for(
@@ -148,7 +144,7 @@ def propose_from(
             found = find_method(method)
             done = found.run(evidence, artifact, read_params(found, params))
             return looked_at(evidence.take, with_expected_error(evidence, artifact, done))
-        return _best(evidence, artifact)
+        return best_repair(evidence, artifact)
 
 
 def repair_all(
@@ -307,9 +303,11 @@ def _run(
                     swapped.append(repaired)
         take = patched(take, patches) if patches else take
     evidence = evidence_for(take, states.values(), mesh, believe_repairs=True, progress=inner)
+    errors = {a: r.error_mm or 0.0 for a, r in pairs if r.patches}
     again = [p for p in pairs if states[p[0].id].status is not Status.REPAIRED]
     for artifact, refused in again:
         done = propose_from(evidence, artifact, method=method)
+        done = counting_references(evidence, artifact, done, errors)
         if done.patches:
             pairs.remove((artifact, refused))
             pairs.append((artifact, replace(done, reason=_from_repairs(refused.reason))))
@@ -329,51 +327,6 @@ def _as_good_as_new(take: Take, artifact: Artifact) -> bool:
     """Whether a repair of this artifact invents so little that it may be believed."""
     swap = artifact.kind is Kind.STEP and artifact.counterpart is not None
     return swap or artifact.kind is Kind.PEAK or artifact.length <= TRUSTED_REPAIR_S * take.rate
-
-
-def _best(evidence: Evidence, artifact: Artifact) -> Repair:
-    """The usual method's proposal, or that of the first other that does better.
-
-    Another is taken where the usual one cannot repair, or where the detector would find damage
-    in its result, none in the other's, and the other is expected to be hardly further off.
-    """
-    usual = _by_defaults(evidence, artifact, choose(artifact))
-    if usual.patches and not usual.leaves:
-        return usual
-    best = usual
-    for name in alternatives(evidence.take, artifact):
-        other = _by_defaults(evidence, artifact, name)
-        if not other.patches:
-            continue
-        if not usual.patches and not (best.patches and other.leaves):
-            best = replace(other, reason=usual.reason)
-        elif not other.leaves and _as_near(other, usual):
-            best = replace(other, reason=f"{find_method(usual.method).label} would leave damage.")
-        if not best.leaves:
-            break
-    return best
-
-
-def _as_near(other: Repair, usual: Repair) -> bool:
-    """Whether a proposal is expected to be hardly further off than another."""
-    if other.error_mm is None or usual.error_mm is None:
-        return False
-    return other.error_mm <= HARDLY_FURTHER * usual.error_mm
-
-
-def _by_defaults(evidence: Evidence, artifact: Artifact, name: str) -> Repair:
-    """Run a method with its default parameters; none where it would be too far off."""
-    method = find_method(name)
-    done = method.run(evidence, artifact, method.params())
-    return looked_at(evidence.take, _if_good(with_expected_error(evidence, artifact, done)))
-
-
-def _if_good(proposed: Repair) -> Repair:
-    """The proposal, or none with the reason where it is expected to be too far off."""
-    if proposed.error_mm is None or proposed.error_mm <= MOST_ERROR_MM:
-        return proposed
-    reason = f"The result would be about {proposed.error_mm:.0f} mm off; too far to be used."
-    return replace(proposed, patches=(), reason=reason)
 
 
 def _only(evidence: Evidence, marker: str, references: Sequence[str]) -> Evidence:

@@ -1,0 +1,123 @@
+"""The repair that is made when no method is named: the usual one's, or that of a better one."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from markermend.artifact import Artifact
+from markermend.repairs.advice import with_expected_error
+from markermend.repairs.body_frame import rank_references
+from markermend.repairs.choice import alternatives, choose
+from markermend.repairs.look_again import looked_at
+from markermend.repairs.registry import Evidence, Repair, find_method
+from markermend.repairs.result import MEAN_OVER_RMS
+
+# What is expected to be further off than this is left, unless a method is named.
+MOST_ERROR_MM = 50.0
+# A repair that leaves damage gives way to one that leaves none and errs up to this much more.
+HARDLY_FURTHER = 1.5
+# References that hold the frame in which a marker is looked for.
+HOLDING = 4
+
+
+def best_repair(evidence: Evidence, artifact: Artifact) -> Repair:
+    """The usual method's proposal, or that of the first other that does better.
+
+    Another is taken where the usual one cannot repair, or where the detector would find damage
+    in its result, none in the other's, and the other is expected to be hardly further off.
+
+    Parameters
+    ----------
+    evidence : what may be believed
+    artifact : what is to be repaired
+
+    Returns
+    -------
+    Repair
+        without patches, and with the reason, when it cannot be repaired well
+    """
+    usual = _by_defaults(evidence, artifact, choose(artifact))
+    if usual.patches and not usual.leaves:
+        return usual
+    best = usual
+    for name in alternatives(evidence.take, artifact):
+        other = _by_defaults(evidence, artifact, name)
+        if not other.patches:
+            continue
+        if not usual.patches and not (best.patches and other.leaves):
+            best = replace(other, reason=usual.reason)
+        elif not other.leaves and _as_near(other, usual):
+            best = replace(other, reason=f"{find_method(usual.method).label} would leave damage.")
+        if not best.leaves:
+            break
+    return best
+
+
+def _as_near(other: Repair, usual: Repair) -> bool:
+    """Whether a proposal is expected to be hardly further off than another."""
+    if other.error_mm is None or usual.error_mm is None:
+        return False
+    return other.error_mm <= HARDLY_FURTHER * usual.error_mm
+
+
+def _by_defaults(evidence: Evidence, artifact: Artifact, name: str) -> Repair:
+    """Run a method with its default parameters; none where it would be too far off."""
+    method = find_method(name)
+    done = method.run(evidence, artifact, method.params())
+    return looked_at(evidence.take, _if_good(with_expected_error(evidence, artifact, done)))
+
+
+def _if_good(proposed: Repair) -> Repair:
+    """The proposal, or none with the reason where it is expected to be too far off."""
+    if proposed.error_mm is None or proposed.error_mm <= MOST_ERROR_MM:
+        return proposed
+    reason = f"The result would be about {proposed.error_mm:.0f} mm off; too far to be used."
+    return replace(proposed, patches=(), reason=reason)
+
+
+def counting_references(
+    evidence: Evidence, artifact: Artifact, repair: Repair, repaired: Mapping[Artifact, float]
+) -> Repair:
+    """Say that a repair that follows other repairs is no surer than these.
+
+    Parameters
+    ----------
+    evidence : on which it rests
+    artifact : what is repaired
+    repair : the proposal
+    repaired : artifacts that were repaired before, and how far off each may be, mm
+
+    Returns
+    -------
+    Repair
+        with the largest error of its four nearest references added to its own and to its band; none
+        where that is too far off
+    """
+    if not repair.patches or repair.error_mm is None:
+        return repair
+    take, interval = evidence.take, slice(artifact.start, artifact.stop)
+    seen = np.all(evidence.trusted, axis=2)
+    nearest, _ = rank_references(take, seen, take.index(artifact.marker), interval)
+    errors = [
+        max(
+            (
+                error
+                for a, error in repaired.items()
+                if a.marker == take.labels[column] and a.overlaps(artifact.start, artifact.stop)
+            ),
+            default=0.0,
+        )
+        for column in nearest[:HOLDING]
+    ]
+    theirs = max(errors, default=0.0)
+    band = repair.band_mm
+    return _if_good(
+        replace(
+            repair,
+            error_mm=float(np.hypot(repair.error_mm, theirs)),
+            band_mm=None if band is None else np.hypot(band, theirs / MEAN_OVER_RMS),
+        )
+    )
