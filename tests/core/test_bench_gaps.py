@@ -71,7 +71,20 @@ def test_drawn_cases_repeat_by_seed_and_fit_the_take(protocol: str) -> None:
             assert marker in take
             assert 0 < start < stop < take.frames
     counts = {len(c.gaps) for c in cases}
-    assert counts == {"skurowski2021": {2}, "tits2018": {3}, "tits2018-count": {1, 3, 6}}[protocol]
+    wanted = {
+        "skurowski2021": {2}, "tits2018": {3}, "tits2018-count": {1, 3, 6}, "single": {1},
+        "blackout": {take.markers},
+    }  # fmt: skip
+    assert counts == wanted[protocol]
+
+
+def test_in_a_blackout_nothing_is_seen(ramps: Take) -> None:
+    cases = draw_cases({"t": ramps}, "blackout", simulations=2, seed=0)
+    # Those of 0.1 to 0.5 s fit into a second.
+    assert {c.length for c in cases} == {10, 20, 50}
+    for case in cases:
+        assert {g[0] for g in case.gaps} == {"A", "B"}
+        assert len({g[1:] for g in case.gaps}) == 1
 
 
 def test_without_a_reference_there_is_no_ratio(ramps: Take) -> None:

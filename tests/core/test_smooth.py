@@ -126,6 +126,18 @@ def test_bands_hold_two_thirds_of_the_errors() -> None:
     assert abs(np.median(found.noise_mm) - 1.0) < 0.1
 
 
+@pytest.mark.parametrize("noise_mm", [0.1, 1.0])
+def test_in_a_kick_a_wide_band_of_acceleration_holds_nine_in_ten(noise_mm: float) -> None:
+    truth = kick(markers=4)
+    rng = np.random.default_rng(6)
+    noisy = truth.positions + noise_mm * rng.standard_normal(truth.positions.shape)
+    found = derivatives(Take(noisy, ("A", "B", "C", "D"), truth.rate))
+    right = np.gradient(np.gradient(truth.positions, axis=0), axis=0) * truth.rate**2
+    second = slice(round(29.8 * truth.rate), round(30.8 * truth.rate))
+    inside = np.abs(found.acceleration - right) < 1.645 * found.acceleration_band
+    assert 0.87 < inside[second].mean() < 0.995
+
+
 def test_derivatives_leave_gaps_and_scraps_empty() -> None:
     take = _take()
     positions = take.positions.copy()

@@ -269,7 +269,10 @@ def _mean(values: Iterable[float]) -> float:
 POISSON_FRAMES = (10, 20, 50, 100, 200)
 CONCOMITANT_S = (0.5, 1.0, 2.0, 5.0)
 CONCOMITANT_COUNTS = (1, 3, 6, 10, 20)
-PROTOCOLS = ("skurowski2021", "tits2018", "tits2018-count")
+PROTOCOLS = ("skurowski2021", "tits2018", "tits2018-count", "single", "blackout")
+# Of our own, from short to long: one marker alone, and no marker at all.
+ALONE_S = (0.1, 0.2, 0.5, 1.0, 2.0, 4.0)
+BLACKOUT_S = (0.1, 0.2, 0.5, 1.0, 2.0)
 
 
 def draw_cases(
@@ -278,7 +281,8 @@ def draw_cases(
     """Place gaps at random as a paper does.
 
     ``skurowski2021``: two gaps of Poisson length with means 10 to 200 frames; ``tits2018``: three
-    markers at once for 0.5 to 5 s; ``tits2018-count``: 1 to 20 markers at once for 1 s.
+    markers at once for 0.5 to 5 s; ``tits2018-count``: 1 to 20 markers at once for 1 s. Of our own
+    are ``single``, one marker for 0.1 to 4 s, and ``blackout``, all markers for 0.1 to 2 s.
 
     Parameters
     ----------
@@ -296,7 +300,7 @@ def draw_cases(
 
     cases = []
     for name, take in takes.items():
-        for number, (label, length, count, together) in enumerate(_settings(protocol, take.rate)):
+        for number, (label, length, count, together) in enumerate(_settings(protocol, take)):
             for i in range(simulations):
                 try:
                     _, gaps = place_gaps(
@@ -314,13 +318,18 @@ def draw_cases(
     return tuple(cases)
 
 
-def _settings(protocol: str, rate: float) -> list[tuple[str, float, int, int]]:
+def _settings(protocol: str, take: Take) -> list[tuple[str, float, int, int]]:
     """Label, length in frames, intervals and markers at once for each setting."""
+    rate = take.rate
     if protocol == "skurowski2021":
         return [(protocol, float(n), 2, 1) for n in POISSON_FRAMES]
     if protocol == "tits2018":
         return [("3 at once", s * rate, 1, 3) for s in CONCOMITANT_S]
     if protocol == "tits2018-count":
         return [(f"{n} at once", rate, 1, n) for n in CONCOMITANT_COUNTS]
+    if protocol == "single":
+        return [("1 at once", s * rate, 1, 1) for s in ALONE_S]
+    if protocol == "blackout":
+        return [("all at once", s * rate, 1, take.markers) for s in BLACKOUT_S]
     known = ", ".join(PROTOCOLS)
     raise DataError(f"There is no protocol “{protocol}”; choose one of {known}.")

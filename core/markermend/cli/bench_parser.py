@@ -113,7 +113,7 @@ def _add_gaps(p: argparse.ArgumentParser) -> None:
         metavar="NAME",
         nargs="+",
         default=["skurowski2021", "tits2018"],
-        help="skurowski2021, tits2018, tits2018-count (default: the first two)",
+        help="skurowski2021, tits2018, tits2018-count, single, blackout (default: the first two)",
     )
     p.add_argument("--list", metavar="FILE", help="replay the gaps of this JSON list instead")
     p.add_argument(

@@ -141,7 +141,8 @@ def derivatives(
     Notes
     -----
     The band is one standard deviation under the levels found at each frame; it does not include
-    that these are estimates.
+    that these are estimates, nor motion that is both smaller than the noise and faster than the
+    cut-off. At rest the acceleration's is too narrow by that, some mm/s².
     """
     columns = _columns(take, markers)
     shape = (take.frames, len(columns), 3)
