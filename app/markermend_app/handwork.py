@@ -87,6 +87,7 @@ class HandWork(QObject):
         if swept is None or session is None:
             return
         other = self._ask_marker(
+            swept.marker,
             self.tr("Swap {0} with").format(swept.marker),
             self._others(swept.marker, self._document.shown),
         )
@@ -111,6 +112,7 @@ class HandWork(QObject):
         if swept is None:
             return
         other = self._ask_marker(
+            swept.marker,
             self.tr("Frames of {0} are in truth").format(swept.marker),
             self._free(swept.marker, swept.start, swept.stop),
         )
@@ -139,7 +141,9 @@ class HandWork(QObject):
             return
         donor = self._document.shown[0]
         other = self._ask_marker(
-            self.tr("Merge {0} into").format(donor), self._free(donor, 0, session.original.frames)
+            donor,
+            self.tr("Merge {0} into").format(donor),
+            self._free(donor, 0, session.original.frames),
         )
         if other is not None:
             self._change(lambda s: hand.merge(s, donor, other))
@@ -239,10 +243,13 @@ class HandWork(QObject):
 
         self._lane.submit(label, prepare(session), done, self._document.failed.emit)
 
-    def _ask_marker(self, question: str, offered: Sequence[str]) -> str | None:
-        """Ask for one of these markers."""
+    def _ask_marker(self, marker: str, question: str, offered: Sequence[str]) -> str | None:
+        """Ask for one of the markers that may have the samples of one."""
         if not offered:
-            self._document.failed.emit(DataError(self.tr("There is no other marker to choose.")))
+            text = self.tr(
+                "No other marker is missing wherever {0} is seen; to exchange two, swap."
+            )
+            self._document.failed.emit(DataError(text.format(marker)))
             return None
         return dialogs.ask_choice(self._window, question, offered)
 

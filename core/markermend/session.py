@@ -222,7 +222,10 @@ class Session:
             edit: Edit = SetArtifacts({artifact.id: artifact})
             return self.perform(f"Mark {describe([artifact])}", edit)
         edit = Group(_repairing(artifact, proposal))
-        return self.perform(f"Repair {describe([artifact])} by hand", edit)
+        what = f"Repair {describe([artifact])}"
+        if proposal.method == "swap":
+            what = f"Swap {artifact.marker} and {artifact.counterpart}"
+        return self.perform(f"{what} by hand", edit)
 
     def free_id(self, wanted: str) -> str:
         """An artifact's name that is not in use, the wanted one if it can be."""

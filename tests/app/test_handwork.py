@@ -171,7 +171,7 @@ def test_a_refusal_is_said_aside_and_changes_nothing(window, mouse, qtbot, monke
     mouse.drag(40, 50, keys=SHIFT)
     with qtbot.waitSignal(window.commands.said) as said:
         qtbot.keyClick(window, Qt.Key.Key_E)
-    assert "no other marker" in said.args[0] or "samples of its own" in said.args[0]
+    assert "No other marker" in said.args[0] or "samples of its own" in said.args[0]
     assert state(window) == before
 
 

@@ -42,6 +42,8 @@ class Inspector(QWidget):
         whole.setContentsMargins(0, 0, 0, 0)
         whole.setSpacing(0)
         whole.addWidget(self._pages, 1)
+        # What is decided about stays in sight beside the decision, however small the panel.
+        whole.addWidget(self.artifact.methods.outcome)
         whole.addWidget(self.decisions)
         self._seen: str | None = None
         self._swept = False
@@ -77,7 +79,9 @@ class Inspector(QWidget):
         """See what was chosen last, and the take when nothing is."""
         document = self._document
         swept = document.selection is not None and (self._swept or document.current is None)
-        self.decisions.setVisible(document.current is not None and not swept)
+        deciding = document.current is not None and not swept
+        self.decisions.setVisible(deciding)
+        self.artifact.methods.outcome.setVisible(deciding)
         if document.session is None:
             self._pages.setCurrentWidget(self._nothing)
         elif swept:

@@ -143,7 +143,9 @@ class ArtifactPage(QWidget):
                 field.setValue(value)
             field.setEnabled(editable)
         length = self.tr("1 frame") if a.length == 1 else self.tr("{0} frames").format(a.length)
-        length += self.tr(", {0:.2f} s").format(a.length / take.rate)
+        seconds = a.length / take.rate
+        short = self.tr(", {0:.0f} ms").format(1000 * seconds)
+        length += short if seconds < 1 else self.tr(", {0:.2f} s").format(seconds)
         if math.isfinite(a.amplitude_mm):
             length += ", " + units.length(a.amplitude_mm)
         self.extent.setText(length)

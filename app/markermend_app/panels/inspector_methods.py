@@ -23,7 +23,13 @@ DOUBTFUL_MM = 20.0
 
 
 class MethodList(QWidget):
-    """Radio buttons for the methods that have a key, and one drop-down list of all others."""
+    """Radio buttons for the methods that have a key, and one drop-down list of all others.
+
+    Attributes
+    ----------
+    outcome : what the previewed repair promises; whoever has the list puts it where it stays in
+        sight
+    """
 
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -47,11 +53,11 @@ class MethodList(QWidget):
         self._grid.setHorizontalSpacing(4)
         self._grid.setVerticalSpacing(4)
         self.outcome = plain("muted")
+        self.outcome.setContentsMargins(12, 8, 12, 0)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 4, 0, 0)
         column.setSpacing(4)
         column.addWidget(heading(self.tr("Repair")))
-        column.addWidget(self.outcome)
         column.addLayout(self._grid)
         column.addSpacing(4)
         column.addWidget(self.more)
