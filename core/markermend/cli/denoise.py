@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from collections import Counter
 from pathlib import Path
 
 import numpy as np
@@ -33,6 +34,10 @@ def run(options: argparse.Namespace) -> int:
     mm.write_pose(restored.pose, options.output)
     for line in _listing(restored) if options.list else ():
         say(line)
+    kinds = Counter(fault.kind for fault in restored.faults)
+    if kinds:
+        found = ", ".join(f"{n} {kind}" for kind, n in sorted(kinds.items()))
+        say(f"Found wrong: joints {found}.")
     say(
         f"Filled: {count(int(restored.filled.sum()), 'position')} of"
         f" {count(restored.filled.size, 'position')}; noise taken out:"
@@ -60,4 +65,14 @@ def _listing(restored: Restored) -> list[str]:
             ]
         )
     head = ["Joint", "Filled, %", "Expected error there, mm", "Noise, mm"]
-    return [*table(head, rows, "lrrr"), ""]
+    wrong = [
+        [
+            restored.pose.joints[fault.joint],
+            fault.kind,
+            f"{fault.start / restored.pose.rate:.2f}",
+            f"{fault.stop / restored.pose.rate:.2f}",
+        ]
+        for fault in restored.faults
+    ]
+    lines = table(["Joint", "Wrong", "From, s", "To, s"], wrong, "llrr") if wrong else []
+    return [*table(head, rows, "lrrr"), "", *lines, *([""] if wrong else [])]

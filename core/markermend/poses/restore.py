@@ -1,4 +1,4 @@
-"""Make a skeleton recording clean: fill what was not seen, take out noise, keep bones."""
+"""Make a skeleton recording clean: mend faults, fill what was not seen, take out noise."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from markermend.errors import DataError
 from markermend.poses.bones import find_bones, fuse, keep_lengths, swing
 from markermend.poses.channels import Channels, to_channels, to_features
 from markermend.poses.covariance import Moments
+from markermend.poses.faults import Fault, mend_faults
 from markermend.poses.filling import fill
 from markermend.poses.normal import FEATURES, denormalise
 from markermend.poses.nuitrack import mirrored
@@ -40,12 +41,14 @@ class Restored:
         NaN for joints never seen
     noise_mm : (joints,) standard deviation of the noise that was taken out of each coordinate
     filled : (frames, joints) bool, positions that were worked out
+    faults : joints that were wrong without the recording saying so
     """
 
     pose: Pose
     error_mm: FloatArray
     noise_mm: FloatArray
     filled: BoolArray
+    faults: tuple[Fault, ...] = ()
 
 
 def denoise(pose: Pose, *, prior: Prior | None = None, progress: Progress | None = None) -> Pose:
@@ -68,7 +71,7 @@ def denoise(pose: Pose, *, prior: Prior | None = None, progress: Progress | None
 def restore(
     pose: Pose, *, prior: Prior | None = None, progress: Progress | None = None
 ) -> Restored:
-    """Fill what was not seen, take out noise, and keep bones as long as they are.
+    """Find what is wrong, fill what was not seen, take out noise, and keep bones as they are.
 
     Parameters
     ----------
@@ -88,14 +91,14 @@ def restore(
     """
     if pose.frames < _LEAST_FRAMES:
         raise DataError(f"{pose.frames} poses are too few; it takes at least {_LEAST_FRAMES}.")
+    tell = progress or quiet
+    pose, faults = mend_faults(pose)
     fit = fitting(pose, prior) if prior is not None else None
-    if fit is None:
-        return _restore(pose, None, progress or quiet)
-    moments, left_handed = fit
-    if not left_handed:
-        return _restore(pose, moments, progress or quiet)
-    restored = _restore(mirrored(pose), moments, progress or quiet)
-    return replace(restored, pose=mirrored(restored.pose))
+    moments, left_handed = fit or (None, False)
+    restored = _restore(mirrored(pose) if left_handed else pose, moments, tell)
+    if left_handed:
+        restored = replace(restored, pose=mirrored(restored.pose))
+    return replace(restored, faults=faults)
 
 
 def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:

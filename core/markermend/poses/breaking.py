@@ -1,0 +1,70 @@
+"""The worst faults of real sensors, simulated: joints wrong without a word about it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from markermend.poses.faults import FROZEN, MISPLACED, SWAPPED, VANISHED, Fault
+from markermend.poses.nuitrack import LIMBS
+from markermend.poses.pose import Pose
+
+_LENGTH_S = (0.15, 0.8)
+_JUMP_MM = 400.0
+_STRANGER_MM = 700.0
+KINDS = (VANISHED, FROZEN, "jumped", SWAPPED, "stranger")
+
+
+def break_pose(pose: Pose, *, each: int, seed: int) -> tuple[Pose, tuple[Fault, ...]]:
+    """Break a clean recording, every time for 0.15 to 0.8 seconds, never twice at once.
+
+    Parameters
+    ----------
+    pose : of Nuitrack's 17 joints
+    each : faults of each of :data:`KINDS`: at 0, 0, 0; held; somewhere else in every frame; limbs
+        of left and right exchanged; a limb of somebody smaller, who stands beside
+    seed : same seed, same faults
+
+    Returns
+    -------
+    the recording, confident throughout, and the truth; jumps and strangers are “misplaced”
+    """
+    random = np.random.default_rng(seed)
+    positions, rotations = np.array(pose.positions), np.array(pose.rotations)
+    slots = np.linspace(2, pose.frames - 2, each * len(KINDS) + 1).astype(int)
+    faults: list[Fault] = []
+    for slot, n in enumerate(random.permutation(each * len(KINDS)).tolist()):
+        kind, room = KINDS[n % len(KINDS)], int(slots[slot + 1] - slots[slot]) - 2
+        length = min(max(round(random.uniform(*_LENGTH_S) * pose.rate), 2), room)
+        start = int(slots[slot]) + 1
+        frames = slice(start, start + length)
+        limb = LIMBS[random.integers(len(LIMBS))]
+        joint = int(random.choice(limb))
+        touched: tuple[int, ...] = (joint,)
+        match kind:
+            case "vanished":
+                positions[frames, joint], rotations[frames, joint] = 0.0, (0.0, 0.0, 0.0, 1.0)
+            case "frozen":
+                positions[frames, joint] = positions[start - 1, joint]
+                rotations[frames, joint] = rotations[start - 1, joint]
+            case "jumped":
+                away = random.normal(size=(length, 3))
+                away *= _JUMP_MM / np.sqrt(np.sum(away**2, axis=1, keepdims=True))
+                positions[frames, joint] += away
+            case "swapped":
+                pair = LIMBS[:2] if limb in LIMBS[:2] else LIMBS[2:]
+                for a, b in zip(*pair, strict=True):
+                    for values in (positions, rotations):
+                        values[frames, [a, b]] = values[frames, [b, a]]
+                touched = (*pair[0], *pair[1])
+            case _:
+                then = int(random.integers(pose.frames - length))
+                away = _STRANGER_MM * np.array([1.0, 0.0, random.choice([-1.0, 1.0])])
+                other = slice(then, then + length)
+                middle = pose.positions[other, :1]
+                there = 0.9 * (pose.positions[other][:, limb] - middle)
+                positions[frames, limb] = there + pose.positions[frames, :1] + away
+                rotations[frames, limb] = pose.rotations[other][:, limb]
+                touched = limb
+        name = MISPLACED if kind in ("jumped", "stranger") else kind
+        faults += [Fault(name, j, start, start + length) for j in touched]
+    return pose.with_samples(positions, rotations, np.ones_like(pose.confidence)), tuple(faults)

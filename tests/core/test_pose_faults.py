@@ -1,0 +1,75 @@
+"""Faults that a sensor does not tell of: simulated, found, mended."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import markermend as mm
+from markermend.poses.breaking import break_pose
+from markermend.poses.faults import FROZEN, MISPLACED, SWAPPED, VANISHED, mend_faults
+from markermend.poses.noise import Noise, corrupt_pose
+from markermend.poses.nuitrack import to_nuitrack
+from markermend.poses.prior import shipped_prior
+from markermend.poses.restore import restore
+from markermend.poses.sensor import as_depth_sensor
+
+
+@pytest.fixture(scope="module")
+def walk(shared_data):
+    return to_nuitrack(mm.read_pose(shared_data / "poses" / "02_05.amc"))
+
+
+def marked(faults, pose, kind=None):
+    mask = np.zeros((pose.frames, len(pose.joints)), dtype=bool)
+    for fault in faults:
+        if kind in (None, fault.kind):
+            mask[fault.start : fault.stop, fault.joint] = True
+    return mask
+
+
+def test_clean_and_noisy_recordings_have_none(walk):
+    sensor = as_depth_sensor(walk, seed=0)
+    for pose in (walk, sensor, corrupt_pose(sensor, Noise(burst=10), seed=1)):
+        mended, faults = mend_faults(pose)
+        assert faults == ()
+        assert mended is pose
+
+
+@pytest.mark.parametrize("sensor", [False, True])
+def test_every_kind_is_found(walk, sensor):
+    pose = as_depth_sensor(walk, seed=0) if sensor else walk
+    broken, truth = break_pose(pose, each=3, seed=1)
+    mended, found = mend_faults(broken)
+    for kind in (VANISHED, FROZEN, SWAPPED):
+        assert (marked(found, pose, kind)[marked(truth, pose, kind)]).all(), kind
+    there, flagged = marked(truth, pose, MISPLACED), marked(found, pose)
+    assert flagged[there].mean() > 0.8
+    assert (flagged & ~marked(truth, pose)).mean() < 0.002
+    swapped = marked(truth, pose, SWAPPED)
+    np.testing.assert_allclose(mended.positions[swapped], pose.positions[swapped])
+
+
+def test_restoring_mends_them(walk):
+    broken, truth = break_pose(walk, each=3, seed=2)
+    restored = restore(broken, prior=shipped_prior())
+
+    def off(pose):
+        far = np.sqrt(np.sum((pose.positions - walk.positions) ** 2, axis=2))
+        return np.nanmean(far[marked(truth, walk)])
+
+    assert off(restored.pose) < 0.15 * off(broken)
+    assert {fault.kind for fault in restored.faults} == {VANISHED, FROZEN, SWAPPED, MISPLACED}
+
+
+def test_a_body_at_rest_is_not_frozen(walk):
+    positions = np.repeat(walk.positions[:1], 200, axis=0)
+    rotations = np.repeat(walk.rotations[:1], 200, axis=0)
+    rest = mm.Pose(positions, rotations, walk.joints, walk.parents, 120.0)
+    assert mend_faults(rest)[1] == ()
+
+
+def test_same_seed_same_faults(walk):
+    one, other = (break_pose(walk, each=2, seed=5) for _ in range(2))
+    assert (one[0].positions == other[0].positions).all()
+    assert one[1] == other[1]
