@@ -14,6 +14,8 @@ from markermend.bench.smooth import Truth, compare, hard_smoothed, kick
 from markermend.bench.smooth_text import smooth_csv, truth_table
 from markermend.cli import main
 from markermend.errors import DataError
+from markermend.smoothers import derivatives
+from markermend.smoothers.table import derivatives_csv
 from markermend.take import Take
 
 
@@ -41,6 +43,43 @@ def test_smooth_writes_what_the_library_gives(
     expected = mm.smooth(mm.read(recording)).positions
     np.testing.assert_allclose(mm.read(out).positions, expected, atol=0.01)
     assert main(["smooth", str(recording), "-o", str(out)]) == 1
+
+
+def test_derivatives_are_written_with_their_bands(
+    recording: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out, table = recording.with_name("out.c3d"), recording.with_name("motion.csv")
+    words = ["smooth", str(recording), "-o", str(out), "--marker", "LANK", "RANK"]
+    assert main([*words, "--derivatives", str(table)]) == 0
+    take = mm.read(recording)
+    found = derivatives(take, markers=["LANK", "RANK"])
+    rows = list(csv.DictReader(table.read_text().splitlines()))
+    assert len(rows) == 2 * take.frames
+    row = rows[take.frames + 100]
+    assert (row["marker"], int(row["frame"])) == ("RANK", take.first_frame + 100)
+    assert float(row["time_s"]) == pytest.approx(100 / take.rate)
+    for name, values in (
+        ("position_mm", found.position),
+        ("velocity_mm_s", found.velocity),
+        ("acceleration_band_mm_s2", found.acceleration_band),
+    ):
+        told = [float(row[f"{axis}_{name}"]) for axis in "xyz"]
+        assert told == pytest.approx(values[100, 1], rel=1e-5)
+    capsys.readouterr()
+    assert main([*words, "--method", "rts", "--derivatives", str(table), "--force"]) == 1
+    assert "“auto” only" in capsys.readouterr().err
+
+
+def test_a_missing_marker_has_empty_derivatives(recording: Path) -> None:
+    take = mm.read(recording)
+    positions = take.positions.copy()
+    positions[50:80, 0] = np.nan
+    holed = take.with_positions(positions, take.origin)
+    text = derivatives_csv(derivatives(holed, markers=take.labels[:1]), holed)
+    rows = list(csv.DictReader(text.splitlines()))
+    assert [r["x_velocity_mm_s"] == "" for r in rows[48:82]] == [False] * 2 + [True] * 30 + [
+        False
+    ] * 2
 
 
 def test_a_part_of_the_take_with_a_named_method(

@@ -9,6 +9,7 @@ import numpy as np
 
 import markermend as mm
 from markermend.cli.console import (
+    STDOUT,
     Bar,
     check_outputs,
     check_take_output,
@@ -16,19 +17,27 @@ from markermend.cli.console import (
     say,
     table,
     warn,
+    write_text,
     written,
 )
 from markermend.cli.settings import settings_of
-from markermend.smoothers import TOO_MUCH, find_smoother, percent_less, sm1
-from markermend.smoothers.run import read_settings
+from markermend.errors import MethodError
+from markermend.smoothers import TOO_MUCH, derivatives, find_smoother, percent_sm1
+from markermend.smoothers.run import AUTO, read_settings
+from markermend.smoothers.table import derivatives_csv
 from markermend.take import AXES, Take
 
 
 def run(options: argparse.Namespace) -> int:
     """Smooth one take."""
-    check_outputs([options.output], source=options.take, force=options.force)
+    check_outputs([options.output, options.derivatives], source=options.take, force=options.force)
     check_take_output(options.output)
     smoother = find_smoother(options.method)
+    if options.derivatives is not None and smoother.name != AUTO:
+        raise MethodError(
+            f"Error bands are known for the method “{AUTO}” only; leave out "
+            f"--method {smoother.name} or --derivatives."
+        )
     params = read_settings(smoother, None, settings_of(smoother.params, options.set))
     take = mm.read(options.take)
     start, stop = 0, None
@@ -47,6 +56,12 @@ def run(options: argparse.Namespace) -> int:
         )
     export = mm.write(smoothed, options.output, as_float=options.float)
     names = take.labels if options.marker is None else options.marker
+    if options.derivatives is not None:
+        with Bar() as bar:
+            found = derivatives(take, markers=names, progress=bar)
+        write_text(options.derivatives, derivatives_csv(found, take))
+    if options.derivatives == STDOUT:
+        return 0
     less = _less(take, smoothed, names)
     for line in _listing(take, smoothed, names, less) if options.list else ():
         say(line)
@@ -59,9 +74,8 @@ def run(options: argparse.Namespace) -> int:
 def _less(take: Take, smoothed: Take, names: Sequence[str]) -> dict[str, float]:
     """%SM1 of each marker's coordinate that lost most."""
     columns = [take.index(name) for name in names]
-    before = sm1(take.positions[:, columns])
-    after = sm1(smoothed.positions[:, columns])
-    return dict(zip(names, percent_less(before, after).max(axis=1).tolist(), strict=True))
+    less = percent_sm1(take.positions[:, columns], smoothed.positions[:, columns])
+    return dict(zip(names, less.max(axis=1).tolist(), strict=True))
 
 
 def _judge(names: Sequence[str], less: dict[str, float]) -> None:

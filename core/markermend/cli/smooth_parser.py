@@ -31,3 +31,9 @@ def add_smoothing(p: argparse.ArgumentParser) -> None:
         help="smooth these frames only, by the file's own numbers, the last one included",
     )
     p.add_argument("--list", action="store_true", help="show what changed for every marker")
+    p.add_argument(
+        "--derivatives",
+        metavar="FILE",
+        help="write position, velocity and acceleration of each marker by “auto”, with error "
+        "bands, as CSV; “-” for standard output",
+    )
