@@ -33,7 +33,8 @@ def vertical_axis(positions: FloatArray) -> int:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RuntimeWarning)
         extent = np.nanpercentile(np.nanmax(points, axis=1) - np.nanmin(points, axis=1), 50, axis=0)
-        centre = np.nanpercentile(points, 50, axis=1)
+        # Many times faster than a percentile, which goes through the frames one by one.
+        centre = np.nanmedian(points, axis=1)
         travel = np.nanpercentile(centre, 95, axis=0) - np.nanpercentile(centre, 5, axis=0)
         lowest = np.nanpercentile(points.reshape(-1, 3), 1, axis=0)
     if not np.isfinite(extent).all():
