@@ -194,6 +194,17 @@ def test_what_no_pair_of_jumps_shows_is_found_and_explained(kind, many, words):
     assert len(found) == len(hit)
 
 
+def test_after_a_frozen_stretch_the_marker_is_where_it_should_be(performer):
+    positions = performer.positions.copy()
+    a, end = performer.index("LWRA"), performer.frames
+    away = np.linalg.norm(positions[end - 100, a] - positions[end - 140 : end - 100, a], axis=1)
+    start = end - 140 + int(away.argmax())
+    positions[start : end - 100, a] = positions[start - 1, a]
+    found = sudden(Take(positions, performer.labels, performer.rate))
+    assert [(x.marker, x.start, x.stop) for x in found] == [("LWRA", start, end - 100)]
+    assert away.max() > 10.0
+
+
 def test_samples_that_rest_repeat_and_are_left_alone(performer):
     still = np.round(performer.positions, 1)
     still[300:420] = still[300]

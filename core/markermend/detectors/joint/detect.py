@@ -89,11 +89,11 @@ def _with_unseen_jumps(
     """Sudden artifacts with those that only the rest of the body shows."""
     frozen = find_frozen(take, markers, neighbours, trusted_samples(take, sudden))
     frozen = [a for a in frozen if a.confidence >= least]
-    # A marker that repeats itself seems to slide off and jump back.
+    # A marker that repeats itself seems to slide off and jump back, or to stay off after its jump.
     kept = [
         a
         for a in sudden
-        if not any(a.marker == f.marker and f.overlaps(a.start, a.stop) for f in frozen)
+        if not any(a.marker == f.marker and f.overlaps(a.start - 1, a.stop + 1) for f in frozen)
     ]
     strays = find_strays(take, markers, trusted_samples(take, [*kept, *frozen]))
     return [*kept, *frozen, *(a for a in strays if a.confidence >= least)]
