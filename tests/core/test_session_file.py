@@ -20,7 +20,10 @@ from reviews import artifact, drive, make_take, proposal, state_of, verbs
 from markermend import session_file
 from markermend.artifact import Artifact, Kind, Status
 from markermend.errors import FileFormatError, MarkermendError
+from markermend.files import read, write
+from markermend.repairs import propose
 from markermend.session_file import open_session
+from markermend.simulation import simulate_clean
 from markermend.take import Take
 
 
@@ -340,3 +343,35 @@ def test_a_review_with_a_broken_step_is_refused_in_one_sentence(tmp_path):
     kept.path.write_text(json.dumps(document), encoding="utf-8")
     with pytest.raises(FileFormatError, match="move it away"):
         open_session(make_take(), folder=tmp_path)
+
+
+def test_a_swap_of_three_is_kept_exported_and_taken_back(tmp_path):
+    names = ("LWRA", "LWRB", "LFIN")
+    clean = simulate_clean(duration_s=3.0, rate=100.0, seed=3, labels=names)
+    mixed = clean.positions.copy()
+    mixed[100:140] = mixed[100:140][:, [2, 0, 1]]
+    write(Take(mixed, clean.labels, clean.rate), tmp_path / "mixed.c3d")
+    take = read(tmp_path / "mixed.c3d")
+    swap = Artifact(
+        "LWRA",
+        "xyz",
+        100,
+        140,
+        Kind.STEP,
+        counterpart="LWRB",
+        further_counterparts=("LFIN",),
+    )
+    kept = open_session(take, folder=tmp_path)
+    kept.session.add_detected([swap], "joint")
+    kept.session.repair([(swap.id, propose(take, swap))])
+    kept.save()
+    kept.close()
+    again = open_session(take, folder=tmp_path)
+    (found,) = again.session.artifacts
+    assert found == swap.with_status(Status.REPAIRED)
+    write(again.session.take, tmp_path / "clean.c3d")
+    exported = read(tmp_path / "clean.c3d").positions
+    assert np.allclose(exported, clean.positions, atol=1e-3)
+    again.session.set_status([swap.id], Status.PENDING)
+    assert np.array_equal(again.session.positions, take.positions)
+    again.close()
