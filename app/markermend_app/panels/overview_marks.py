@@ -73,7 +73,7 @@ def paint_scale(
     base = middle + metrics.ascent() / 2 - 1
     painter.drawText(QPointF(bar.right() + gap, base), most)
     painter.drawText(QPointF(bar.left() - gap - first, base), least)
-    return width + last + first + 4 * gap
+    return width + last + first + 6 * gap
 
 
 def round_step(seconds: float) -> float:

@@ -47,7 +47,7 @@ class Crosshair(QObject):
     def read_out(self, frame: int, row: PlotFrame | None = None) -> None:
         """Say frame, time and values: in a row, else the foremost marker's position."""
         session, shown = self._document.session, self._document.shown
-        if session is None or not shown:
+        if session is None or not shown or not session.take.frames:
             self._header.clear()
         else:
             self._header.read_out(read_out(session.take, shown, frame, row))

@@ -120,7 +120,7 @@ class PlotFrame:
     def _place_name(self, *_: object) -> None:
         """Write the name where there is room for it."""
         text, color = self._named
-        room = self.view.height() - 4
+        room = self.view.height() - 12
         fits = QFontMetricsF(self.values.label.font()).horizontalAdvance(text) < room
         size = f"{theme.SMALL_PT}pt"
         style = {"color": color.name(), "font-size": size}

@@ -158,7 +158,7 @@ class PlotRow(PlotFrame):
     def value_at(self, name: str, frame: int) -> float | None:
         """Value of a shown marker in a frame; NaN where missing, None where nothing is known."""
         values = self.values_of.get(name)
-        return None if values is None else float(values[frame])
+        return None if values is None or not len(values) else float(values[frame])
 
     # Artifacts and the proposal
 

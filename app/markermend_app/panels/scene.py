@@ -158,10 +158,9 @@ class Scene(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.fillRect(self.rect(), t.plot)
         session = self._document.session
-        if session is None or self.stage is None:
-            painter.setPen(t.muted)
-            text = self.tr("Open a take to see it in space.")
-            painter.drawText(QRectF(self.rect()), Qt.AlignmentFlag.AlignCenter, text)
+        if session is None or self.stage is None or not session.original.frames:
+            text = self.tr("No frames") if session else self.tr("Open a take to see it in space.")
+            paint.paint_message(painter, QRectF(self.rect()), text)
             return
         sight = paint.Sight(painter, self.camera, self.width(), self.height())
         frame, take = self._document.frame, session.original
@@ -188,8 +187,7 @@ class Scene(QWidget):
         names = [(i, self.seen.names[take.labels[i]]) for i in named]
         paint.paint_labels(sight, spots, names)
         paint.paint_triad(sight)
-        unit, factor = units.unit(), units.FACTORS[units.unit()]
-        square = f"{self.stage.unit * factor:g} {unit}"
+        square = f"{self.stage.unit * units.FACTORS[units.unit()]:g} {units.unit()}"
         paint.paint_note(sight, self.tr("One square: {0}").format(square))
         if self.before:
             paint.paint_title(sight, self.tr("Before repair"))

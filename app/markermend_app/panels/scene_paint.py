@@ -255,3 +255,9 @@ def _font(painter: QPainter, weight: QFont.Weight) -> QFont:
     font.setPointSize(theme.SMALL_PT)
     font.setWeight(weight)
     return font
+
+
+def paint_message(painter: QPainter, box: QRectF, text: str) -> None:
+    """Say in the middle why nothing is seen."""
+    painter.setPen(theme.current().muted)
+    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)

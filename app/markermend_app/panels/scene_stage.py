@@ -16,6 +16,7 @@ from markermend.vertical import vertical_axis
 from markermend_app.panels.scene_camera import FOV, Camera
 
 _SAMPLED = 200
+LEAST_RADIUS_MM = 10.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,7 +46,7 @@ class Stage:
     def camera(self, last: Camera | None = None) -> Camera:
         """A camera that has the body in view, turned as the last one."""
         x, y, z = self.middle.tolist()
-        distance = 1.25 * max(self.radius, 10.0) / math.tan(FOV / 2)
+        distance = 1.25 * self.radius / math.tan(FOV / 2)
         base = last if last is not None else Camera()
         return replace(base, target=(x, y, z), distance=distance, up=self.up)
 
@@ -78,7 +79,8 @@ def set_stage(take: Take, up: int | None = None) -> Stage:
         size = float(np.nanpercentile(spans.max(axis=1), 50)) if len(points) else 1000.0
     if not math.isfinite(size) or size <= 0:
         size = 1000.0
-    radius = min(float(np.linalg.norm(high - low)) / 2, 2.2 * size)
+    # One marker that stands still has no extent, but is to be seen from somewhere.
+    radius = max(min(float(np.linalg.norm(high - low)) / 2, 2.2 * size), LEAST_RADIUS_MM)
     # A floor at zero is where systems put it, if the body stands near it.
     floor = 0.0 if abs(low[up]) < 0.2 * size else float(low[up])
     reach = np.maximum(high - low, size)
