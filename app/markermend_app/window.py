@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from functools import partial
+from collections.abc import Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QSize, Qt
@@ -14,7 +13,6 @@ from PySide6.QtGui import (
     QDropEvent,
 )
 from PySide6.QtWidgets import (
-    QApplication,
     QDockWidget,
     QMainWindow,
     QSplitter,
@@ -25,9 +23,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from markermend.artifact import Kind
-from markermend_app import dialogs, menus, palette, settings, shortcuts, theme
-from markermend_app.actions import METHOD_KEYS
+from markermend_app import menus, settings, shortcuts, theme
 from markermend_app.attention import Attention
 from markermend_app.batch_review import BatchReview
 from markermend_app.bulk import Bulk
@@ -54,8 +50,8 @@ from markermend_app.preferred import Preferred
 from markermend_app.recent_menu import fill_when_shown
 from markermend_app.references import References
 from markermend_app.reporting import Reporting
-from markermend_app.shortcut_sheet import ShortcutSheet
 from markermend_app.smoothing import Smoothing
+from markermend_app.view_verbs import THEMES, view_verbs, wear
 
 LAYOUT_VERSION = 2
 ROOMY = QSize(1500, 940)
@@ -178,7 +174,7 @@ class MainWindow(QMainWindow):
         return dock
 
     def _make_actions(self) -> None:
-        self._own = self._own_verbs()
+        self._own = view_verbs(self)
         self.actions_by_name = menus.build(self, self.document, self._run)
         bar = self.menuBar()
         self.menus = menus.fill_menus(bar, self.actions_by_name)
@@ -210,7 +206,7 @@ class MainWindow(QMainWindow):
         fill_when_shown(recent, self.commands.open_path)
 
         themes = QActionGroup(self)
-        for name in ("light", "dark", "contrast", "system"):
+        for name in THEMES:
             themes.addAction(self.actions_by_name[f"theme_{name}"])
         self._check_chosen()
 
@@ -264,117 +260,26 @@ class MainWindow(QMainWindow):
             self.reporting,
         )
 
-    def _own_verbs(self) -> dict[str, Callable[[], object]]:
-        """Actions about what is seen, not about the review."""
-
-        def checked(name: str) -> bool:
-            return self.actions_by_name[name].isChecked()
-
-        return {
-            "play": self.transport.toggle_play,
-            "frame_forward": lambda: self.transport.step(1),
-            "frame_back": lambda: self.transport.step(-1),
-            "frames_forward": lambda: self.transport.step(10),
-            "frames_back": lambda: self.transport.step(-10),
-            "to_start": lambda: self.document.go_to(0),
-            "to_end": lambda: self.document.go_to(1 << 40),
-            "note": self._write_note,
-            "compare": lambda: self.comparison.start(shortcuts.table()["compare"]),
-            "choose_references": lambda: self.references.choose(checked("choose_references")),
-            "start_earlier": lambda: self.hand.nudge(-1, 0),
-            "start_later": lambda: self.hand.nudge(1, 0),
-            "end_earlier": lambda: self.hand.nudge(0, -1),
-            "end_later": lambda: self.hand.nudge(0, 1),
-            **{f"class_{kind}": partial(self.hand.call, kind) for kind in Kind},
-            "fit": self.trajectories.fit_all,
-            "zoom_in": lambda: self.trajectories.zoom(0.5),
-            "zoom_out": lambda: self.trajectories.zoom(2.0),
-            "before_after": lambda: self._show_before(checked("before_after")),
-            "prediction": lambda: self.trajectories.set_prediction_shown(checked("prediction")),
-            "overview_mode": self.overview.mode.choose_next,
-            "plots": self.trajectories.open_menu,
-            "theme_light": lambda: self._set_theme("light"),
-            "theme_dark": lambda: self._set_theme("dark"),
-            "theme_system": lambda: self._set_theme("system"),
-            "detect_on_open": lambda: settings.remember(
-                "detect_on_open", checked("detect_on_open")
-            ),
-            "reset_layout": lambda: self.restoreState(self._default_state, LAYOUT_VERSION),
-            "manual": self._show_manual,
-            "tour": self._show_tour,
-            "theme_contrast": lambda: self._set_theme("contrast"),
-            "preferences": lambda: self.preferred.open(),
-            "shortcuts": lambda: ShortcutSheet(self).exec(),
-            "palette": self._open_palette,
-            **{f"method_{k}": partial(self._choose_method, k) for k in METHOD_KEYS},
-            "about": lambda: dialogs.show_about(self),
-        }
-
-    def _show_dock(self, name: str) -> None:
+    def show_dock(self, name: str) -> None:
+        """Bring a panel into sight."""
         self.docks[name].show()
         self.docks[name].raise_()
 
+    def reset_layout(self) -> None:
+        """Put the panels where they were at first."""
+        self.restoreState(self._default_state, LAYOUT_VERSION)
+
     def _show_takes(self) -> None:
         """Show the list of takes, with room for some of them."""
-        self._show_dock("takes")
+        self.show_dock("takes")
         if self.docks["takes"].height() < TAKES_HIGH:
             self.resizeDocks([self.docks["takes"]], [TAKES_HIGH], _V)
-
-    def _write_note(self) -> None:
-        self._show_dock("inspector")
-        self.inspector.artifact.note.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def _give_keys(self) -> None:
         menus.give_keys(self.actions_by_name)
 
     def _give_icons(self) -> None:
         menus.give_icons(self.actions_by_name)
-
-    def _open_palette(self) -> None:
-        """Find an action, marker or artifact by a few letters."""
-        found = palette.entries(self.actions_by_name, self.document)
-        palette.Palette(found, self).open()
-
-    def _choose_method(self, key: int) -> None:
-        """Preview the repair method with that number key."""
-        if self.document.current is None:
-            return
-        from markermend.repairs import REPAIRS
-
-        for method in REPAIRS.values():
-            if method.key == key:
-                self.document.choose_method(method.name)
-
-    def _show_before(self, before: bool) -> None:
-        """Show the samples before repair, in the plots and in space."""
-        self.trajectories.set_before_after(before)
-        self.scene.set_before(before)
-
-    def _set_theme(self, name: str) -> None:
-        settings.remember("theme", name)
-        self._wear(name)
-
-    def _wear(self, name: str) -> None:
-        app = QApplication.instance()
-        if isinstance(app, QApplication):
-            theme.apply(app, name)
-
-    def _show_manual(self) -> None:
-        """Open the manual at the page about the panel that has the focus."""
-        from markermend_app.manual import Manual, page_about
-
-        page = page_about(QApplication.focusWidget())
-        manual = self.findChild(Manual) or Manual(self)
-        manual.show_page(page)
-        manual.show()
-        manual.raise_()
-        manual.activateWindow()
-
-    def _show_tour(self) -> None:
-        """Show the window around, from the first step on."""
-        from markermend_app.tour import Tour
-
-        (self.findChild(Tour) or Tour(self)).start()
 
     def _check_chosen(self) -> None:
         """Check the menus' entries that hold."""
@@ -386,7 +291,7 @@ class MainWindow(QMainWindow):
         """Let a look hold that was chosen in the preferences."""
         self._check_chosen()
         if name == "theme":
-            self._wear(settings.text("theme", "system"))
+            wear(settings.text("theme", "system"))
 
     # Following the document
 
