@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from collections import Counter
 from pathlib import Path
 
 import numpy as np
 
 import markermend as mm
-from markermend.cli.console import Bar, check_outputs, count, say, table, warn
+from markermend.cli.console import STDOUT, Bar, check_outputs, count, say, table, warn
 from markermend.errors import ExportError
 from markermend.poses.restore import Restored
 
@@ -20,6 +21,8 @@ def run(options: argparse.Namespace) -> int:
     from markermend.poses.prior import load_prior, shipped_prior
     from markermend.poses.restore import restore
 
+    if STDOUT in (options.pose, options.output):
+        return _follow(options)
     check_outputs([options.output], source=options.pose, force=options.force)
     if Path(options.output).suffix.lower() not in WRITABLE:
         raise ExportError(
@@ -47,6 +50,24 @@ def run(options: argparse.Namespace) -> int:
     if never:
         warn(f"Never seen, and left so: {', '.join(never)}.")
     say(f"Written: {options.output}, {count(pose.frames, 'pose')}.")
+    return 0
+
+
+def _follow(options: argparse.Namespace) -> int:
+    """Clean poses while they come."""
+    from markermend.files.pose_stream import follow
+    from markermend.poses.prior import load_prior, shipped_prior
+
+    if options.pose != options.output:
+        raise ExportError("A stream is “-” on both sides: markermend denoise - -o -")
+    prior = shipped_prior() if options.prior is None else load_prior(Path(options.prior))
+
+    def write(text: str) -> None:
+        sys.stdout.write(text)
+        sys.stdout.flush()
+
+    # Line by line: iterating over the stream itself would wait for a full buffer.
+    follow(iter(sys.stdin.readline, ""), write, rate=options.rate or 30.0, prior=prior)
     return 0
 
 

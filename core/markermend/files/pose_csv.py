@@ -68,7 +68,7 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
         raise FileFormatError(f"{path.name} is cut short: no pose follows its header.")
     delimiter = max(",;\t", key=lines[0].count)
     rows = list(csv.reader(lines, delimiter=delimiter))
-    at = _columns(rows[0], path.name)
+    at = columns_of(rows[0], path.name)
     body, warnings = _whole_rows(rows[1:], len(rows[0]), path.name)
     joints = tuple(dict.fromkeys(row[at["joint"]].strip() for row in body))
     frame, count = _frames(body, at, len(joints), path.name)
@@ -81,7 +81,7 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
         mine = values[frame[n], place[row[at["joint"]].strip()]]
         for i, column in cells:
             mine[i] = number(row[column])
-    parents = _parents(body, at, joints, path.name)
+    parents = parents_of(body, at, joints, path.name)
     hertz, guess = _rate(body, at, frame, rate)
     confidence = values[..., 7] if "confidence" in at else np.ones(values.shape[:2])
     zero = (values[..., :3] == 0).all(axis=2) & (np.asarray(parents) >= 0)
@@ -107,7 +107,7 @@ def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> None:
     progress : told the share of poses written
     """
     file.write((",".join(COLUMNS) + "\n").encode())
-    names = [_quoted(joint) for joint in pose.joints]
+    names = [quoted(joint) for joint in pose.joints]
     above = [names[parent] if parent >= 0 else "" for parent in pose.parents]
     places = np.nan_to_num(pose.positions)
     turns = np.where(np.isnan(pose.rotations), (0.0, 0.0, 0.0, 1.0), pose.rotations)
@@ -145,8 +145,14 @@ def rows_of(
     ]
 
 
-def _columns(head: list[str], name: str) -> dict[str, int]:
-    """Place of each known column."""
+def columns_of(head: list[str], name: str) -> dict[str, int]:
+    """Place of each known column in a header.
+
+    Parameters
+    ----------
+    head : its cells
+    name : of the file, for what is wrong with it
+    """
     plain = [re.sub(r"[^a-z]", "", re.sub(r"[\[(].*", "", cell.lower())) for cell in head]
     at = {_OTHER_NAMES.get(cell, cell): i for i, cell in enumerate(plain)}
     missing = [column for column in ("frame", "joint", "x", "y", "z") if column not in at]
@@ -193,10 +199,18 @@ def _frames(
     return [frame - first for frame in stated], last - first + 1
 
 
-def _parents(
+def parents_of(
     body: list[list[str]], at: dict[str, int], joints: tuple[str, ...], name: str
 ) -> tuple[int, ...]:
-    """Index of each joint's parent, by the file or by the joints' usual names."""
+    """Index of each joint's parent, by the file or by the joints' usual names.
+
+    Parameters
+    ----------
+    body : rows
+    at : place of each known column
+    joints : their names
+    name : of the file, for what is wrong with it
+    """
     if "parent" in at:
         above = {row[at["joint"]].strip(): row[at["parent"]].strip() for row in body}
     else:
@@ -230,6 +244,6 @@ def _rate(
     return _SENSOR_RATE, [f"The file tells no rate; {_SENSOR_RATE:g} Hz was assumed."]
 
 
-def _quoted(name: str) -> str:
+def quoted(name: str) -> str:
     """A name as a cell."""
     return '"' + name.replace('"', '""') + '"' if re.search(r'[",\n]', name) else name

@@ -1,0 +1,176 @@
+"""Clean poses while they come: one in, one out, nothing held back."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from markermend.arrays import BoolArray, FloatArray
+from markermend.errors import DataError
+from markermend.poses.normal import FEATURES, bone_lengths, normalise
+from markermend.poses.nuitrack import mirrored
+from markermend.poses.pose import Pose
+from markermend.poses.prior import Prior, fitting
+from markermend.poses.quaternion import inverse, multiply, turn, unit
+
+# How the movement of a moment is taken from the prior, how long one's own moments and memory are.
+_PRIOR_S, _LAG_S, _MEMORY = 1.0, 0.125, 3000.0
+_RIDGE = 1e-3
+# A joint that goes keeps a speed of its own for about this long; speeds are averaged over this.
+_COASTS_S, _AVERAGED_S = 0.042, 0.024
+_ROUNDS = 2
+# Of x, y, z and of a rotation's x, y, z, w, as in nuitrack.mirrored.
+_MIRROR = np.array([-1.0, 1.0, 1.0, 1.0, -1.0, -1.0, 1.0])
+
+
+class Live:
+    """Fills joints that are not seen, from those that are and from how bodies move.
+
+    A joint that goes follows what the visible ones do from then on, as they have moved together so
+    far, in this body and in others; bones keep their length. What is seen goes through as it is.
+
+    Parameters
+    ----------
+    first : one pose in which every joint is seen
+    prior : how bodies move; used where its joints are these
+
+    Raises
+    ------
+    DataError
+        when a joint of the first pose is not seen
+    """
+
+    def __init__(self, first: Pose, prior: Prior | None = None) -> None:
+        if first.frames != 1 or not first.seen.all() or np.isnan(first.rotations).any():
+            raise DataError("Live filling starts from one pose in which every joint is seen.")
+        fit = fitting(first, prior) if prior is not None else None
+        # Priors are of right-handed axes, many sensors are not.
+        self._left_handed = fit is not None and fit[1]
+        if self._left_handed:
+            first = mirrored(first)
+        features, normal = normalise(first)
+        self._parents, self._root = first.parents, normal.root
+        self._scale, self._offset, self._rate = normal.scale, normal.offset, first.rate
+        self._others = [j for j in range(len(first.joints)) if j != self._root]
+        self._lengths = bone_lengths(first.positions, first.parents)
+        self._values = features[0, self._others].ravel()
+        self._root_pose = first.positions[0, self._root], first.rotations[0, self._root]
+        channels = len(self._values)
+        if fit is None:
+            self._covariance, self._weight = np.zeros((channels, channels)), 0.0
+        else:
+            self._covariance, self._weight = fit[0].within_s(_PRIOR_S).copy(), fit[0].weight
+        self._speed, self._coasting = np.zeros(channels), np.zeros(channels)
+        self._known = np.ones(channels, dtype=bool)
+        self._weights: FloatArray = np.empty((0, 0))
+        self._past: list[FloatArray] = [self._values]
+
+    def __call__(
+        self, positions: FloatArray, rotations: FloatArray, seen: BoolArray
+    ) -> tuple[FloatArray, FloatArray]:
+        """Clean one pose.
+
+        Parameters
+        ----------
+        positions : (joints, 3) mm; anything where not seen
+        rotations : (joints, 4) unit quaternions x, y, z, w
+        seen : (joints,) bool
+
+        Returns
+        -------
+        positions and rotations, whole
+        """
+        if self._left_handed:
+            positions, rotations = positions * _MIRROR[:3], rotations * _MIRROR[3:]
+        if seen[self._root]:
+            self._root_pose = positions[self._root], rotations[self._root]
+        values, known = self._relative(positions, rotations, seen)
+        values = self._filled(values, known)
+        self._learn(values)
+        where, turned = self._absolute(values)
+        where = self._with_bones(where, seen)
+        free = np.ones(len(seen), dtype=bool)
+        free[self._others] = known[FEATURES - 1 :: FEATURES]
+        out_rotations = np.where(free[:, None], rotations, turned)
+        out_rotations[self._root] = self._root_pose[1]
+        out = np.where(seen[:, None], positions, where)
+        if self._left_handed:
+            return out * _MIRROR[:3], out_rotations * _MIRROR[3:]
+        return out, out_rotations
+
+    def _relative(
+        self, positions: FloatArray, rotations: FloatArray, seen: BoolArray
+    ) -> tuple[FloatArray, BoolArray]:
+        """Columns of one pose, signs of rotations as before, and which are known."""
+        place, own = self._root_pose
+        back = inverse(multiply(own, self._offset[self._root]))
+        others = self._others
+        values = np.empty((len(others), FEATURES))
+        values[:, :3] = turn(back, positions[others] - place) / self._scale
+        values[:, 3:] = multiply(back, multiply(rotations[others], self._offset[others]))
+        before = self._values.reshape(-1, FEATURES)[:, 3:]
+        values[:, 3:] *= np.where(np.sum(values[:, 3:] * before, axis=1) < 0, -1.0, 1.0)[:, None]
+        turned = seen.copy()
+        for joint, parent in enumerate(self._parents):
+            if parent >= 0 and not seen[joint]:
+                turned[parent] = False
+        known = np.empty(values.shape, dtype=bool)
+        known[:, :3], known[:, 3:] = seen[others, None], turned[others, None]
+        return values.ravel(), known.ravel() & ~np.isnan(values.ravel())
+
+    def _filled(self, values: FloatArray, known: BoolArray) -> FloatArray:
+        """What is not known moves as what is known tells, and coasts a little."""
+        now = np.where(known, values, self._values)
+        hidden, visible = np.flatnonzero(~known), np.flatnonzero(known)
+        if len(hidden):
+            if not np.array_equal(known, self._known) or self._weights.shape[1] != len(hidden):
+                among = self._covariance[np.ix_(visible, visible)]
+                among[np.diag_indices(len(visible))] += _RIDGE
+                across = self._covariance[np.ix_(visible, hidden)]
+                self._weights = np.asarray(np.linalg.solve(among, across))
+                left = self._speed[hidden] - self._speed[visible] @ self._weights
+                gone = self._known[hidden]
+                self._coasting[hidden] = np.where(gone, left, self._coasting[hidden])
+            told = (now[visible] - self._values[visible]) @ self._weights
+            now[hidden] += told + self._coasting[hidden]
+            self._coasting *= np.exp(-1.0 / (_COASTS_S * self._rate))
+        share = 1.0 - np.exp(-1.0 / (_AVERAGED_S * self._rate))
+        self._speed += share * (now - self._values - self._speed)
+        self._values, self._known = now, known
+        return now
+
+    def _learn(self, values: FloatArray) -> None:
+        """Add how far the pose is from that of a moment ago to the covariance."""
+        self._past.append(values)
+        if len(self._past) > max(round(_LAG_S * self._rate), 1):
+            moved = values - self._past.pop(0)
+            self._weight = min(self._weight + 1.0, _MEMORY)
+            self._covariance *= 1.0 - 1.0 / self._weight
+            self._covariance += np.outer(moved / self._weight, moved)
+
+    def _absolute(self, values: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Positions (joints, 3) in mm and rotations (joints, 4), global."""
+        place, own = self._root_pose
+        forth = multiply(own, self._offset[self._root])
+        count = len(self._others) + 1
+        positions, rotations = np.tile(place, (count, 1)), np.tile(own, (count, 1))
+        columns = values.reshape(-1, FEATURES)
+        positions[self._others] += turn(forth, columns[:, :3] * self._scale)
+        back = inverse(self._offset[self._others])
+        rotations[self._others] = multiply(multiply(forth, unit(columns[:, 3:])), back)
+        return positions, rotations
+
+    def _with_bones(self, positions: FloatArray, seen: BoolArray) -> FloatArray:
+        """Move joints that are not seen to where their bones reach."""
+        bones = [(j, p) for j, p in enumerate(self._parents) if p >= 0]
+        loose = [(j, p) for j, p in bones if not (seen[j] and seen[p])]
+        for _ in range(_ROUNDS if loose else 0):
+            for joint, parent in loose:
+                bone = positions[joint] - positions[parent]
+                far = float(np.sqrt(bone @ bone)) or 1.0
+                correction = (self._lengths[joint] / far - 1.0) * bone
+                half = 0.5 if not (seen[joint] or seen[parent]) else 1.0
+                if not seen[joint]:
+                    positions[joint] += half * correction
+                if not seen[parent]:
+                    positions[parent] -= half * correction
+        return positions

@@ -1,0 +1,113 @@
+"""Poses cleaned while they come, and the stream of them."""
+
+from __future__ import annotations
+
+import io
+
+import numpy as np
+import pytest
+
+import markermend as mm
+from markermend.cli import main
+from markermend.errors import DataError, FileFormatError
+from markermend.files.pose_stream import follow
+from markermend.poses import Pose
+from markermend.poses.live import Live
+from markermend.poses.noise import Noise, corrupt_pose
+from markermend.poses.nuitrack import mirrored, to_nuitrack
+from markermend.poses.prior import shipped_prior
+
+
+@pytest.fixture(scope="module")
+def walk(shared_data):
+    return to_nuitrack(mm.read_pose(shared_data / "poses" / "02_01.amc"))
+
+
+def first_of(pose):
+    return Pose(pose.positions[:1], pose.rotations[:1], pose.joints, pose.parents, pose.rate)
+
+
+def run(live, pose):
+    out = [live(pose.positions[t], pose.rotations[t], pose.seen[t]) for t in range(1, pose.frames)]
+    return np.array([places for places, _ in out]), np.array([turns for _, turns in out])
+
+
+@pytest.mark.parametrize("prior", [None, shipped_prior()])
+def test_hidden_joints_follow_the_body(walk, prior):
+    damaged = corrupt_pose(walk, Noise(displacement=0.0, burst=30), seed=3)
+    places, turns = run(Live(first_of(walk), prior), damaged)
+    truth, hidden = walk.positions[1:], ~damaged.seen[1:]
+    held = np.array(damaged.positions)
+    held[0] = walk.positions[0]
+    offset = walk.positions[:, :1]
+    for t in range(1, walk.frames):
+        gone = ~damaged.seen[t]
+        held[t, gone] = held[t - 1, gone] + (offset[t] - offset[t - 1])
+    error = np.sqrt(np.sum((places - truth) ** 2, axis=2))
+    without = np.sqrt(np.sum((held[1:] - truth) ** 2, axis=2))
+    assert error[hidden].mean() < 0.6 * without[hidden].mean()
+    assert error[~hidden].max() < 1e-6
+    assert not np.isnan(turns).any()
+    np.testing.assert_allclose(np.sum(turns**2, axis=2), 1.0, atol=1e-6)
+
+
+def test_left_hands_are_filled_alike(walk):
+    damaged = corrupt_pose(walk, Noise(displacement=0.0, burst=30), seed=3)
+    places, _ = run(Live(first_of(walk), shipped_prior()), damaged)
+    other, _ = run(Live(mirrored(first_of(walk)), shipped_prior()), mirrored(damaged))
+    np.testing.assert_allclose(other * [-1.0, 1.0, 1.0], places, atol=1e-6)
+
+
+def test_it_starts_from_a_whole_pose(walk):
+    unseen = corrupt_pose(first_of(walk), Noise(occlusion=0.9), seed=0)
+    with pytest.raises(DataError, match="every joint"):
+        Live(unseen)
+
+
+def text_of(pose, tmp_path):
+    mm.write_pose(pose, tmp_path / "stream.csv")
+    return (tmp_path / "stream.csv").read_text().splitlines(keepends=True)
+
+
+def test_each_pose_is_out_before_the_next_comes_in(walk, tmp_path):
+    short = Pose(walk.positions[:6], walk.rotations[:6], walk.joints, walk.parents, 120.0)
+    lines, taken, written = text_of(short, tmp_path), [], []
+
+    def source():
+        for line in lines:
+            taken.append(line)
+            yield line
+
+    def write(text):
+        written.append((len(taken), text))
+
+    assert follow(source(), write, rate=120.0, prior=shipped_prior()) == 6
+    # After the first pose, whose joints the second one's first row completes.
+    assert [n for n, _ in written[2:]] == [1 + 17 * pose for pose in range(2, 7)]
+    assert "".join(text for _, text in written) == "".join(lines)
+
+
+def test_what_is_wrong_with_a_stream_is_said():
+    for text, said in (
+        ("", "empty"),
+        ("frame,joint,parent,x,y,z\n0,a\n", "lacks cells"),
+        ("frame,joint,parent,x,y,z\nz,a,,1,2,3\n", "no frame"),
+        ("frame,joint\n", "lacks the column"),
+    ):
+        with pytest.raises(FileFormatError, match=said):
+            follow(io.StringIO(text), lambda _: None, rate=30.0, prior=None)
+
+
+def test_command_line(walk, tmp_path, monkeypatch, capsys):
+    damaged = np.array(walk.confidence)
+    damaged[20:40, 6] = 0
+    hidden = walk.with_samples(walk.positions, walk.rotations, damaged)
+    monkeypatch.setattr("sys.stdin", io.StringIO("".join(text_of(hidden, tmp_path))))
+    assert main(["denoise", "-", "-o", "-", "--rate", "120"]) == 0
+    (tmp_path / "back.csv").write_text(capsys.readouterr().out)
+    back = mm.read_pose(tmp_path / "back.csv")
+    assert back.frames == walk.frames
+    assert (back.confidence[20:40, 6] == 0.5).all()
+    assert np.abs(back.positions - walk.positions)[20:40, 6].max() < 60
+    assert main(["denoise", "-", "-o", "file.csv"]) == 1
+    assert "“-”" in capsys.readouterr().err
