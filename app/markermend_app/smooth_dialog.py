@@ -117,7 +117,7 @@ class SmoothDialog(QDialog):
         self.quantity.currentIndexChanged.connect(lambda _: self._draw())
         self.before.toggled.connect(lambda _: self._draw())
         theme.watcher.changed.connect(self._restyle)
-        self.resize(1120, 720)
+        self.resize(1160, 720)
 
     # The page
 
@@ -171,7 +171,7 @@ class SmoothDialog(QDialog):
         form.addRow(self.tr("Where"), self.scope)
         form.addRow(self.tr("Method"), self.method)
         left = QWidget()
-        left.setFixedWidth(280)
+        left.setFixedWidth(320)
         column = QVBoxLayout(left)
         column.setContentsMargins(0, 0, 8, 0)
         column.setSpacing(8)

@@ -31,6 +31,8 @@ class SmoothPictures(pg.GraphicsLayoutWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self.setAccessibleName(self.tr("Curve, spectrum and residuals before and after"))
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._time = TimeAxis()
         self.way = pg.PlotItem(axisItems={"bottom": self._time})
         self.spectrum, self.residual = pg.PlotItem(), pg.PlotItem()

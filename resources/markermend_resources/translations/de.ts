@@ -360,12 +360,36 @@
         <translation>{0} halten, um zu sehen, was jedes Verfahren täte, mit ↑ und ↓ wählen, loslassen. Oder mit {1} eine Kopie schreiben, in der sich nur reparierte Werte unterscheiden.</translation>
     </message>
     <message>
+        <source>Review a batch…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>List several takes, or what “markermend batch” left, and review one after the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Review a folder…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>List the takes in a folder and below, and review one after the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Export repaired take…</source>
         <translation>Reparierte Aufnahme exportieren…</translation>
     </message>
     <message>
         <source>Write a copy in which only repaired samples differ</source>
         <translation>Eine Kopie schreiben, in der sich nur reparierte Werte unterscheiden</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write a page of what was found, decided and repaired, and open it</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Close take</source>
@@ -566,6 +590,14 @@
     <message>
         <source>Next artifact</source>
         <translation>Nächstes Artefakt</translation>
+    </message>
+    <message>
+        <source>Next take</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep this review and open the next take of the list that is not done</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Write a note</source>
@@ -1392,20 +1424,20 @@
         <translation>Anteil der Frames, die gefüllt oder bearbeitet wurden</translation>
     </message>
     <message>
-        <source>Error ({0})</source>
-        <translation>Fehler ({0})</translation>
+        <source>Error</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Mean expected error of the repairs, each counted by its length</source>
         <translation>Mittlerer erwarteter Fehler der Reparaturen, jede nach ihrer Länge gezählt</translation>
     </message>
     <message>
-        <source>Worst ({0})</source>
-        <translation>Größter ({0})</translation>
-    </message>
-    <message>
         <source>Largest expected error of a repair</source>
         <translation>Größter erwarteter Fehler einer Reparatur</translation>
+    </message>
+    <message>
+        <source>Worst</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Decided</source>
@@ -1426,6 +1458,34 @@
     <message>
         <source>In the group {0}</source>
         <translation>In der Gruppe {0}</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not searched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0:.1f} % missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>worst {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Missing {0:.2%}, in the file {1:.2%}; mended {2:.2%}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} open, {2} decided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Made ready: it opens at once.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1562,6 +1622,10 @@
         <translation>{0} Frames</translation>
     </message>
     <message>
+        <source>, {0:.0f} ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>, {0:.2f} s</source>
         <translation>, {0:.2f} s</translation>
     </message>
@@ -1604,6 +1668,45 @@
     <message>
         <source>Repaired</source>
         <translation>Repariert</translation>
+    </message>
+</context>
+<context>
+    <name>BatchReview</name>
+    <message>
+        <source>Review a batch: takes, or the review.json of a batch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Review the takes of a folder, or what a batch wrote to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All takes of the list are done.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No artifact of this batch waits for an operator.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for takes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All other takes of the list are done.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No takes are listed; File: Review a batch lists some.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything is decided, in all takes of the list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything is decided. {0} goes on with {1}.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1905,8 +2008,8 @@
         <translation>Die Durchsicht hat sich inzwischen geändert; bitte noch einmal.</translation>
     </message>
     <message>
-        <source>There is no other marker to choose.</source>
-        <translation>Es gibt keinen anderen Marker zur Wahl.</translation>
+        <source>No other marker is missing wherever {0} is seen; to exchange two, swap.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1932,6 +2035,17 @@
     </message>
 </context>
 <context>
+    <name>Legend</name>
+    <message>
+        <source>Bring {marker} to the front</source>
+        <translation type="unfinished">{marker} nach vorn holen</translation>
+    </message>
+    <message>
+        <source>and {count} more</source>
+        <translation type="unfinished">und {count} weitere</translation>
+    </message>
+</context>
+<context>
     <name>MainWindow</name>
     <message>
         <source>Markers</source>
@@ -1940,6 +2054,10 @@
     <message>
         <source>History</source>
         <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Takes</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>3D view</source>
@@ -1988,10 +2106,6 @@
     <message>
         <source>Recent takes</source>
         <translation>Letzte Aufnahmen</translation>
-    </message>
-    <message>
-        <source>None yet</source>
-        <translation>Noch keine</translation>
     </message>
     <message>
         <source>take</source>
@@ -2238,14 +2352,6 @@
     <message>
         <source>Choose what the plots show</source>
         <translation>Wählen, was die Kurven zeigen</translation>
-    </message>
-    <message>
-        <source>Bring {marker} to the front</source>
-        <translation>{marker} nach vorn holen</translation>
-    </message>
-    <message>
-        <source>and {count} more</source>
-        <translation>und {count} weitere</translation>
     </message>
 </context>
 <context>
@@ -2494,6 +2600,25 @@
     <message>
         <source>Click the markers in the 3D view that {0} is to follow.</source>
         <translation>In der 3D-Ansicht die Marker anklicken, denen {0} folgen soll.</translation>
+    </message>
+</context>
+<context>
+    <name>Reporting</name>
+    <message>
+        <source>Report on this review</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HTML (*.html)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report written to {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reporting</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2781,6 +2906,10 @@
 <context>
     <name>SmoothPictures</name>
     <message>
+        <source>Curve, spectrum and residuals before and after</source>
+        <translation>Kurve, Spektrum und Residuen vorher und nachher</translation>
+    </message>
+    <message>
         <source>Spectrum</source>
         <translation>Spektrum</translation>
     </message>
@@ -2845,6 +2974,21 @@
     <message>
         <source> · {0:.1f} s each · {1:.1f} min</source>
         <translation> · je {0:.1f} s · {1:.1f} min</translation>
+    </message>
+</context>
+<context>
+    <name>TakeList</name>
+    <message>
+        <source>Takes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} of {1} takes done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next take ({0})</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3038,6 +3182,13 @@
     <message>
         <source>As opened</source>
         <translation>Wie geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>menu</name>
+    <message>
+        <source>None yet</source>
+        <translation type="unfinished">Noch keine</translation>
     </message>
 </context>
 </TS>
