@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from markermend.arrays import BoolArray, IntArray, runs
+from markermend.arrays import BoolArray, FloatArray, IntArray, runs
 from markermend.artifact import Artifact, Kind
 from markermend.detectors.finding import how_long, in_mm
 from markermend.detectors.joint.body import belief, beside_body
@@ -26,6 +26,8 @@ BACK = 0.5
 """Share of the deviation by which the marker jumps when it is seen again."""
 ALL_S, ALL_MARKERS, ELSEWHERE = 0.25, 3, 0.01
 """A recording stands still when so many markers repeat so long; not where that is usual."""
+REST_MM_S = 50.0
+"""A body that hardly moves shows whether rounding alone makes it repeat."""
 SURE_OF_ALL = 0.9
 
 
@@ -48,7 +50,7 @@ def find_frozen(
     x = take.positions[:, markers]
     repeats = np.zeros(x.shape[:2], dtype=bool)
     repeats[1:] = (x[1:] == x[:-1]).all(axis=2)
-    still = _still(repeats, take.present[:, markers], take.rate)
+    still = _still(x, repeats, take.rate)
     found = []
     least = max(LEAST_FRAMES, round(LEAST_S * take.rate))
     for i, marker in enumerate(markers):
@@ -66,15 +68,19 @@ def find_frozen(
     return found
 
 
-def _still(repeats: BoolArray, seen: BoolArray, rate: float) -> BoolArray:
-    """(frames,) bool: where every marker repeats for long, unless that is usual in the take."""
+def _still(x: FloatArray, repeats: BoolArray, rate: float) -> BoolArray:
+    """(frames,) bool: where every marker repeats for long, unless that is how the take rests."""
+    seen = ~np.isnan(x[:, :, 0])
     all_repeat = (repeats == seen).all(axis=1) & (seen.sum(axis=1) >= ALL_MARKERS)
     still = np.zeros_like(all_repeat)
     for start, stop in runs(all_repeat):
         if stop - start >= ALL_S * rate:
             still[start:stop] = True
     usual = (all_repeat & ~still).sum() > ELSEWHERE * max(1, (~still).sum())
-    return np.zeros_like(still) if usual or still[1:].all() else still
+    speed = np.linalg.norm(np.diff(x, axis=0), axis=2) * rate
+    slow = (speed < REST_MM_S).sum(axis=1) > 0.5 * np.isfinite(speed).sum(axis=1)
+    at_rest = (slow & ~all_repeat[1:] & ~still[1:]).sum()
+    return np.zeros_like(still) if usual or at_rest < ALL_S * rate else still
 
 
 def _standing(take: Take, marker: int, start: int, stop: int) -> Artifact:

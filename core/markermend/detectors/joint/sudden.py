@@ -178,6 +178,8 @@ def _cut_off(
     for i in np.flatnonzero(
         (jumps.length == 0) & (jumps.score >= CUT_OFF_SCORE) & (np.abs(jumps.size) >= CUT_OFF_MM)
     ):
+        if int(i) in paired:
+            continue
         channel, frame = int(jumps.channel[i]), int(jumps.frame[i])
         first, last = int(begin[frame, channel]), int(end[frame, channel])
         # The shorter piece is the one that went wrong.
@@ -194,9 +196,8 @@ def _cut_off(
             ):
                 continue
             course = Course.FALLEN
-        if int(i) not in paired:
-            moved = float(beside[i])
-            found.append(Sudden(channel, start, stop, Kind.STEP, size, score, moved, course))
+        moved = float(beside[i])
+        found.append(Sudden(channel, start, stop, Kind.STEP, size, score, moved, course))
     return found
 
 
