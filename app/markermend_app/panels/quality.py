@@ -27,7 +27,7 @@ from markermend_app.panels.quality_model import COUNTS, DECIDED, OPEN, QualityMo
 
 Index = QModelIndex | QPersistentModelIndex
 _SETTLED_MS = 60
-_WIDTHS = (112, 146, 74, 66, 76, 78, 82, 96)
+_WIDTHS = (112, 134, 74, 66, 74, 76, 80, 90)
 _ROW_PX = 26
 
 

@@ -139,8 +139,7 @@ class Scene(QWidget):
         self._outline = None
         if session is not None:
             take = session.original
-            self.stage = set_stage(take)
-            self.camera = Camera()
+            self.stage, self.camera = set_stage(take), Camera()
             self.seen.take_over(take, min(RADIUS_MM, 0.008 * self.stage.size))
             self.reset()
         self.seen.forget()
