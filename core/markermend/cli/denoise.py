@@ -26,7 +26,7 @@ def run(options: argparse.Namespace) -> int:
     check_outputs([options.output], source=options.pose, force=options.force)
     if Path(options.output).suffix.lower() not in WRITABLE:
         raise ExportError(
-            f"“{options.output}” should end in {' or '.join(WRITABLE)}, to tell what to write."
+            f"“{options.output}” should end in {', '.join(WRITABLE)}, to tell what to write."
         )
     prior = shipped_prior() if options.prior is None else load_prior(Path(options.prior))
     pose = mm.read_pose(options.pose, skeleton=options.skeleton, rate=options.rate)

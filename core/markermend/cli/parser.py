@@ -196,9 +196,13 @@ def _add_smooth(p: argparse.ArgumentParser) -> None:
 
 
 def _add_denoise(p: argparse.ArgumentParser) -> None:
-    p.add_argument("pose", metavar="POSE", help="joints: .csv, .amc, or “-” for a stream")
+    p.add_argument("pose", metavar="POSE", help="joints: .csv, .bvh, .amc, or “-” for a stream")
     p.add_argument(
-        "-o", "--output", metavar="OUT", required=True, help="recording to write: .csv, .amc or “-”"
+        "-o",
+        "--output",
+        metavar="OUT",
+        required=True,
+        help="file to write: .csv, .bvh, .amc or “-”",
     )
     p.add_argument(
         "--rate", metavar="HZ", type=_positive, help="poses per second, where the file is silent"

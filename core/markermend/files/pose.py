@@ -9,6 +9,7 @@ from markermend.errors import ExportError, FileFormatError
 from markermend.files.amc import find_skeleton, read_amc, write_amc
 from markermend.files.asf import read_asf
 from markermend.files.atomic import write_whole
+from markermend.files.bvh import read_bvh, write_bvh
 from markermend.files.pose_csv import read_pose_csv, write_pose_csv
 from markermend.poses.pose import Pose
 from markermend.poses.skeleton import Movement, forward_kinematics, inverse_kinematics
@@ -16,8 +17,8 @@ from markermend.progress import Progress, quiet
 
 __all__ = ["read_pose", "write_pose"]
 
-READABLE = (".csv", ".amc", ".asf")
-WRITABLE = (".csv", ".amc")
+READABLE = (".csv", ".bvh", ".amc", ".asf")
+WRITABLE = (".csv", ".bvh", ".amc")
 
 _USUAL_AMC_RATE = 120.0
 
@@ -34,7 +35,7 @@ def read_pose(
     Parameters
     ----------
     path : Acclaim movement (AMC, whose ASF is looked for beside it) or skeleton (ASF: one pose,
-        at rest), or a table of joints (CSV)
+        at rest), Biovision hierarchy (BVH), or a table of joints (CSV)
     skeleton : the ASF of an AMC, where it is not beside it
     rate : poses per second, where the file does not tell (AMC: 120, CSV: 30)
     progress : may raise to stop
@@ -60,6 +61,8 @@ def read_pose(
                 return forward_kinematics(movement, hertz, warnings=tuple(warnings))
             case ".csv":
                 return read_pose_csv(where, rate=rate, progress=progress)
+            case ".bvh":
+                return read_bvh(where)
             case ".asf":
                 rest = Movement(read_asf(where), {}, 1)
                 return forward_kinematics(rest, rate or _USUAL_AMC_RATE)
@@ -77,7 +80,7 @@ def write_pose(pose: Pose, path: str | PathLike[str], *, progress: Progress | No
     Parameters
     ----------
     pose : the recording
-    path : where to, ending in ``.csv``, or in ``.amc`` for one that was read from such a file
+    path : where to, ending in ``.csv`` or ``.bvh``, or in ``.amc`` for one read from such a file
     progress : told the share of poses written; may raise to stop, then nothing is left behind
 
     Raises
@@ -90,6 +93,8 @@ def write_pose(pose: Pose, path: str | PathLike[str], *, progress: Progress | No
     match target.suffix.lower():
         case ".csv":
             write_whole(target, lambda file: write_pose_csv(pose, file, report), backup=False)
+        case ".bvh":
+            write_whole(target, lambda file: write_bvh(pose, file, report), backup=False)
         case ".amc":
             if not isinstance(pose.source, Movement):
                 raise ExportError(
@@ -100,5 +105,5 @@ def write_pose(pose: Pose, path: str | PathLike[str], *, progress: Progress | No
             write_whole(target, lambda file: write_amc(movement, file, report), backup=False)
         case _:
             raise ExportError(
-                f"{target.name} should end in {' or '.join(WRITABLE)}, to tell what to write."
+                f"{target.name} should end in {', '.join(WRITABLE)}, to tell what to write."
             )

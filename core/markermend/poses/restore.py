@@ -23,7 +23,9 @@ from markermend.progress import Progress, quiet
 INFERRED = 0.5
 """Confidence of a joint that was not seen but worked out, as depth sensors write it."""
 
-# Noise above this, of a mean bone length, makes it worth to let positions and rotations agree.
+# Noise below this, of a mean bone length, is left alone: about 0.2 mm in an adult.
+_WORTH = 1e-3
+# Noise above this makes it worth to let positions and rotations agree.
 _NOISY = 2e-3
 # What is left of white noise after smoothing, about.
 _LEFT = 0.35
@@ -114,7 +116,9 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     whole = np.zeros(channels.values.shape)
     whole[:, usable] = filled.values
     noise = noise_level(whole, channels.known)
-    if noise.max() > LEAST_NOISE:
+    if float(np.median(noise[usable])) < _WORTH:
+        noise[:] = LEAST_NOISE
+    else:
         tell(0.5, "Smoothing")
         calm = smooth(filled.values, noise[usable], pose.rate)
         tell(0.7, "Filling")

@@ -1,0 +1,226 @@
+"""Read and write Biovision hierarchies (BVH)."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import IO
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from markermend.arrays import FloatArray
+from markermend.errors import ExportError, FileFormatError
+from markermend.files.text import read_lines
+from markermend.poses.pose import Pose
+from markermend.poses.quaternion import inverse, multiply, turn
+from markermend.progress import Progress
+
+_END = "_end"
+_CM = 10.0
+# Mean length of bones, in the file's own unit, below which it must be metres, or centimetres.
+_METRES, _CENTIMETRES = 1.0, 60.0
+_MOVES = {"Xposition": 0, "Yposition": 1, "Zposition": 2}
+_TURNS = {"Xrotation": "X", "Yrotation": "Y", "Zrotation": "Z"}
+_WRITTEN = "ZXY"
+_POSES_A_REPORT = 1024
+
+
+class _Joint:
+    """One joint while the hierarchy is read."""
+
+    def __init__(self, name: str, parent: int) -> None:
+        self.name, self.parent = name, parent
+        self.offset = np.zeros(3)
+        self.channels: list[str] = []
+
+
+def read_bvh(path: Path) -> Pose:
+    """Read a hierarchy and its movement.
+
+    Parameters
+    ----------
+    path : the file; ends of chains become joints named after theirs, with ``_end``. The file tells
+        no unit: metres, centimetres or millimetres are told apart by how long bones are.
+
+    Raises
+    ------
+    FileFormatError
+        when the file is damaged
+    """
+    words = " ".join(read_lines(path)).split()
+    try:
+        return _read(words)
+    except (IndexError, ValueError) as error:
+        reason = "it is cut short" if isinstance(error, IndexError) else str(error)
+        raise FileFormatError(f"{path.name} is damaged: {reason}.") from error
+
+
+def _read(words: list[str]) -> Pose:
+    joints, at = _hierarchy(words)
+    if words[at : at + 2] != ["MOTION", "Frames:"] or words[at + 3 : at + 5] != ["Frame", "Time:"]:
+        raise ValueError("after its hierarchy no movement with frames and frame time follows")
+    frames, step = int(words[at + 2]), float(words[at + 5])
+    width = sum(len(joint.channels) for joint in joints)
+    if frames < 1 or step <= 0 or not width:
+        raise ValueError("it has no frame, no channel, or no time between frames")
+    cells = words[at + 6 :]
+    warnings = []
+    if len(cells) < frames * width:
+        frames = len(cells) // width
+        if frames < 1:
+            raise IndexError
+        warnings.append("The file is cut short; the poses before its end were read.")
+    values = np.array(cells[: frames * width], dtype=np.float64).reshape(frames, width)
+    if not np.isfinite(values).all():
+        raise ValueError("a value of its movement is no finite number")
+    bones = [float(np.sqrt(joint.offset @ joint.offset)) for joint in joints if joint.parent >= 0]
+    mean = float(np.mean(bones)) if bones else _CENTIMETRES
+    scale, unit = (
+        (1000.0, "metres")
+        if mean < _METRES
+        else (_CM, "centimetres")
+        if mean < _CENTIMETRES
+        else (1.0, "millimetres")
+    )
+    warnings.append(f"The file tells no unit; {unit} were assumed.")
+    positions = np.zeros((frames, len(joints), 3))
+    rotations = np.zeros((frames, len(joints), 4))
+    column = 0
+    for i, joint in enumerate(joints):
+        own = values[:, column : column + len(joint.channels)]
+        column += len(joint.channels)
+        place = np.tile(joint.offset, (frames, 1))
+        for k, name in enumerate(joint.channels):
+            if name in _MOVES:
+                place[:, _MOVES[name]] = own[:, k]
+        turns = [k for k, name in enumerate(joint.channels) if name in _TURNS]
+        local = np.tile([0.0, 0.0, 0.0, 1.0], (frames, 1))
+        if turns:
+            order = "".join(_TURNS[joint.channels[k]] for k in turns)
+            local = Rotation.from_euler(order, own[:, turns], degrees=True).as_quat()
+        if joint.parent < 0:
+            positions[:, i], rotations[:, i] = place * scale, local
+        else:
+            above = rotations[:, joint.parent]
+            positions[:, i] = positions[:, joint.parent] + turn(above, place * scale)
+            rotations[:, i] = multiply(above, local)
+    return Pose(
+        positions,
+        rotations,
+        tuple(joint.name for joint in joints),
+        tuple(joint.parent for joint in joints),
+        float(np.round(1.0 / step, 3)),
+        warnings=tuple(warnings),
+    )
+
+
+def _hierarchy(words: list[str]) -> tuple[list[_Joint], int]:
+    """Joints, parents first, and where the movement begins."""
+    if not words or words[0] != "HIERARCHY":
+        raise ValueError("it does not begin with HIERARCHY")
+    joints: list[_Joint] = []
+    stack: list[int] = []
+    at = 1
+    while words[at] != "MOTION":
+        match words[at]:
+            case "ROOT" | "JOINT":
+                joints.append(_Joint(words[at + 1], stack[-1] if stack else -1))
+                stack.append(len(joints) - 1)
+                at += 3
+            case "End":
+                joints.append(_Joint(joints[stack[-1]].name + _END, stack[-1]))
+                stack.append(len(joints) - 1)
+                at += 3
+            case "OFFSET":
+                joints[stack[-1]].offset = np.array([float(w) for w in words[at + 1 : at + 4]])
+                at += 4
+            case "CHANNELS":
+                count = int(words[at + 1])
+                names = words[at + 2 : at + 2 + count]
+                unknown = [name for name in names if name not in _MOVES and name not in _TURNS]
+                if unknown:
+                    raise ValueError(f"“{unknown[0]}” is no channel")
+                joints[stack[-1]].channels = names
+                at += 2 + count
+            case "}":
+                stack.pop()
+                at += 1
+            case other:
+                raise ValueError(f"“{other[:40]}” has no place in a hierarchy")
+    return joints, at
+
+
+def write_bvh(pose: Pose, file: IO[bytes], progress: Progress) -> None:
+    """Write a hierarchy in centimetres, and its movement.
+
+    Parameters
+    ----------
+    pose : every joint seen in every frame, with rotations; bones become as long as they are in
+        the middle of their range
+    file : written from its beginning
+    progress : told the share of poses written
+
+    Raises
+    ------
+    ExportError
+        when a joint was not seen, or rotations are unknown
+    """
+    if np.isnan(pose.positions).any() or np.isnan(pose.rotations).any():
+        raise ExportError("A BVH holds every joint and rotation of every pose; denoise it first.")
+    children: dict[int, list[int]] = {}
+    for joint, parent in enumerate(pose.parents):
+        children.setdefault(parent, []).append(joint)
+    if len(children[-1]) != 1:
+        raise ExportError("A BVH has one root; this recording has several.")
+    lines, order = ["HIERARCHY"], list[int]()
+    _describe(children[-1][0], pose, children, 0, lines, order)
+    lines += ["MOTION", f"Frames: {pose.frames}", f"Frame Time: {1.0 / pose.rate:.7f}"]
+    file.write(("\n".join(lines) + "\n").encode())
+    columns = [pose.positions[:, order[0]] / _CM]
+    for joint in order:
+        local = pose.rotations[:, joint]
+        if pose.parents[joint] >= 0:
+            local = multiply(inverse(pose.rotations[:, pose.parents[joint]]), local)
+        angles = Rotation.from_quat(local).as_euler(_WRITTEN, degrees=True)  # type: ignore[call-overload]
+        columns.append(np.asarray(angles))
+    table = np.concatenate(columns, axis=1)
+    for start in range(0, pose.frames, _POSES_A_REPORT):
+        progress(start / pose.frames, "Writing poses")
+        rows = table[start : start + _POSES_A_REPORT].tolist()
+        file.write("".join(" ".join(f"{v:.6f}" for v in row) + "\n" for row in rows).encode())
+
+
+def _describe(
+    joint: int,
+    pose: Pose,
+    children: dict[int, list[int]],
+    depth: int,
+    lines: list[str],
+    order: list[int],
+) -> None:
+    """Add a joint and all below it to the hierarchy."""
+    tab, parent = "  " * depth, pose.parents[joint]
+    order.append(joint)
+    offset = np.zeros(3)
+    moves = "6 Xposition Yposition Zposition" if parent < 0 else "3"
+    if parent >= 0:
+        offset = _place(pose, joint, parent)
+    lines += [f"{tab}{'ROOT' if parent < 0 else 'JOINT'} {pose.joints[joint].replace(' ', '_')}"]
+    lines += [tab + "{", f"{tab}  OFFSET {_three(offset)}"]
+    lines.append(f"{tab}  CHANNELS {moves} Zrotation Xrotation Yrotation")
+    for child in children.get(joint, []):
+        _describe(child, pose, children, depth + 1, lines, order)
+    if joint not in children:
+        lines += [f"{tab}  End Site", tab + "  {", f"{tab}    OFFSET {_three(np.zeros(3))}"]
+        lines.append(tab + "  }")
+    lines.append(tab + "}")
+
+
+def _place(pose: Pose, joint: int, parent: int) -> FloatArray:
+    """A joint's usual place in its parent's axes, in mm."""
+    bone = pose.positions[:, joint] - pose.positions[:, parent]
+    return np.asarray(np.median(turn(inverse(pose.rotations[:, parent]), bone), axis=0))
+
+
+def _three(values: FloatArray) -> str:
+    return " ".join(f"{value / _CM:.6f}" for value in values.tolist())

@@ -1,0 +1,97 @@
+"""Biovision hierarchies in and out."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import markermend as mm
+from markermend.errors import ExportError, FileFormatError
+from markermend.poses import Pose
+
+TEXT = """HIERARCHY
+ROOT Hips
+{
+  OFFSET 0 0 0
+  CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+  JOINT LeftLeg
+  {
+    OFFSET 10 0 0
+    CHANNELS 3 Zrotation Xrotation Yrotation
+    End Site
+    {
+      OFFSET 0 -40 0
+    }
+  }
+}
+MOTION
+Frames: 2
+Frame Time: 0.0333333
+1 90 2 0 0 0 0 0 0
+1 90 2 90 0 0 0 90 0
+"""
+
+
+def written(tmp_path, text):
+    path = tmp_path / "walk.bvh"
+    path.write_text(text)
+    return path
+
+
+def test_a_hierarchy_moves(tmp_path):
+    pose = mm.read_pose(written(tmp_path, TEXT))
+    assert pose.joints == ("Hips", "LeftLeg", "LeftLeg_end")
+    assert pose.parents == (-1, 0, 1)
+    assert pose.rate == 30.0
+    assert "centimetres" in pose.warnings[0]
+    assert_allclose(pose.positions[0], [[10, 900, 20], [110, 900, 20], [110, 500, 20]])
+    # The root turned 90° about z: the hip is above it, the leg points along x; then about x.
+    assert_allclose(pose.positions[1], [[10, 900, 20], [10, 1000, 20], [10, 1000, -380]], atol=1e-6)
+
+
+def test_what_goes_out_comes_back(tmp_path, shared_data):
+    from markermend.poses.nuitrack import to_nuitrack
+
+    pose = mm.read_pose(shared_data / "poses" / "02_01.amc")
+    pose = Pose(pose.positions, pose.rotations, pose.joints, pose.parents, pose.rate)
+    body = to_nuitrack(pose)
+    mm.write_pose(body, tmp_path / "body.bvh")
+    back = mm.read_pose(tmp_path / "body.bvh")
+    same = [back.joints.index(joint) for joint in body.joints]
+    assert back.frames == body.frames
+    turned = np.abs(np.sum(back.rotations[:, same] * body.rotations, axis=2))
+    assert_allclose(turned, 1.0, atol=1e-8)
+    # Arms and legs are rigid; shoulders move in the trunk, where a BVH has them fixed.
+    knee, hip = body.index("left_knee"), body.index("left_hip")
+    one = back.positions[:, same][:, knee] - back.positions[:, same][:, hip]
+    assert_allclose(one, body.positions[:, knee] - body.positions[:, hip], atol=0.01)
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (("HIERARCHY", "HELLO"), "HIERARCHY"),
+        (("Frame Time: 0.0333333", "Frame Time: 0"), "no time between frames"),
+        (("Yrotation\n    End", "Wrotation\n    End"), "“Wrotation” is no channel"),
+        (("0 90 0\n", "0 x 0\n"), "could not convert"),
+        (("JOINT LeftLeg", "BONE LeftLeg"), "“BONE” has no place"),
+        ((TEXT[TEXT.index("MOTION") :], ""), "cut short"),
+    ],
+)
+def test_damaged_files_get_one_sentence(tmp_path, change, said):
+    with pytest.raises(FileFormatError, match=said):
+        mm.read_pose(written(tmp_path, TEXT.replace(*change)))
+
+
+def test_a_file_cut_short_keeps_its_poses(tmp_path):
+    pose = mm.read_pose(written(tmp_path, TEXT[: TEXT.rindex("0 90 0")]))
+    assert pose.frames == 1
+    assert "cut short" in pose.warnings[0]
+
+
+def test_unseen_joints_cannot_go_out(tmp_path):
+    pose = mm.read_pose(written(tmp_path, TEXT))
+    hidden = pose.with_samples(pose.positions, pose.rotations, np.array([[1, 1, 0], [1, 1, 1.0]]))
+    with pytest.raises(ExportError, match="denoise it first"):
+        mm.write_pose(hidden, tmp_path / "out.bvh")
