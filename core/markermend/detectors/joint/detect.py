@@ -25,9 +25,6 @@ from markermend.mesh import Mesh
 from markermend.progress import Progress, part
 from markermend.take import Take, is_unlabelled
 
-SLOW_LEAST = 0.7
-"""Of the confidence that others need, what slow changes need: they are seldom surer."""
-
 
 def detect_joint(
     take: Take, params: JointParams, mesh: Mesh | None, progress: Progress
@@ -109,6 +106,6 @@ def _slow(
 ) -> list[Artifact]:
     """Slow changes, on what the sudden artifacts leave."""
     ground = prepare(take, markers, sudden)
-    least = SLOW_LEAST * (1.0 - params.sensitivity)
+    least = 1.0 - params.sensitivity
     drifts = find_drifts(ground, neighbours, shipped_trees(), least, params.jobs, progress)
     return drift_artifacts(take, markers, [d for d in drifts if d.size_mm >= params.least_mm])

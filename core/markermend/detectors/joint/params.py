@@ -24,11 +24,7 @@ class JointParams:
     """
 
     sensitivity: float = _tunable(
-        0.5,
-        "Flag what is at least 1 − this sure, slow changes 0.7 of that; higher finds and errs more",
-        "",
-        0.0,
-        1.0,
+        0.5, "Flag what is at least 1 − this sure; higher finds more and errs more", "", 0.0, 1.0
     )
     slow: bool = _tunable(True, "Look for slow changes too; seconds instead of one")
     least_mm: float = _tunable(0.5, "Leave out sudden changes smaller than this", "mm")

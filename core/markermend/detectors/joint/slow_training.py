@@ -44,6 +44,8 @@ SUDDEN, SHARE = (Kind.PEAK, Kind.NOISE, Kind.STEP), 0.05
 OBLIQUE = 0.15
 """Share of drifts that go astray in a direction of their own, on all three axes."""
 REAL = 0.5
+EVEN = 1000.0
+"""What all candidates of a take weigh together in learning, so that long takes do not rule."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -272,9 +274,8 @@ def _boost(takes: Sequence[Examples], seed: int) -> Any:
 
     features = np.concatenate([take.features for take in takes])
     real = np.concatenate([take.real for take in takes])
-    raised = np.concatenate(
-        [_weights(take) * np.where(take.drift >= 0, RAISED, 1.0) for take in takes]
-    )
+    raised = [_weights(take) * np.where(take.drift >= 0, RAISED, 1.0) for take in takes]
+    weight = np.concatenate([w * EVEN / w.sum() for w in raised])
     slopes = [(name in RISING) - (name in FALLING) for name in FEATURES]
     model = HistGradientBoostingClassifier(
         max_iter=TREES,
@@ -287,7 +288,7 @@ def _boost(takes: Sequence[Examples], seed: int) -> Any:
         early_stopping=False,
         random_state=seed,
     )
-    return model.fit(features, real, sample_weight=raised)
+    return model.fit(features, real, sample_weight=weight)
 
 
 def _straightened(odds: FloatArray, real: BoolArray, weight: FloatArray) -> tuple[float, float]:
