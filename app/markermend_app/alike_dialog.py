@@ -27,6 +27,7 @@ from markermend.alike import alike
 from markermend.artifact import Artifact
 from markermend_app import theme, units
 from markermend_app.document import Document
+from markermend_app.help_key import help_in
 from markermend_app.scope import Scope
 from markermend_app.words import tr
 
@@ -66,6 +67,7 @@ class AlikeDialog(QDialog):
         parent: QWidget,
     ) -> None:
         super().__init__(parent)
+        help_in(self)
         self._document, self._like, self._repairing = document, like, repairing
         self.repairs: dict[str, Any] = {}
         self._listed: tuple[Artifact, ...] = ()

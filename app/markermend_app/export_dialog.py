@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from markermend.artifact import Artifact
+from markermend_app.help_key import help_in
 
 
 @dataclass(frozen=True)
@@ -53,6 +54,7 @@ class ExportDialog(QDialog):
         record: bool,
     ) -> None:
         super().__init__(parent)
+        help_in(self)
         self.setWindowTitle(self.tr("Export"))
         title = QLabel(self._title(pending, accepted))
         title.setProperty("role", "heading")

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
     QFormLayout,
+    QGridLayout,
     QHBoxLayout,
     QLabel,
     QPushButton,
@@ -27,9 +28,11 @@ from PySide6.QtWidgets import (
 
 from markermend.artifact import Kind
 from markermend_app import detection, languages, settings, theme, units
+from markermend_app.help_key import help_in
 from markermend_app.words import tr
 
 VERTICAL, AUTOSAVE, AUTOSAVE_MIN = "vertical", "autosave_min", 5
+_ABREAST = 3
 OWN_DIAL = "dial"
 OFFERED = (
     "theme",
@@ -59,6 +62,7 @@ class Preferences(QDialog):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        help_in(self)
         self.setWindowTitle(self.tr("Preferences"))
         page = QWidget()
         self._form = QFormLayout(page)
@@ -81,7 +85,7 @@ class Preferences(QDialog):
         column.addWidget(scroll)
         column.addWidget(buttons)
         self._read()
-        self.resize(560, 700)
+        self.resize(600, 720)
 
     # The page
 
@@ -101,17 +105,17 @@ class Preferences(QDialog):
             self.tr("Colours for colour-blind eyes"), theme.COLOUR_BLIND, self._recoloured
         )
         self.kinds: dict[Kind, QPushButton] = {}
-        row = QHBoxLayout()
-        row.setSpacing(4)
-        for kind in Kind:
+        grid = QGridLayout()
+        grid.setSpacing(4)
+        for i, kind in enumerate(Kind):
             button = QPushButton(theme.kind_name(kind))
             tip = self.tr("Choose the colour of {0}").format(theme.kind_name(kind, within=True))
             button.setToolTip(tip)
             button.setAccessibleName(tip)
             button.clicked.connect(lambda _=False, kind=kind: self._ask_colour(kind))
             self.kinds[kind] = button
-            row.addWidget(button)
-        self._form.addRow(self.tr("Classes"), row)
+            grid.addWidget(button, i // _ABREAST, i % _ABREAST)
+        self._form.addRow(self.tr("Classes"), grid)
         named = [(name, code) for code, name in languages.LANGUAGES.items()]
         self.language = self._choice(
             self.tr("Language"),

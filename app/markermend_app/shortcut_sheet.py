@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 
 from markermend_app import shortcuts, theme
 from markermend_app.actions import ACTIONS
+from markermend_app.help_key import help_in
 from markermend_app.words import tr
 
 _NAME = Qt.ItemDataRole.UserRole
@@ -31,6 +32,7 @@ class ShortcutSheet(QDialog):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        help_in(self)
         self.setWindowTitle(self.tr("Keyboard and mouse"))
         self.filter = QLineEdit()
         self.filter.setPlaceholderText(self.tr("Find by name or key"))

@@ -26,6 +26,7 @@ from PySide6.QtWidgets import (
 from markermend.arrays import FloatArray
 from markermend.take import AXES, Take
 from markermend_app import shortcuts, theme
+from markermend_app.help_key import help_in
 from markermend_app.params_form import ParamsForm
 from markermend_app.scope import Scope
 from markermend_app.smooth_pictures import SmoothPictures
@@ -95,6 +96,7 @@ class SmoothDialog(QDialog):
         parent: QWidget,
     ) -> None:
         super().__init__(parent)
+        help_in(self)
         from markermend.smoothers import SMOOTHERS
 
         self.setWindowTitle(self.tr("Smooth"))

@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
+
 import pytest
 from PySide6.QtCore import Qt, QUrl
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QScrollArea, QWidget
 
+import markermend_app
+from markermend_app import theme
 from markermend_app.manual import FRONT, PAGES, Manual, page_about
+from markermend_app.preferences import Preferences
+from markermend_app.shortcut_sheet import ShortcutSheet
 
 
 @pytest.fixture
@@ -61,3 +68,39 @@ def test_help_is_about_the_panel_one_is_in(qtbot) -> None:
 
     assert page_about(inner) == PAGES["inspector"]
     assert page_about(None) == FRONT
+
+
+def test_the_manuals_key_works_in_dialogs(qtbot) -> None:
+    for dialog, page in (
+        (Preferences(), "window.md#preferences"),
+        (ShortcutSheet(), "window.md#keys"),
+    ):
+        qtbot.addWidget(dialog)
+        with qtbot.waitActive(dialog):
+            dialog.show()
+            dialog.activateWindow()
+        qtbot.keyClick(dialog, Qt.Key.Key_F1)
+        manual = dialog.findChild(Manual)
+        assert manual.isVisible()
+        assert manual.page == page
+
+
+def test_every_dialog_of_the_window_has_a_page() -> None:
+    folder = Path(markermend_app.__file__).parent
+    found = {
+        name
+        for path in folder.glob("*.py")
+        for name in re.findall(r"^class (\w+)\(QDialog\)", path.read_text("utf-8"), re.MULTILINE)
+    }
+    assert found - set(PAGES) == {"Palette"}, "the palette closes as soon as another window is used"
+
+
+def test_preferences_need_no_scrolling_to_the_side(qapp, qtbot) -> None:
+    theme.apply(qapp, "light")
+    page = Preferences()
+    qtbot.addWidget(page)
+    page.show()
+    qtbot.waitExposed(page)
+    scroll = page.findChild(QScrollArea)
+    assert scroll.widget().width() <= scroll.viewport().width()
+    assert scroll.widget().minimumSizeHint().width() <= scroll.viewport().width()

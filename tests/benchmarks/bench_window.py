@@ -127,8 +127,9 @@ class Operator:
         """Open a take and wait until its first artifact is shown with its repair."""
         self.turns.doing = "open"
         settings.remember("detect_on_open", found is None)
-        if self.document.session is not None:
-            self.document.session.mark_exported()
+        if self.document.file is not None:
+            # The next take is the same to the last byte, and a review follows its take.
+            self.document.file.discard()
         self.document.open(None, None)
         self.window.commands.open_path(path)
         spin(lambda: self.document.session is not None and self.document.mesh is not None)
@@ -243,6 +244,7 @@ def main() -> int:
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
+        os.environ["XDG_DATA_HOME"] = name
         take, _ = simulate(duration_s=60.0, rate=100.0)
         mm.write(take, folder / "walk.c3d")
         clock, processor = first_paint(folder / "walk.c3d", folder)

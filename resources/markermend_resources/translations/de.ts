@@ -361,19 +361,19 @@
     </message>
     <message>
         <source>Review a batch…</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Serie durchsehen…</translation>
     </message>
     <message>
         <source>List several takes, or what “markermend batch” left, and review one after the other</source>
-        <translation type="unfinished"></translation>
+        <translation>Mehrere Aufnahmen auflisten, oder was „markermend batch“ hinterließ, und eine nach der anderen durchsehen</translation>
     </message>
     <message>
         <source>Review a folder…</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Ordner durchsehen…</translation>
     </message>
     <message>
         <source>List the takes in a folder and below, and review one after the other</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufnahmen eines Ordners und seiner Unterordner auflisten und eine nach der anderen durchsehen</translation>
     </message>
     <message>
         <source>Export repaired take…</source>
@@ -385,11 +385,11 @@
     </message>
     <message>
         <source>Report…</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht…</translation>
     </message>
     <message>
         <source>Write a page of what was found, decided and repaired, and open it</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Seite darüber schreiben, was gefunden, entschieden und repariert wurde, und sie öffnen</translation>
     </message>
     <message>
         <source>Close take</source>
@@ -593,11 +593,11 @@
     </message>
     <message>
         <source>Next take</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächste Aufnahme</translation>
     </message>
     <message>
         <source>Keep this review and open the next take of the list that is not done</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Durchsicht behalten und die nächste Aufnahme der Liste öffnen, die nicht fertig ist</translation>
     </message>
     <message>
         <source>Write a note</source>
@@ -1205,7 +1205,7 @@
     </message>
     <message>
         <source>Length</source>
-        <translation type="unfinished">Länge</translation>
+        <translation>Länge</translation>
     </message>
     <message>
         <source>Symmetric</source>
@@ -1425,7 +1425,7 @@
     </message>
     <message>
         <source>Error</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler</translation>
     </message>
     <message>
         <source>Mean expected error of the repairs, each counted by its length</source>
@@ -1437,7 +1437,7 @@
     </message>
     <message>
         <source>Worst</source>
-        <translation type="unfinished"></translation>
+        <translation>Größter</translation>
     </message>
     <message>
         <source>Decided</source>
@@ -1461,31 +1461,31 @@
     </message>
     <message>
         <source>cannot be opened</source>
-        <translation type="unfinished"></translation>
+        <translation>lässt sich nicht öffnen</translation>
     </message>
     <message>
         <source>not searched</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht durchsucht</translation>
     </message>
     <message>
         <source>{0:.1f} % missing</source>
-        <translation type="unfinished"></translation>
+        <translation>{0:.1f} % fehlen</translation>
     </message>
     <message>
         <source>worst {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>größter {0}</translation>
     </message>
     <message>
         <source>Missing {0:.2%}, in the file {1:.2%}; mended {2:.2%}</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehlend {0:.2%}, in der Datei {1:.2%}; ausgebessert {2:.2%}</translation>
     </message>
     <message>
         <source>{0}: {1} open, {2} decided</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: {1} offen, {2} entschieden</translation>
     </message>
     <message>
         <source>Made ready: it opens at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorbereitet: Sie öffnet sich sofort.</translation>
     </message>
 </context>
 <context>
@@ -1623,7 +1623,7 @@
     </message>
     <message>
         <source>, {0:.0f} ms</source>
-        <translation type="unfinished"></translation>
+        <translation>, {0:.0f} ms</translation>
     </message>
     <message>
         <source>, {0:.2f} s</source>
@@ -1674,39 +1674,39 @@
     <name>BatchReview</name>
     <message>
         <source>Review a batch: takes, or the review.json of a batch</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Serie durchsehen: Aufnahmen, oder die review.json einer Serie</translation>
     </message>
     <message>
         <source>Review the takes of a folder, or what a batch wrote to it</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufnahmen eines Ordners durchsehen, oder was eine Serie in ihn schrieb</translation>
     </message>
     <message>
         <source>All takes of the list are done.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Aufnahmen der Liste sind fertig.</translation>
     </message>
     <message>
         <source>No artifact of this batch waits for an operator.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Artefakt dieser Serie wartet auf eine Entscheidung.</translation>
     </message>
     <message>
         <source>Looking for takes</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche nach Aufnahmen</translation>
     </message>
     <message>
         <source>All other takes of the list are done.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle anderen Aufnahmen der Liste sind fertig.</translation>
     </message>
     <message>
         <source>No takes are listed; File: Review a batch lists some.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es sind keine Aufnahmen aufgelistet; Datei: Eine Serie durchsehen listet welche auf.</translation>
     </message>
     <message>
         <source>Everything is decided, in all takes of the list.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles ist entschieden, in allen Aufnahmen der Liste.</translation>
     </message>
     <message>
         <source>Everything is decided. {0} goes on with {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles ist entschieden. {0} geht weiter mit {1}.</translation>
     </message>
 </context>
 <context>
@@ -2009,7 +2009,7 @@
     </message>
     <message>
         <source>No other marker is missing wherever {0} is seen; to exchange two, swap.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein anderer Marker fehlt überall dort, wo {0} zu sehen ist; um zwei auszutauschen, tauschen.</translation>
     </message>
 </context>
 <context>
@@ -2038,11 +2038,11 @@
     <name>Legend</name>
     <message>
         <source>Bring {marker} to the front</source>
-        <translation type="unfinished">{marker} nach vorn holen</translation>
+        <translation>{marker} nach vorn holen</translation>
     </message>
     <message>
         <source>and {count} more</source>
-        <translation type="unfinished">und {count} weitere</translation>
+        <translation>und {count} weitere</translation>
     </message>
 </context>
 <context>
@@ -2057,7 +2057,7 @@
     </message>
     <message>
         <source>Takes</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahmen</translation>
     </message>
     <message>
         <source>3D view</source>
@@ -2606,19 +2606,19 @@
     <name>Reporting</name>
     <message>
         <source>Report on this review</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht über diese Durchsicht</translation>
     </message>
     <message>
         <source>HTML (*.html)</source>
-        <translation type="unfinished"></translation>
+        <translation>HTML (*.html)</translation>
     </message>
     <message>
         <source>Report written to {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht nach {0} geschrieben.</translation>
     </message>
     <message>
         <source>Reporting</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht wird geschrieben</translation>
     </message>
 </context>
 <context>
@@ -2705,6 +2705,10 @@
     <message>
         <source>Open a take to see it in space.</source>
         <translation>Eine Aufnahme öffnen, um sie im Raum zu sehen.</translation>
+    </message>
+    <message>
+        <source>No frames</source>
+        <translation>Keine Frames</translation>
     </message>
     <message>
         <source>One square: {0}</source>
@@ -2848,7 +2852,7 @@
     <name>SmoothDialog</name>
     <message>
         <source>Smooth</source>
-        <translation type="unfinished">Glätten</translation>
+        <translation>Glätten</translation>
     </message>
     <message>
         <source>Position</source>
@@ -2860,11 +2864,11 @@
     </message>
     <message>
         <source>Acceleration</source>
-        <translation type="unfinished">Beschleunigung</translation>
+        <translation>Beschleunigung</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation type="unfinished">Vorher</translation>
+        <translation>Vorher</translation>
     </message>
     <message>
         <source>Before smoothing</source>
@@ -2872,7 +2876,7 @@
     </message>
     <message>
         <source>Where</source>
-        <translation type="unfinished">Wo</translation>
+        <translation>Wo</translation>
     </message>
     <message>
         <source>Method</source>
@@ -2942,11 +2946,11 @@
     </message>
     <message>
         <source>The review changed meanwhile; do it again.</source>
-        <translation type="unfinished">Die Durchsicht hat sich inzwischen geändert; bitte noch einmal.</translation>
+        <translation>Die Durchsicht hat sich inzwischen geändert; bitte noch einmal.</translation>
     </message>
     <message>
         <source>{0}.</source>
-        <translation type="unfinished">{0}.</translation>
+        <translation>{0}.</translation>
     </message>
 </context>
 <context>
@@ -2980,15 +2984,15 @@
     <name>TakeList</name>
     <message>
         <source>Takes</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahmen</translation>
     </message>
     <message>
         <source>{0} of {1} takes done</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} von {1} Aufnahmen fertig</translation>
     </message>
     <message>
         <source>Next take ({0})</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächste Aufnahme ({0})</translation>
     </message>
 </context>
 <context>
@@ -3188,7 +3192,7 @@
     <name>menu</name>
     <message>
         <source>None yet</source>
-        <translation type="unfinished">Noch keine</translation>
+        <translation>Noch keine</translation>
     </message>
 </context>
 </TS>
