@@ -16,8 +16,8 @@ def help_in(dialog: QDialog) -> None:
 
         # As the dialog's own window it can be used while the dialog waits.
         manual = dialog.findChild(Manual) or Manual(dialog)
-        manual.show_page(page_about(dialog))
         manual.show()
+        manual.show_page(page_about(dialog))
         manual.raise_()
         manual.activateWindow()
 

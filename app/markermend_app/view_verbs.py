@@ -113,8 +113,9 @@ def _show_manual(window: MainWindow) -> None:
 
     page = page_about(QApplication.focusWidget())
     manual = window.findChild(Manual) or Manual(window)
-    manual.show_page(page)
+    # Only what is laid out can be scrolled to a heading.
     manual.show()
+    manual.show_page(page)
     manual.raise_()
     manual.activateWindow()
 

@@ -83,6 +83,9 @@ def test_the_manuals_key_works_in_dialogs(qtbot) -> None:
         manual = dialog.findChild(Manual)
         assert manual.isVisible()
         assert manual.page == page
+        # The heading stands at the top, or the page ends below it.
+        scroll = manual.text.verticalScrollBar()
+        assert manual.text.cursorRect().top() < 40 or scroll.value() == scroll.maximum()
 
 
 def test_every_dialog_of_the_window_has_a_page() -> None:
