@@ -62,6 +62,7 @@ class GapResult:
     filled : share of frames that were filled
     in_band : share of filled frames inside the 90 % band, NaN when the method gives none
     seconds : per gap
+    gap_rmse_mm, gap_samples : root mean square error of each filled gap, and its coordinates
     """
 
     case: GapCase
@@ -71,6 +72,8 @@ class GapResult:
     filled: float
     in_band: float
     seconds: float
+    gap_rmse_mm: tuple[float, ...] = ()
+    gap_samples: tuple[int, ...] = ()
 
     def penalised_mm(self, reference: str) -> float:
         """Error with every unfilled frame counted as three times a reference's error."""
@@ -182,6 +185,8 @@ def _replay_one(case: GapCase, take: Take, method: str) -> GapResult:
         filled / frames,
         float(np.mean(inside)) if inside else float("nan"),
         (time.perf_counter() - began) / len(case.gaps),
+        tuple(float(np.sqrt(np.mean(s))) for s in squares),
+        tuple(len(s) for s in squares),
     )
 
 

@@ -71,9 +71,11 @@ def _run_e1(options: argparse.Namespace) -> int:
 
 def _run_gaps(options: argparse.Namespace) -> int:
     """Hide, fill, and show the errors."""
+    from markermend.bench.gap_measures import figure_name, figures, measure, measures_table
     from markermend.bench.gaps import draw_cases, only_named, read_cases, replay, summarise
     from markermend.bench.gaps_text import gaps_csv, gaps_table
 
+    folder = Path(options.figures) if options.figures is not None else None
     check_outputs([options.csv], source=None, force=options.force)
     takes = {Path(path).stem: only_named(mm.read(path)) for path in options.takes}
     if options.list is not None:
@@ -86,6 +88,9 @@ def _run_gaps(options: argparse.Namespace) -> int:
                 takes, protocol, simulations=options.simulations, seed=options.seed
             )
         )
+    if folder is not None:
+        drawings = [str(folder / figure_name(p)) for p in dict.fromkeys(c.protocol for c in cases)]
+        check_outputs(drawings, source=None, force=options.force)
     with Bar() as bar:
         results = replay(cases, takes, dict.fromkeys(options.method), progress=bar)
     rows = summarise(results, options.reference)
@@ -93,6 +98,13 @@ def _run_gaps(options: argparse.Namespace) -> int:
         write_text(options.csv, gaps_csv(results))
     if options.csv != STDOUT:
         for line in gaps_table(rows, options.reference):
+            say(line)
+    measures = measure(results) if options.measures or folder is not None else ()
+    if folder is not None:
+        for name, text in figures(measures).items():
+            write_text(str(folder / name), text)
+    if options.measures and options.csv != STDOUT:
+        for line in ["", *measures_table(measures)]:
             say(line)
     return 0
 

@@ -122,4 +122,8 @@ def _add_gaps(p: argparse.ArgumentParser) -> None:
     p.add_argument("--simulations", metavar="N", type=int, default=10, help="per take and setting")
     p.add_argument("--seed", metavar="N", type=int, default=0, help="same seed, same gaps")
     p.add_argument("--csv", metavar="FILE", help="write every case as CSV; “-” for standard output")
+    p.add_argument(
+        "--measures", action="store_true", help="how single gaps are spread: mean, mode, IQR, AIC…"
+    )
+    p.add_argument("--figures", metavar="FOLDER", help="draw error against gap length as SVG there")
     p.add_argument("--force", action="store_true", help="overwrite what is there already")

@@ -27,6 +27,8 @@ RATIOS = np.geomspace(1e-8, 1e4, 37)
 # The first state is as good as unknown; the observations that settle it say nothing of the noise.
 UNKNOWN, SETTLING = 1e9, 3
 LEAST_VARIANCE_MM2 = 1e-8
+# Beside the body less of the trajectory tells as much.
+OWN_CONTEXT_S = 0.5
 # The filter is too sure of itself where the movement changes: its deviation is counted so much.
 DOUBT = 1.5
 
@@ -97,7 +99,7 @@ def own_course(evidence: Evidence, artifact: Artifact) -> tuple[FloatArray, Floa
     -------
     mean, deviation : (stop - start, 3) mm; None where too little is seen on a side
     """
-    first, known = _around(evidence, artifact, KalmanParams().context_s)
+    first, known = _around(evidence, artifact, OWN_CONTEXT_S)
     start, stop = artifact.start - first, artifact.stop - first
     if min(known[:start].sum(), known[stop:].sum()) < LEAST_SIDE:
         return None

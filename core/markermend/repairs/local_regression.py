@@ -40,7 +40,10 @@ FRAME_MARKERS = 4
 NOISE_S = 2.0
 # Up to here the marker's own movement has a say beside the body. Both err alike in part, so that
 # their average is not as sure as if they did not.
-OWN_COURSE_S, IN_COMMON, LEAST_MM2 = 0.5, 1.25, 1e-12
+OWN_COURSE_S, IN_COMMON, LEAST_MM2 = 0.5, 1.2, 1e-12
+# Beyond, the deviation is counted so much: the frames that were hidden to measure it had others
+# near them to learn from more often than those of a long interval have.
+LONG_DOUBT = 1.1
 LEAST_NOISE_MM, MOST_NOISE_MM = 0.03, 1.0
 
 
@@ -116,6 +119,8 @@ def repair_local_regression(evidence: Evidence, artifact: Artifact, params: Any)
     values, deviation = condition(frames, take.rate, views, noise, artifact.length, near)
     if artifact.length <= OWN_COURSE_S * take.rate:
         values, deviation = _with_own_course(evidence, artifact, values, deviation)
+    else:
+        deviation = LONG_DOUBT * deviation
     return make_repair(
         METHOD, evidence, artifact, values, params, np.repeat(deviation[:, None], 3, axis=1)
     )
