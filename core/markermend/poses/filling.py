@@ -43,7 +43,14 @@ class _Gap:
     channels: IntArray
 
 
-def fill(values: FloatArray, known: BoolArray, rate: float, prior: Moments | None = None) -> Filled:
+def fill(
+    values: FloatArray,
+    known: BoolArray,
+    rate: float,
+    prior: Moments | None = None,
+    *,
+    passes: int = _PASSES,
+) -> Filled:
     """Fill the gaps of all channels.
 
     Parameters
@@ -52,6 +59,7 @@ def fill(values: FloatArray, known: BoolArray, rate: float, prior: Moments | Non
     known : (frames, channels) bool, true somewhere in every channel
     rate : frames per second
     prior : moments of the same channels from other recordings
+    passes : one is enough to look for noise
 
     Notes
     -----
@@ -65,7 +73,7 @@ def fill(values: FloatArray, known: BoolArray, rate: float, prior: Moments | Non
     variance = _time_variance(base, known, rate)
     estimate = base
     lengths = [gap.stop - gap.start for gap in gaps]
-    for last in (False,) * (_PASSES - 1) + (True,) if gaps else ():
+    for last in (False,) * (passes - 1) + (True,) if gaps else ():
         moments = pooled(learn(estimate, rate, lengths), prior)
         better = estimate.copy()
         for gap in gaps:

@@ -110,21 +110,18 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     values, known = channels.values[:, usable], channels.known[:, usable]
     if prior is not None and not usable.all():
         prior = prior.of(usable)
-    tell(0.1, "Filling")
-    filled = fill(values, known, pose.rate, prior)
-    tell(0.4, "Looking for noise")
+    tell(0.1, "Looking for noise")
+    rough = fill(values, known, pose.rate, prior, passes=1).values
     whole = np.zeros(channels.values.shape)
-    whole[:, usable] = filled.values
+    whole[:, usable] = rough
     noise = noise_level(whole, channels.known)
     if float(np.median(noise[usable])) < _WORTH:
         noise[:] = LEAST_NOISE
     else:
-        tell(0.5, "Smoothing")
-        calm = smooth(filled.values, noise[usable], pose.rate)
-        tell(0.7, "Filling")
-        filled = (
-            fill(calm, known, pose.rate, prior) if not known.all() else replace(filled, values=calm)
-        )
+        tell(0.3, "Smoothing")
+        values = smooth(rough, noise[usable], pose.rate)
+    tell(0.5, "Filling")
+    filled = fill(values, known, pose.rate, prior)
     whole[:, usable] = filled.values
     whole[:, ~usable] = np.nan
     tell(0.9, "Keeping bones")
