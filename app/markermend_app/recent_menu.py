@@ -8,6 +8,7 @@ from pathlib import Path
 from PySide6.QtWidgets import QMenu
 
 from markermend_app import settings
+from markermend_app.words import tr
 
 
 def fill_when_shown(menu: QMenu, open_path: Callable[[Path], None]) -> None:
@@ -19,6 +20,6 @@ def fill_when_shown(menu: QMenu, open_path: Callable[[Path], None]) -> None:
             action = menu.addAction(f"{path.name}   –   {path.parent}")
             action.triggered.connect(lambda _=False, p=path: open_path(p))
         if menu.isEmpty():
-            menu.addAction(menu.tr("None yet")).setEnabled(False)
+            menu.addAction(tr("None yet")).setEnabled(False)
 
     menu.aboutToShow.connect(fill)

@@ -1487,6 +1487,10 @@
         <source>Made ready: it opens at once.</source>
         <translation>Vorbereitet: Sie öffnet sich sofort.</translation>
     </message>
+    <message>
+        <source>None yet</source>
+        <translation>Noch keine</translation>
+    </message>
 </context>
 <context>
     <name>AlikeDialog</name>
@@ -3186,13 +3190,6 @@
     <message>
         <source>As opened</source>
         <translation>Wie geöffnet</translation>
-    </message>
-</context>
-<context>
-    <name>menu</name>
-    <message>
-        <source>None yet</source>
-        <translation>Noch keine</translation>
     </message>
 </context>
 </TS>
