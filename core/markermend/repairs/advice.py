@@ -15,10 +15,10 @@ from markermend.repairs.choice import choose
 from markermend.repairs.registry import REPAIRS, Evidence, Repair, find_method
 from markermend.repairs.result import axes_of, without_own
 
-CANDIDATES = ("local_regression", "spline", "pchip", "makima", "linear")
+CANDIDATES = ("local_regression", "kalman", "spline", "pchip", "makima", "linear")
 """Methods that invent what was not seen; they can be measured by hiding what was."""
 
-COMPARED = (*CANDIDATES, "kalman", "rigid", "pattern", "cyclic", "savgol")
+COMPARED = (*CANDIDATES, "rigid", "pattern", "cyclic", "savgol")
 """Methods an operator may want to see beside each other; those with no answer come last."""
 
 # A few trials cannot tell less than this apart: the usual choice stays first unless another
