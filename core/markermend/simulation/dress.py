@@ -23,6 +23,8 @@ MINOR = ("thumb", "finger", "hipjoint", "toe", "wrist")
 """Segments too small for a marker."""
 FIRM = ("head", "hand", "foot", "neck", "clavicle")
 LONGEST_SLIDE_MM = 40.0
+STEADY_HZ = (12.0, 20.0)
+"""Above this the skeleton's own jitter is taken out."""
 
 
 def dress(pose: Pose, *, markers: int, seed: int) -> Take:
@@ -59,6 +61,9 @@ def dress(pose: Pose, *, markers: int, seed: int) -> Take:
         firm = any(part in pose.joints[segment] for part in FIRM)
         soft = softness * (0.25 if firm else 1.0) * float(rng.lognormal(0.0, 0.5))
         positions[:, m] = _worn(pose, int(segment), soft, rng)
+    # Solved joint angles jitter more than cameras do.
+    steady = butter(2, float(rng.uniform(*STEADY_HZ)), fs=pose.rate, output="sos")
+    positions = sosfiltfilt(steady, positions, axis=0)
     positions += _cameras(positions, pose.rate, rng)
     return Take(
         _processed(positions, pose.rate, rng),
@@ -109,7 +114,7 @@ def _sway(rigid: FloatArray, rate: float, rng: np.random.Generator) -> FloatArra
 def _cameras(positions: FloatArray, rate: float, rng: np.random.Generator) -> FloatArray:
     """Hiss, louder while few cameras see, and small shifts when their number changes, mm."""
     frames, markers, _ = positions.shape
-    hiss = rng.lognormal(np.log(0.06), 0.6) * rng.lognormal(0.0, 0.3, markers)
+    hiss = rng.lognormal(np.log(0.025), 0.6) * rng.lognormal(0.0, 0.3, markers)
     few = np.maximum(wander(frames, rate, 0.12, rng, markers) - 1.5, 0.0)
     level = hiss * (1.0 + np.minimum(4.0 * few, 6.0))
     noise = rng.standard_normal(positions.shape) * level[:, :, None]
