@@ -1,4 +1,4 @@
-"""Write docs/methods.md from the registries: ``.venv/bin/python docs/generate.py``."""
+"""Write what is made from the code, methods and keys: ``.venv/bin/python docs/generate.py``."""
 
 from __future__ import annotations
 
@@ -9,8 +9,11 @@ from pathlib import Path
 from markermend.detectors import DETECTORS, Detector
 from markermend.repairs import REPAIRS, Method
 from markermend.smoothers import SMOOTHERS, Smoother
+from markermend_app.actions import ACTIONS
+from markermend_resources import manual_folder
 
 PAGE = Path(__file__).with_name("methods.md")
+KEYS = manual_folder() / "keys.md"
 _HEAD = """\
 # Methods
 
@@ -72,5 +75,23 @@ def _sections(methods: Iterable[Method | Detector | Smoother]) -> list[str]:
     return lines
 
 
+def keys() -> str:
+    """Return the page of all actions that have keys, by menu."""
+    lines = [
+        "# Keys",
+        "",
+        "As Markermend comes; **?** shows yours, changes them, and has presets after Nexus, QTM "
+        "and Motive. Everything, also what has no key, is found by **Ctrl+K**.",
+    ]
+    for menu in dict.fromkeys(a.menu.lstrip("|") for a in ACTIONS):
+        rows = [a for a in ACTIONS if a.menu.lstrip("|") == menu and a.keys]
+        if rows:
+            lines += ["", f"## {menu}", "", "| key | what it does |", "|---|---|"]
+            shown = [(" or ".join(f"`{k}`" for k in a.keys), a.text.rstrip("…")) for a in rows]
+            lines += [f"| {key} | {text} |" for key, text in shown]
+    return "\n".join(lines) + "\n"
+
+
 if __name__ == "__main__":
     PAGE.write_text(page(), encoding="utf-8")
+    KEYS.write_text(keys(), encoding="utf-8")

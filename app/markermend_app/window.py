@@ -158,8 +158,9 @@ class MainWindow(QMainWindow):
         self.tabifyDockWidget(self.docks["queue"], self.docks["quality"])
         self.docks["queue"].raise_()
         # Beside the history, and only where there is more than one take.
-        self.tabifyDockWidget(self.docks["history"], self.docks["takes"])
+        # Hidden first: the tabs of docks that are hidden later can stay behind on the screen.
         self.docks["takes"].hide()
+        self.tabifyDockWidget(self.docks["history"], self.docks["takes"])
         self.setCorner(Qt.Corner.BottomLeftCorner, left)
         self.setCorner(Qt.Corner.BottomRightCorner, right)
         self.resizeDocks([self.docks["markers"], self.docks["history"]], [640, 200], _V)

@@ -42,6 +42,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--duration", type=float, default=60.0)
     parser.add_argument("--slow", action="store_true", help="look for slow changes too")
     parser.add_argument("--workers", type=int, nargs="+", default=[1, 2])
+    parser.add_argument("--batches-only", action="store_true", help="no single takes, no kills")
     chosen = parser.parse_args(arguments)
     with tempfile.TemporaryDirectory() as folder:
         shoot = Path(folder) / "shoot"
@@ -51,8 +52,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 mm.simulate(duration_s=chosen.duration, seed=seed)[0], shoot / f"{seed:03}.c3d"
             )
         print(f"{chosen.takes} takes of {chosen.duration:g} s")  # noqa: T201
-        with told("single-take command, one after the other", chosen.takes):
-            one_by_one(shoot, Path(folder) / "single", slow=chosen.slow)
+        if not chosen.batches_only:
+            with told("single-take command, one after the other", chosen.takes):
+                one_by_one(shoot, Path(folder) / "single", slow=chosen.slow)
         parameters = find_detector("joint").params(slow=chosen.slow, jobs=1)
         recipe = Recipe(detector="joint", detector_params=parameters)
         results = []
@@ -62,12 +64,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 run_batch(find_takes([shoot]), out, recipe, jobs=workers)
             print(f"    most memory of a worker: {flatness(sizes)}")  # noqa: T201
             results.append(contents(out))
-        out = Path(folder) / "killed"
-        with told(f"batch, {chosen.workers[-1]} workers, one killed", chosen.takes):
-            run_batch(
-                *(find_takes([shoot]), out, recipe), jobs=chosen.workers[-1], listener=Killer()
-            )
-        results.append(contents(out))
+        workers = chosen.workers[-1]
+        with told("the same again with --resume: a task beside the work in it", chosen.takes):
+            run_batch(find_takes([shoot]), out, recipe, jobs=workers, resume=True)
+        if not chosen.batches_only:
+            out = Path(folder) / "killed"
+            with told(f"batch, {workers} workers, one killed", chosen.takes):
+                run_batch(find_takes([shoot]), out, recipe, jobs=workers, listener=Killer())
+            results.append(contents(out))
         print("all results the same bytes:", all(r == results[0] for r in results))  # noqa: T201
     return 0
 

@@ -14,13 +14,14 @@ ROOT = Path(__file__).resolve().parents[2]
 PAGES = [*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md")]
 
 
-def test_methods_page_is_up_to_date() -> None:
+def test_pages_made_from_the_code_are_up_to_date() -> None:
     spec = importlib.util.spec_from_file_location("docs_generate", ROOT / "docs" / "generate.py")
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     assert module.PAGE.read_text(encoding="utf-8") == module.page(), "run docs/generate.py"
+    assert module.KEYS.read_text(encoding="utf-8") == module.keys(), "run docs/generate.py"
 
 
 def test_every_command_is_documented() -> None:
