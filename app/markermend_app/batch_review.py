@@ -79,19 +79,24 @@ class BatchReview(QObject):
 
     # Asking which
 
+    @property
+    def _folder(self) -> str:
+        """Where the open take lies: what belongs with it is likely near."""
+        path = self._document.path
+        return str(path.parent) if path else ""
+
     def review_batch(self) -> None:
         """Ask for takes, or for the list that a batch wrote, and review them."""
         filters = f"{open_filter()};;{self.tr('List of a batch')} (review.json)"
         title = self.tr("Review a batch: takes, or the review.json of a batch")
-        names, _ = QFileDialog.getOpenFileNames(self._window, title, "", filters)
+        names, _ = QFileDialog.getOpenFileNames(self._window, title, self._folder, filters)
         if names:
             self.start([Path(name) for name in names])
 
     def review_folder(self) -> None:
         """Ask for a folder and review the takes in it and below."""
-        name = QFileDialog.getExistingDirectory(
-            self._window, self.tr("Review the takes of a folder, or what a batch wrote to it")
-        )
+        title = self.tr("Review the takes of a folder, or what a batch wrote to it")
+        name = QFileDialog.getExistingDirectory(self._window, title, self._folder)
         if name:
             self.start([Path(name)])
 

@@ -137,7 +137,9 @@ class Bulk(QObject):
         if not repairing:
             self._document.reject(ids)
         else:
-            label = self.tr("Repair {0} artifacts alike ({1})").format(len(ids), kind)
+            # One alone is named as any other repair is.
+            many = self.tr("Repair {0} artifacts alike ({1})").format(len(ids), kind)
+            label = many if len(ids) > 1 else ""
             chosen = [(i, repair) for i, repair in dialog.repairs.items() if i in ids]
             self._document.repair_many(chosen, label)
         said = self.tr("{0} repaired.") if repairing else self.tr("{0} rejected.")

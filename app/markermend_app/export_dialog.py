@@ -86,6 +86,7 @@ class ExportDialog(QDialog):
         buttons = QDialogButtonBox()
         go = buttons.addButton(self.tr("Export…"), QDialogButtonBox.ButtonRole.AcceptRole)
         go.setDefault(True)
+        go.setFocus()
         buttons.addButton(QDialogButtonBox.StandardButton.Cancel)
         if self._details.toPlainText():
             show = buttons.addButton(self.tr("Show list"), QDialogButtonBox.ButtonRole.ActionRole)

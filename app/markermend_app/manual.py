@@ -121,6 +121,8 @@ class Manual(QMainWindow):
         ):
             QShortcut(keys, self).activated.connect(verb)
         self._fill()
+        # The arrow and page keys turn the text; without this the way back has the focus.
+        self.text.setFocus()
 
     @property
     def page(self) -> str:

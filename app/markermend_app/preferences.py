@@ -78,13 +78,18 @@ class Preferences(QDialog):
         scroll.setWidgetResizable(True)
         scroll.setFrameShape(QScrollArea.Shape.NoFrame)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        again = buttons.addButton(self.tr("As delivered"), QDialogButtonBox.ButtonRole.ResetRole)
+        again = buttons.addButton(
+            self.tr("Restore defaults"), QDialogButtonBox.ButtonRole.ResetRole
+        )
         again.clicked.connect(self._restore)
         buttons.rejected.connect(self.reject)
         column = QVBoxLayout(self)
         column.addWidget(scroll)
         column.addWidget(buttons)
         self._read()
+        for button in self.findChildren(QPushButton):
+            # Return in a field would press the first of them, which asks for a colour.
+            button.setAutoDefault(False)
         self.resize(600, 720)
 
     # The page

@@ -59,6 +59,18 @@ def test_repairing_all_alike_is_listed_first_and_one_step(peaks, qtbot):
     assert set(status_of(peaks)) == {Status.PENDING}
 
 
+def test_one_alone_is_named_as_any_other_repair(peaks, qtbot):
+    document = peaks.document
+    document.select(next(a.id for a in document.session.artifacts if a.marker == "T10"))
+    qtbot.keyClick(peaks, Qt.Key.Key_R, CTRL | SHIFT)
+    dialog = peaks.bulk.dialog
+    qtbot.waitUntil(dialog.go.isEnabled, timeout=WAIT)
+    for row in range(1, dialog.table.rowCount()):
+        dialog.table.item(row, 0).setCheckState(Qt.CheckState.Unchecked)
+    qtbot.keyClick(dialog, Qt.Key.Key_Return)
+    assert document.session.history[-1] == "Repair peak on T10"
+
+
 def test_rejecting_all_alike_and_thinking_better_of_it(peaks, qtbot):
     document = peaks.document
     document.select(next(a.id for a in document.session.artifacts if a.marker == "T10"))
@@ -124,6 +136,6 @@ def test_the_status_line_tells_the_operators_pace(peaks, qtbot, monkeypatch):
     for pause in (4.0, 500.0, 2.0):
         now[0] += pause
         qtbot.keyClick(peaks, Qt.Key.Key_R)
-    assert "3 of 9 decided · 2.0 s each · 0.1 min" in [
+    assert "3 of 9 decided · 2.0 s each · 6 s in all" in [
         label.text() for label in peaks.status.findChildren(QLabel)
     ]

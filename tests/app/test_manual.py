@@ -26,6 +26,10 @@ def manual(qtbot) -> Manual:
     return manual
 
 
+def test_keys_turn_the_text_at_once(manual: Manual) -> None:
+    assert manual.focusWidget() is manual.text
+
+
 def test_links_and_back(manual: Manual) -> None:
     manual.text.anchorClicked.emit(QUrl("repairs.md"))
     assert manual.page == "repairs.md"

@@ -8,7 +8,7 @@ import re
 import pytest
 from PySide6.QtCore import QAbstractTableModel, Qt
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QAbstractItemView, QApplication, QLabel
+from PySide6.QtWidgets import QAbstractItemView, QApplication, QLabel, QPushButton
 
 import markermend as mm
 from markermend.artifact import Kind
@@ -190,3 +190,10 @@ def test_the_language_is_the_chosen_one_else_the_systems(page, monkeypatch):
         "PySide6.QtCore.QLocale.system", lambda: type("L", (), {"name": lambda self: "xx_XX"})()
     )
     assert languages.language() == "en"
+
+
+def test_return_in_a_field_presses_no_button(qtbot) -> None:
+    preferences = Preferences()
+    qtbot.addWidget(preferences)
+    preferences.show()
+    assert not [b.text() for b in preferences.findChildren(QPushButton) if b.isDefault()]

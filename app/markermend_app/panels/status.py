@@ -93,9 +93,10 @@ class StatusLine(QStatusBar):
             return
         text = self.tr("{0} of {1} decided").format(pace.decided, pace.total)
         if pace.seconds_each is not None and pace.spent_s:
-            text += self.tr(" · {0:.1f} s each · {1:.1f} min").format(
-                pace.seconds_each, pace.minutes
-            )
+            text += self.tr(" · {0:.1f} s each").format(pace.seconds_each)
+            short = pace.spent_s < 60.0
+            spent = self.tr(" · {0:.0f} s in all") if short else self.tr(" · {0:.1f} min in all")
+            text += spent.format(pace.spent_s if short else pace.minutes)
         self._counts.setText(text)
 
     def _recolour(self) -> None:

@@ -2365,8 +2365,8 @@
         <translation>Einstellungen</translation>
     </message>
     <message>
-        <source>As delivered</source>
-        <translation>Wie ausgeliefert</translation>
+        <source>Restore defaults</source>
+        <translation>Zurücksetzen</translation>
     </message>
     <message>
         <source>Look</source>
@@ -2980,8 +2980,16 @@
         <translation>{0} von {1} entschieden</translation>
     </message>
     <message>
-        <source> · {0:.1f} s each · {1:.1f} min</source>
-        <translation> · je {0:.1f} s · {1:.1f} min</translation>
+        <source> · {0:.1f} s each</source>
+        <translation> · je {0:.1f} s</translation>
+    </message>
+    <message>
+        <source> · {0:.0f} s in all</source>
+        <translation> · insgesamt {0:.0f} s</translation>
+    </message>
+    <message>
+        <source> · {0:.1f} min in all</source>
+        <translation> · insgesamt {0:.1f} min</translation>
     </message>
 </context>
 <context>
