@@ -9,7 +9,7 @@ from typing import Any
 from markermend.arrays import FloatArray
 from markermend.artifact import Artifact, Status
 from markermend.artifact_json import document, to_dict
-from markermend.repairs import Repair
+from markermend.repairs import REPAIRS, Repair
 from markermend.repairs.look_again import in_words
 from markermend.take import Take
 
@@ -34,6 +34,12 @@ class Outcome:
     reason: str
     band_mm: FloatArray | None = None
     leaves: tuple[Artifact, ...] = ()
+
+    @property
+    def method_label(self) -> str:
+        """What people call the method; its name where it is none of the registry's, else empty."""
+        known = REPAIRS.get(self.method or "")
+        return known.label if known else self.method or ""
 
     @property
     def note(self) -> str:

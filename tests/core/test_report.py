@@ -21,7 +21,7 @@ from markermend.hand import cut
 from markermend.outcome import Outcome, cleaned_document, outcomes
 from markermend.pace import Stopwatch
 from markermend.patch import patched
-from markermend.repairs import repair_all
+from markermend.repairs import REPAIRS, repair_all
 from markermend.report import batch_parts, quality, take_report
 from markermend.report.svg import damage_map, decimate, path, ticks, worst
 from markermend.session import Session
@@ -85,6 +85,16 @@ def test_page_is_whole_safe_and_needs_no_network(cleaned) -> None:
     assert "<b>&" not in text.replace("<b>&lt;", "")
     assert "looks &lt;odd&gt;" in text
     assert text == report(cleaned)
+
+
+def test_methods_go_by_their_labels(cleaned) -> None:
+    _, _, done = cleaned
+    html = report(cleaned)
+    table = html[html.index("What was repaired") :].split('<script type="application/json"')[0]
+    used = {o.method for o in done if o.method}
+    assert used
+    assert all(REPAIRS[name].label in table for name in used)
+    assert "local_regression" not in table
 
 
 def test_json_inside_tells_the_same(cleaned) -> None:

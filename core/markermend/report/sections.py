@@ -135,7 +135,7 @@ def _classes(done: Sequence[Outcome]) -> str:
         of_kind = [o for o in done if o.artifact.kind is kind]
         if not of_kind:
             continue
-        methods = Counter(o.method for o in of_kind if o.method)
+        methods = Counter(o.method_label for o in of_kind if o.method)
         errors = [o.error_mm for o in of_kind if o.error_mm is not None]
         how = ", ".join(f"{method} {n}" for method, n in methods.most_common()) or "–"
         rows.append(
@@ -159,7 +159,7 @@ def _repaired(take: Take, done: Sequence[Outcome]) -> list[str]:
         return []
     columns = [*_WHERE, ("Method", ""), ("Expected error", "n"), ("Note", "")]
     rows = [
-        [*_where(take, o), escape(o.method or ""), *_error_and_note(o)] for o in mended[:_MOST_ROWS]
+        [*_where(take, o), escape(o.method_label), *_error_and_note(o)] for o in mended[:_MOST_ROWS]
     ]
     return [
         "<h3>What was repaired</h3>",

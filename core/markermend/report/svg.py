@@ -219,6 +219,6 @@ def _caption(take: Take, o: Outcome) -> str:
     """What an artifact is and what was done about it, in one line."""
     a = o.artifact
     first, last = take.frame_number(a.start), take.frame_number(a.stop - 1)
-    done = f"{o.method}" if o.method else "left"
+    done = o.method_label or "left"
     error = "" if o.error_mm is None else f", expected error {o.error_mm:.2f} mm"
     return f"{a.marker} {a.axes}, {a.kind.value}, frames {first}–{last}: {done}{error}"
