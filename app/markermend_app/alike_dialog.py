@@ -28,6 +28,7 @@ from markermend.artifact import Artifact
 from markermend_app import theme, units
 from markermend_app.document import Document
 from markermend_app.help_key import help_in
+from markermend_app.params_form import inset
 from markermend_app.scope import Scope
 from markermend_app.words import tr
 
@@ -80,6 +81,7 @@ class AlikeDialog(QDialog):
         for scope in scopes:
             self.scope.addItem(scope.text, scope)
         self.least = QSpinBox()
+        inset(self.least)
         self.least.setRange(0, 100)
         self.least.setSuffix(" %")
         self.least.setValue(SURE_ENOUGH if repairing else 0)
@@ -124,6 +126,7 @@ class AlikeDialog(QDialog):
         table.setTabKeyNavigation(False)
         head = table.horizontalHeader()
         head.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        head.setSectionResizeMode(MARKER, QHeaderView.ResizeMode.Interactive)
         head.setStretchLastSection(True)
         return table
 
@@ -183,6 +186,9 @@ class AlikeDialog(QDialog):
                 box = self.table.item(row, MARKER)
                 if box is not None:
                     box.setCheckState(Qt.CheckState.Checked)
+        # The table's own hint leaves out the room around the box, and cuts the names.
+        head, hint = self.table.horizontalHeader(), self.table.sizeHintForColumn(MARKER)
+        head.resizeSection(MARKER, max(hint + 16, head.sectionSizeHint(MARKER)))
         self._count()
         missing = tuple(a for a in self._listed if a.id not in self.repairs)
         if self._repairing and missing:

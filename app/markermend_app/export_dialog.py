@@ -86,7 +86,6 @@ class ExportDialog(QDialog):
         buttons = QDialogButtonBox()
         go = buttons.addButton(self.tr("Export…"), QDialogButtonBox.ButtonRole.AcceptRole)
         go.setDefault(True)
-        go.setFocus()
         buttons.addButton(QDialogButtonBox.StandardButton.Cancel)
         if self._details.toPlainText():
             show = buttons.addButton(self.tr("Show list"), QDialogButtonBox.ButtonRole.ActionRole)
@@ -95,6 +94,7 @@ class ExportDialog(QDialog):
         buttons.rejected.connect(self.reject)
         box.addWidget(self._details, 1)
         box.addWidget(buttons)
+        go.setFocus()
         self.setMinimumWidth(480)
 
     @property

@@ -71,6 +71,7 @@ class ParamsForm(QWidget):
             box.toggled.connect(lambda _: self.changed.emit())
             return box
         made = QSpinBox() if isinstance(value, int) else _Number()
+        inset(made)
         low, high = field.metadata.get("min", -_MOST), field.metadata.get("max", _MOST)
         made.setRange(low, high)
         made.setValue(value)
@@ -80,6 +81,11 @@ class ParamsForm(QWidget):
         made.setSuffix(f" {unit}" if unit else "")
         made.valueChanged.connect(lambda _: self.changed.emit())
         return made
+
+
+def inset(box: QAbstractSpinBox) -> None:
+    """Keep the text off the border: style sheets do not reach within, and paint it onto it."""
+    box.lineEdit().setTextMargins(7, 0, 0, 0)
 
 
 class _Number(QDoubleSpinBox):

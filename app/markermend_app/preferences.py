@@ -29,6 +29,7 @@ from PySide6.QtWidgets import (
 from markermend.artifact import Kind
 from markermend_app import detection, languages, settings, theme, units
 from markermend_app.help_key import help_in
+from markermend_app.params_form import inset
 from markermend_app.words import tr
 
 VERTICAL, AUTOSAVE, AUTOSAVE_MIN = "vertical", "autosave_min", 5
@@ -169,6 +170,7 @@ class Preferences(QDialog):
     def _work(self) -> None:
         self._heading(self.tr("Work"))
         self.autosave = QSpinBox()
+        inset(self.autosave)
         self.autosave.setRange(0, 60)
         self.autosave.setSpecialValueText(self.tr("only when a take is closed"))
         self.autosave.setPrefix(self.tr("every "))
@@ -177,6 +179,7 @@ class Preferences(QDialog):
         self._hint(self.tr("Each step is kept at once in any case, also through a crash."))
         self.autosave.valueChanged.connect(lambda value: self._store(AUTOSAVE, value))
         self.processes = QSpinBox()
+        inset(self.processes)
         self.processes.setRange(0, os.cpu_count() or 1)
         self.processes.setSpecialValueText(self.tr("as many as there are cores"))
         self._row(self.tr("Processes"), self.processes)

@@ -79,7 +79,7 @@ class MainWindow(QMainWindow):
         self.references = References(self.document, self)
         self.scene.pick = self.references.toggle
         self.comparison = Comparison(self.document, self)
-        self.candidates = Candidates(self.comparison, self.trajectories)
+        self.candidates = Candidates(self.comparison, self.trajectories, self)
         self.hand = HandWork(self.document, self.lane, self, self.queue.selected)
         self._make_actions()
         self._connect()

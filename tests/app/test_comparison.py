@@ -38,6 +38,9 @@ def test_hold_walk_let_go_and_repair(window, qtbot):
     errors = [c.error_mm for c in comparison.candidates if c.error_mm is not None]
     assert len(errors) >= 3
     assert "±" in panel.rows[0][2].text()
+    # It hides none of the curves that are compared.
+    lowest = window.trajectories.mapTo(window, window.trajectories.rect().bottomLeft())
+    assert lowest.y() < panel.y() < window.height() - panel.height()
     # A line for every candidate in each of three rows.
     assert len(panel._lines) == 3 * len(comparison.candidates)
     assert names(window)[comparison.place] == document.proposal.method

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import pyqtgraph as pg
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QColor, QPainter, QPixmap
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 
 from markermend_app import theme, units
 from markermend_app.comparison import MOST, Comparison
@@ -18,11 +18,11 @@ _MARGIN = 8
 
 
 class Candidates(QFrame):
-    """The list, over the plots' upper left corner, and the lines in the rows."""
+    """The list, below the plots so that it hides none of them, and the lines in the rows."""
 
-    def __init__(self, comparison: Comparison, panel: TrajectoryPanel) -> None:
-        super().__init__(panel.canvas)
-        self._comparison, self._panel = comparison, panel
+    def __init__(self, comparison: Comparison, panel: TrajectoryPanel, window: QWidget) -> None:
+        super().__init__(window)
+        self._comparison, self._panel, self._window = comparison, panel, window
         self._lines: list[tuple[PlotRow, pg.PlotDataItem]] = []
         self.setObjectName("floatingButtons")
         self.setAccessibleName(self.tr("Repairs compared"))
@@ -30,6 +30,7 @@ class Candidates(QFrame):
         grid.setContentsMargins(8, 6, 12, 6)
         grid.setHorizontalSpacing(8)
         grid.setVerticalSpacing(2)
+        grid.setColumnStretch(1, 1)
         self.rows = tuple((QLabel(), QLabel(), QLabel()) for _ in range(MOST))
         for i, row in enumerate(self.rows):
             for column, label in enumerate(row):
@@ -78,7 +79,15 @@ class Candidates(QFrame):
                 text += " " + self.tr("{0} more have no answer here.").format(c.hopeless)
             self.said.setText(text)
         self.adjustSize()
-        self.move(self._panel.rows[0].values.width() + _MARGIN, _MARGIN)
+        self._place()
+
+    def _place(self) -> None:
+        """Stand over the overview, or as low as the window allows."""
+        window, panel = self._window, self._panel
+        left = int(panel.rows[0].values.width()) + _MARGIN
+        corner = panel.mapTo(window, QPoint(left, panel.height() + _MARGIN))
+        lowest = window.height() - self.height() - _MARGIN
+        self.move(corner.x(), min(corner.y(), lowest))
         self.raise_()
 
     def _draw(self, repair: object, color: QColor, chosen: bool) -> None:
