@@ -177,7 +177,7 @@ class AlikeDialog(QDialog):
             for row, a in enumerate(self._listed):
                 first, last = take.frame_number(a.start), take.frame_number(a.stop - 1)
                 for column, text in (
-                    (MARKER, a.marker),
+                    (MARKER, " ↔ ".join(a.markers)),
                     (FRAMES, f"{first}–{last}"),
                     (SURE, f"{100 * a.confidence:.0f} %"),
                     (OUTCOME, self._outcome(a)),

@@ -164,8 +164,8 @@ def _steps() -> tuple[Step, ...]:
         Step(
             tr("Look at why"),
             tr(
-                "Artifacts are looked for by themselves; the worst comes first. Here stands what "
-                "is wrong, how sure that is, and why. Read it, then go on to the next with {0}."
+                "Detection starts by itself; the worst artifact comes first. Here you read what "
+                "is wrong, how sure that is, and why. Then go on to the next with {0}."
             ),
             ("next",),
             lambda window: window.inspector.artifact.why,

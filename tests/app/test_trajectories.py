@@ -408,7 +408,7 @@ def test_many_names_do_not_make_the_window_wider(bench):
         legend.resize(width, 26)
         named = [c for c in legend.chips if not c.isHidden()]
         assert named[-1].geometry().right() <= width
-        assert legend.more.text() == f"and {8 - len(named)} more"
+        assert legend.more.text() == f"+{8 - len(named)}"
         assert legend.more.isHidden() or legend.more.geometry().right() <= width
     assert len(named) > 2
     assert legend.chips[0].text() == "CLAV"

@@ -151,7 +151,7 @@ class Legend(QWidget):
 
     def _count(self, rest: int) -> None:
         """Say how many are not named."""
-        self.more.setText(self.tr("and {count} more").format(count=rest))
+        self.more.setText(f"+{rest}")
         self.more.setToolTip(", ".join(self._markers[len(self._markers) - rest :]))
         self.more.setVisible(rest > 0)
 

@@ -332,7 +332,7 @@
         <translation>Sehen, warum</translation>
     </message>
     <message>
-        <source>Artifacts are looked for by themselves; the worst comes first. Here stands what is wrong, how sure that is, and why. Read it, then go on to the next with {0}.</source>
+        <source>Detection starts by itself; the worst artifact comes first. Here you read what is wrong, how sure that is, and why. Then go on to the next with {0}.</source>
         <translation>Artefakte werden von selbst gesucht; das schlimmste kommt zuerst. Hier steht, was falsch ist, wie sicher das ist und warum. Lesen, dann mit {0} weiter zum nächsten.</translation>
     </message>
     <message>
@@ -2043,10 +2043,6 @@
     <message>
         <source>Bring {marker} to the front</source>
         <translation>{marker} nach vorn holen</translation>
-    </message>
-    <message>
-        <source>and {count} more</source>
-        <translation>und {count} weitere</translation>
     </message>
 </context>
 <context>
