@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import fields
-from pathlib import Path
 
 from markermend.detectors import DETECTORS, Detector
 from markermend.repairs import REPAIRS, Method
@@ -12,8 +11,7 @@ from markermend.smoothers import SMOOTHERS, Smoother
 from markermend_app.actions import ACTIONS
 from markermend_resources import manual_folder
 
-PAGE = Path(__file__).with_name("methods.md")
-KEYS = manual_folder() / "keys.md"
+PAGE, KEYS = manual_folder() / "methods.md", manual_folder() / "keys.md"
 _HEAD = """\
 # Methods
 

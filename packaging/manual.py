@@ -50,16 +50,12 @@ def lay_out():
     for path in (*(ROOT / "docs" / "sphinx").iterdir(), icon):
         if path.is_file():
             shutil.copy(str(path), str(SOURCES))
-    for name in ("command-line.md", "methods.md"):
-        text = (ROOT / "docs" / name).read_text(encoding="utf-8")
-        text = text.replace("](plugin-template)", "](plugin-template.md)")
-        (SOURCES / name).write_text(text, encoding="utf-8")
     template = (ROOT / "docs" / "plugin-template" / "README.md").read_text(encoding="utf-8")
     (SOURCES / "plugin-template.md").write_text(template, encoding="utf-8")
     (SOURCES / "gallery.md").write_text(gallery(), encoding="utf-8")
     front = SOURCES / "index.md"
     pages = sorted(p.stem for p in PAGES.glob("*.md") if p.name != "index.md")
-    more = ["command-line", "methods", "api", "gallery", "plugin-template"]
+    more = ["api", "gallery", "plugin-template"]
     tree = "\n".join(["", "```{toctree}", ":hidden:", *in_order(front, pages), *more, "```", ""])
     links = "".join("- [%s](%s.md)\n" % (title_of(name), name) for name in more)
     front.write_text(front.read_text(encoding="utf-8") + links + tree, encoding="utf-8")

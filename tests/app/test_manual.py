@@ -57,7 +57,7 @@ def test_finding_words_narrows_the_contents_and_goes_there(manual: Manual, qtbot
         for i in range(manual.contents.topLevelItemCount())
         if not (item := manual.contents.topLevelItem(i)).isHidden()
     ]
-    assert shown == ["Smoothing"]
+    assert shown == ["Smoothing", "Methods"]
 
     qtbot.keyClick(manual.finder, Qt.Key.Key_Return)
     assert manual.page == "smoothing.md"

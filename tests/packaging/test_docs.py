@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from markermend.cli.parser import COMMANDS
+from markermend_resources import manual_folder
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = [*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md")]
@@ -25,7 +26,7 @@ def test_pages_made_from_the_code_are_up_to_date() -> None:
 
 
 def test_every_command_is_documented() -> None:
-    text = (ROOT / "docs" / "command-line.md").read_text(encoding="utf-8")
+    text = (manual_folder() / "command-line.md").read_text(encoding="utf-8")
     assert [c for c in COMMANDS if not re.search(rf"markermend \[?{c}\b", text)] == []
 
 
