@@ -16,6 +16,7 @@ from markermend_app import dialogs, export_dialog, settings
 from markermend_app.document import Document
 from markermend_app.file_filters import export_filter
 from markermend_app.jobs import Lane
+from markermend_app.loading import proposed_place
 
 
 class Exporter(QObject):
@@ -160,7 +161,7 @@ class Exporter(QObject):
     def _ask_target(self) -> Path | None:
         """Ask where to write; never proposes the source."""
         path = self._document.path
-        proposal = str(path.with_name(path.stem + "_clean.c3d")) if path else "take_clean.c3d"
+        proposal = str(proposed_place(path, "_clean.c3d")) if path else "take_clean.c3d"
         name, chosen = QFileDialog.getSaveFileName(
             self._window, self.tr("Export repaired take"), proposal, export_filter()
         )

@@ -221,3 +221,11 @@ def _stamp(path: Path) -> tuple[int, int]:
     except OSError:
         return 0, 0
     return told.st_size, told.st_mtime_ns
+
+
+def proposed_place(path: Path, ending: str) -> Path:
+    """Where a file made from a take is proposed: beside it, but the demo's in the user's home."""
+    from markermend_resources import demo_take
+
+    folder = Path.home() if path == demo_take() else path.parent
+    return folder / f"{path.stem}{ending}"

@@ -13,6 +13,7 @@ from markermend.progress import Progress
 from markermend_app import dialogs
 from markermend_app.document import Document
 from markermend_app.jobs import Lane
+from markermend_app.loading import proposed_place
 
 
 class Reporting(QObject):
@@ -32,7 +33,7 @@ class Reporting(QObject):
     def report(self) -> None:
         """Ask where to, write the report and open it."""
         path = self._document.path
-        proposed = str(path.with_name(f"{path.stem}_report.html")) if path else "report.html"
+        proposed = str(proposed_place(path, "_report.html")) if path else "report.html"
         name, _ = QFileDialog.getSaveFileName(
             self._window, self.tr("Report on this review"), proposed, self.tr("HTML (*.html)")
         )

@@ -9,6 +9,8 @@ from PySide6.QtGui import QFileOpenEvent
 from PySide6.QtWidgets import QApplication
 
 from markermend_app.file_open import FileOpener
+from markermend_app.loading import proposed_place
+from markermend_resources import demo_take
 
 
 def test_a_double_clicked_file_is_opened(qapp: QApplication, tmp_path: Path) -> None:
@@ -20,3 +22,8 @@ def test_a_double_clicked_file_is_opened(qapp: QApplication, tmp_path: Path) -> 
 
     qapp.removeEventFilter(opener)
     assert opened == [take]
+
+
+def test_what_is_made_from_the_demo_goes_to_the_users_home_not_to_the_program(tmp_path):
+    assert proposed_place(demo_take(), "_clean.c3d") == Path.home() / "demo_clean.c3d"
+    assert proposed_place(tmp_path / "walk.c3d", "_report.html") == tmp_path / "walk_report.html"

@@ -76,7 +76,7 @@ class Candidates(QFrame):
         else:
             text = self.tr("↑ ↓ choose, F repairs.")
             if c.hopeless:
-                text += " " + self.tr("{0} more have no answer here.").format(c.hopeless)
+                text += " " + self.tr("Without an answer here: {0}.").format(c.hopeless)
             self.said.setText(text)
         self.adjustSize()
         self._place()

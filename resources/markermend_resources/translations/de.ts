@@ -1751,8 +1751,8 @@
         <translation>↑ ↓ wählen, F repariert.</translation>
     </message>
     <message>
-        <source>{0} more have no answer here.</source>
-        <translation>{0} weitere haben hier keine Antwort.</translation>
+        <source>Without an answer here: {0}.</source>
+        <translation>Ohne Antwort hier: {0}.</translation>
     </message>
 </context>
 <context>
