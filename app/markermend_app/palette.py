@@ -174,7 +174,8 @@ class Palette(QDialog):
         self.list.clear()
         muted = theme.current().muted
         for entry in self._shown:
-            item = QListWidgetItem(entry.icon, "", self.list)
+            icon = theme.blank_icon() if entry.icon.isNull() else entry.icon
+            item = QListWidgetItem(icon, "", self.list)
             item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{entry.text} {entry.aside}")
             row = QWidget()
             line = QHBoxLayout(row)

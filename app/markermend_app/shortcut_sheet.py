@@ -113,7 +113,7 @@ class ShortcutSheet(QDialog):
                     had = keys[spec.name]
                     item = self._line(section, tr(spec.text), _either(had))
                     item.setData(0, _NAME, spec.name)
-                    item.setIcon(0, theme.icon(spec.icon))
+                    item.setIcon(0, theme.icon(spec.icon) if spec.icon else theme.blank_icon())
                     if set(had) & set(doubled):
                         item.setForeground(1, theme.current().warning)
         for title, gestures in _gestures():

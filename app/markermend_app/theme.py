@@ -145,6 +145,14 @@ def icon(name: str) -> QIcon:
 
 
 @cache
+def blank_icon() -> QIcon:
+    """Nothing, as large as any icon: it keeps the texts of a list in line."""
+    pixmap = QPixmap(64, 64)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    return QIcon(pixmap)
+
+
+@cache
 def app_icon() -> QIcon:
     """Markermend's own icon, in its own colours."""
     path = _icons() / "markermend.svg"
