@@ -242,3 +242,13 @@ def test_says_what_is_worked_on_before_anything_is_listed(tmp_path, damaged, qtb
     assert queue._hint.text() == "Looking for artifacts…"
     queue.set_doing("")
     assert "D looks for artifacts" in queue._hint.text()
+
+
+def test_a_copy_of_a_review_is_walked_like_its_original(queue, document, damaged, tmp_path):
+    take, _ = damaged
+    (tmp_path / "copy").mkdir()
+    copy = open_session(take, folder=tmp_path / "copy")
+    copy.session.add_detected(document.session.artifacts, "paper")
+    document.open(copy, Mesh(take.labels, ()))
+    document.step(1)
+    assert document.current is not None

@@ -205,6 +205,8 @@ class ReviewQueue(QWidget):
         self._select(chosen)
         self._syncing = False
         bar.setValue(at)
+        # A copy of a review changes no row of the one before, but the document walks anew.
+        self._document.set_queue([a.id for a in self.model.rows])
         self._follow_current(scroll=False)
         self._count()
         self._explain()
