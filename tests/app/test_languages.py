@@ -104,6 +104,8 @@ def test_the_window_speaks_german(german, open_window):
     assert window.docks["queue"].windowTitle() == "Prüfliste"
     texts = {a.text() for a in window.menuBar().actions()}
     assert "&Hilfe" in texts
+    # Open is a verb in the toolbar, and what is not decided in the queue.
+    assert window.queue.status.currentText() == "Offen"
 
 
 class Brackets(QTranslator):

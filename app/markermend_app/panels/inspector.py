@@ -33,7 +33,7 @@ class Inspector(QWidget):
         self.selection.mark_requested.connect(self.mark_requested)
         self.selection.verb_requested.connect(self.verb_requested)
         self._pages = QStackedWidget()
-        self._nothing = hint(self.tr("Open a take to see what there is to say about it."))
+        self._nothing = hint(self.tr("Open a take to see its details here."))
         self._holders = {page: _scrolled(page) for page in self._all()}
         self._pages.addWidget(self._nothing)
         for holder in self._holders.values():

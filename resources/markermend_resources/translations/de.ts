@@ -2034,8 +2034,8 @@
 <context>
     <name>Inspector</name>
     <message>
-        <source>Open a take to see what there is to say about it.</source>
-        <translation>Eine Aufnahme öffnen, um zu sehen, was es darüber zu sagen gibt.</translation>
+        <source>Open a take to see its details here.</source>
+        <translation>Eine Aufnahme öffnen, um hier ihre Einzelheiten zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -2147,7 +2147,7 @@
     </message>
     <message>
         <source>Open</source>
-        <translation>Öffnen</translation>
+        <translation>Offen</translation>
     </message>
     <message>
         <source>Artifacts that are not decided yet, by class</source>
@@ -2576,7 +2576,7 @@
     </message>
     <message>
         <source>Open</source>
-        <translation>Öffnen</translation>
+        <translation>Offen</translation>
     </message>
     <message>
         <source>Accepted</source>
@@ -2633,7 +2633,7 @@
     </message>
     <message>
         <source>Open</source>
-        <translation>Öffnen</translation>
+        <translation>Offen</translation>
     </message>
     <message>
         <source>Accepted, not repaired</source>
