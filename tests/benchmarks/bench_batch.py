@@ -26,6 +26,8 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
+from joblib import Parallel, delayed
+
 import markermend as mm
 from markermend.batch import Recipe, find_takes, run_batch
 from markermend.batch.pool import Message
@@ -47,10 +49,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     with tempfile.TemporaryDirectory() as folder:
         shoot = Path(folder) / "shoot"
         shoot.mkdir()
-        for seed in range(chosen.takes):
-            mm.write(
-                mm.simulate(duration_s=chosen.duration, seed=seed)[0], shoot / f"{seed:03}.c3d"
-            )
+        Parallel(n_jobs=-1)(
+            delayed(make_take)(shoot / f"{seed:03}.c3d", chosen.duration, seed)
+            for seed in range(chosen.takes)
+        )
         print(f"{chosen.takes} takes of {chosen.duration:g} s")  # noqa: T201
         if not chosen.batches_only:
             with told("single-take command, one after the other", chosen.takes):
@@ -74,6 +76,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
             results.append(contents(out))
         print("all results the same bytes:", all(r == results[0] for r in results))  # noqa: T201
     return 0
+
+
+def make_take(path: Path, duration_s: float, seed: int) -> None:
+    """Write a damaged simulated take."""
+    mm.write(mm.simulate(duration_s=duration_s, seed=seed)[0], path)
 
 
 @contextmanager
