@@ -73,7 +73,7 @@ class BatchReview(QObject):
         self._settling.timeout.connect(self._look)
         for lane in (engine, self._ahead):
             lane.finished.connect(lambda: QTimer.singleShot(0, self._go_on))
-        document.artifacts_changed.connect(self._settling.start)
+        document.history_changed.connect(self._settling.start)
         document.opened.connect(self.changed)
         document.current_changed.connect(self._tell_done)
 

@@ -14,14 +14,15 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 from markermend.artifact import Artifact, Kind, Status
-from markermend.edits import Change
+from markermend.edits import Change, extent
 from markermend.errors import DataError, MarkermendError
 from markermend.mesh import Mesh
 from markermend.session import Session
 from markermend.session_file import SessionFile
+from markermend.step import Step
 from markermend_app.looking import Looking
 from markermend_app.preview import Preview
-from markermend_app.walk import open_after
+from markermend_app.walk import about, open_after
 
 AHEAD = 3
 """Artifacts after the current one whose repairs are proposed ahead of time."""
@@ -75,9 +76,8 @@ class Document(Looking):
     @property
     def path(self) -> Path | None:
         """The take's file, or None when nothing is open or it has none."""
-        if self.session is None or self.session.original.source is None:
-            return None
-        return self.session.original.source.path
+        source = None if self.session is None else self.session.original.source
+        return None if source is None else source.path
 
     @property
     def editable(self) -> bool:
@@ -94,14 +94,12 @@ class Document(Looking):
         self._look_at_nothing(0 if file is None else file.session.original.frames)
         self.preview.reset()
         self._repair_when_ready = None
-        self.opened.emit()
-        self.artifacts_changed.emit()
-        self.history_changed.emit()
-        self.current_changed.emit()
-        self.selection_changed.emit()
-        self.proposal_changed.emit()
-        self.shown_changed.emit()
-        self.beside_changed.emit()
+        for signal in (self.opened, self.artifacts_changed, self.history_changed):
+            signal.emit()
+        for signal in (self.current_changed, self.selection_changed, self.proposal_changed):
+            signal.emit()
+        for signal in (self.shown_changed, self.beside_changed):
+            signal.emit()
 
     def learn(self, mesh: Mesh) -> None:
         """Take over the body's structure of the open take."""
@@ -136,15 +134,10 @@ class Document(Looking):
         artifact = self.current
         if artifact is not None:
             self.preview.reset()
-            names = artifact.markers
-            if artifact.marker not in self.shown:
-                self.show(names)
-            elif not set(names) <= set(self.shown):
-                self.show((*self.shown, *names))
             if frame:
-                # With its frames in view, the cursor need not bring itself into view first.
-                self.frame_requested.emit(artifact.start, artifact.stop)
-                self.go_to((artifact.start + artifact.stop) // 2)
+                self.look_at(artifact.markers, artifact.start, artifact.stop)
+            else:
+                self.show_too(artifact.markers)
         self.current_changed.emit()
         self._propose()
 
@@ -278,8 +271,7 @@ class Document(Looking):
             return
         before = {a.id for a in session.artifacts}
         if self.do(lambda s: s.mark(artifact)):
-            new = [a.id for a in session.artifacts if a.id not in before]
-            self.select(new[0], frame=False)
+            self.select(*({a.id for a in session.artifacts} - before), frame=False)
 
     def remove(self, ids: Sequence[str]) -> None:
         """Take artifacts off the list."""
@@ -298,24 +290,37 @@ class Document(Looking):
         self.do(lambda s: s.change(artifact_id, kind=kind, axes=axes, start=start, stop=stop))
 
     def undo(self) -> None:
-        """Take the last step back."""
-        self.do(lambda s: s.undo())
+        """Take the last step back, and go to what it was about."""
+        done = () if self.session is None else self.session.steps[0]
+        if done and self.do(lambda s: s.undo()):
+            self._go_to_step(done[-1])
 
     def redo(self) -> None:
-        """Bring the last undone step back."""
-        self.do(lambda s: s.redo())
+        """Bring the last undone step back, and go to what it is about."""
+        self.travel(0 if self.session is None else len(self.session.history) + 1)
 
     def travel(self, steps_done: int) -> None:
-        """Undo or redo until so many steps are done."""
-        self.do(lambda s: s.travel(steps_done))
+        """Undo or redo until so many steps are done, and go to what the last of them is about."""
+        if self.do(lambda s: s.travel(steps_done)) and self.session is not None:
+            for step in self.session.steps[0][-1:]:
+                self._go_to_step(step)
 
     # Inner workings
+
+    def _go_to_step(self, step: Step) -> None:
+        """Put under review what a step is about, or bring the samples it changed into view."""
+        assert self.session is not None
+        change = extent(step.edit)
+        artifact_id = about(self.session, self.queue, step, self._current)
+        if artifact_id is not None:
+            self.select(artifact_id)
+        elif change.markers:
+            self.look_at(change.markers[:1], change.start, change.stop)
 
     def _decide(self, ids: Sequence[str], status: Status) -> None:
         """Set a status; when the current artifact is among them, move on."""
         following = self._following(self._current, besides=ids)
-        moving = self._current in ids
-        if self.do(lambda s: s.set_status(ids, status)) and moving:
+        if self.do(lambda s: s.set_status(ids, status)) and self._current in ids:
             self._move_on(following)
 
     def _following(self, artifact_id: str | None, besides: Sequence[str] = ()) -> str | None:
@@ -326,11 +331,11 @@ class Document(Looking):
 
     def _move_on(self, artifact_id: str | None) -> None:
         """Select the next artifact, or stay when all are decided."""
-        if artifact_id is not None:
-            self.select(artifact_id)
-        else:
+        if artifact_id is None:
             self.current_changed.emit()
             self._propose()
+        else:
+            self.select(artifact_id)
 
     def do(self, verb: Callable[[Session], Change]) -> bool:
         """Run a verb of the session and tell everyone what changed; whether it could be done."""

@@ -56,10 +56,12 @@ class Glance:
     ----------
     standing : of the whole take
     begun : it was searched, or something was done in it
+    exported : what was decided is in a file
     """
 
     standing: Standing
     begun: bool
+    exported: bool = False
 
     @property
     def left(self) -> int:
@@ -124,7 +126,8 @@ def load_item(item: ToReview, progress: Progress) -> Opened:
 def glance_at(session: Session) -> Glance:
     """Sum a review up."""
     whole = standings(session.original, session.take, session.artifacts, session.notes)[0]
-    return Glance(whole, bool(session.history))
+    exported = session.exported and session.exported_at is not None
+    return Glance(whole, bool(session.history), exported)
 
 
 def glance(item: ToReview, progress: Progress) -> Glance:

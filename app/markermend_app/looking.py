@@ -50,6 +50,18 @@ class Looking(QObject):
             self.shown = shown
             self.shown_changed.emit()
 
+    def show_too(self, markers: Iterable[str]) -> None:
+        """Show these markers, beside the others where the first one is shown already."""
+        wanted = tuple(markers)
+        self.show((*self.shown, *wanted) if wanted[0] in self.shown else wanted)
+
+    def look_at(self, markers: Iterable[str], start: int, stop: int) -> None:
+        """Bring frames of these markers into view, and the cursor into their middle."""
+        self.show_too(markers)
+        # With its frames in view, the cursor need not bring itself into view first.
+        self.frame_requested.emit(start, stop)
+        self.go_to((start + stop) // 2)
+
     def show_beside(self, keys: Iterable[str]) -> None:
         """Show these channels that are no markers below the plots; for context only."""
         beside = tuple(dict.fromkeys(keys))

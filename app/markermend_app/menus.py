@@ -8,11 +8,17 @@ from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QWidget
 
 from markermend_app import shortcuts, theme
+from markermend_app.action import current
 from markermend_app.actions import ACTIONS
 from markermend_app.document import Document
 from markermend_app.words import tr
 
 _SPEC = {spec.name: spec for spec in ACTIONS}
+
+
+def is_about_current(name: str) -> bool:
+    """Whether an action does something to the artifact under review."""
+    return _SPEC[name].enabled is current
 
 
 def build(owner: QWidget, document: Document, run: Callable[[str], None]) -> dict[str, QAction]:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from markermend.artifact import Status
 from markermend.session import Session
+from markermend.step import Step, artifacts_of
 
 
 def open_after(
@@ -28,3 +29,15 @@ def open_after(
         i = order.index(artifact_id)
         order = order[i + 1 :] + order[:i]
     return tuple(i for i in order if i in pending)
+
+
+def about(session: Session, queue: Sequence[str], step: Step, current: str | None) -> str | None:
+    """Id of the artifact that a step is about, or None when none of its artifacts is left.
+
+    Of several it is the one under review, else the first in the order of the queue.
+    """
+    left = [i for i in artifacts_of(step) if session.find(i) is not None]
+    if current in left or not left:
+        return current if left else None
+    listed = set(left)
+    return next((i for i in queue if i in listed), left[0])

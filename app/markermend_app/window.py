@@ -50,6 +50,7 @@ from markermend_app.preferred import Preferred
 from markermend_app.recent_menu import fill_when_shown
 from markermend_app.references import References
 from markermend_app.reporting import Reporting
+from markermend_app.sight import Sight
 from markermend_app.smoothing import Smoothing
 from markermend_app.view_verbs import THEMES, view_verbs, wear
 
@@ -72,6 +73,7 @@ class MainWindow(QMainWindow):
         self.smoothing = Smoothing(self.document, self)
         self.reporting = Reporting(self.document, self.lane, self)
         self.attention = Attention(self.document, self)
+        self.sight = Sight(self.document, self)
         self.setWindowIcon(theme.app_icon())
         self.setAcceptDrops(True)
         self.setDockNestingEnabled(True)
@@ -164,7 +166,7 @@ class MainWindow(QMainWindow):
         self.setCorner(Qt.Corner.BottomLeftCorner, left)
         self.setCorner(Qt.Corner.BottomRightCorner, right)
         self.resizeDocks([self.docks["markers"], self.docks["history"]], [640, 200], _V)
-        self.resizeDocks([self.docks["scene"], self.docks["inspector"]], [430, 430], _V)
+        self.resizeDocks([self.docks["scene"], self.docks["inspector"]], [380, 480], _V)
         self.resizeDocks([self.docks["queue"]], [230], _V)
 
     def _dock(self, name: str, title: str, panel: QWidget, area: Qt.DockWidgetArea) -> QDockWidget:
@@ -216,7 +218,7 @@ class MainWindow(QMainWindow):
 
     def _connect(self) -> None:
         document = self.document
-        for speaker in (document, *self._verbs, self.references):
+        for speaker in (document, *self._verbs, self.references, self.sight):
             speaker.said.connect(self.status.say)
         self.batch.started.connect(self._show_takes)
         choosing = self.actions_by_name["choose_references"]
@@ -233,6 +235,8 @@ class MainWindow(QMainWindow):
         self.inspector.verb_requested.connect(self._run)
         self.trajectories.view_changed.connect(self.overview.set_view)
         self.trajectories.view_changed.connect(self.transport.set_view)
+        self.trajectories.view_changed.connect(self.sight.set_view)
+        self.trajectories.header.follow(self.sight)
         document.opened.connect(self._take_opened)
         document.history_changed.connect(self._retitle)
 
@@ -243,7 +247,9 @@ class MainWindow(QMainWindow):
         return name in self._own or any(hasattr(verbs, name) for verbs in self._verbs)
 
     def _run(self, name: str) -> None:
-        """Do what an action names: a verb of the window, else of those that have it."""
+        """Do what an action names, but nothing to an artifact that is out of sight."""
+        if menus.is_about_current(name) and self.sight.bring_back():
+            return
         verb = self._own.get(name)
         if verb is None:
             verb = next(getattr(verbs, name) for verbs in self._verbs if hasattr(verbs, name))

@@ -330,9 +330,15 @@ class Session:
         last = self._done[-1] if self._done else None
         return last is self._clean_at or not any(decides(s) for s in self._done)
 
-    def mark_exported(self) -> None:
-        """Remember that what stands now is in a file."""
-        self._clean_at = self._done[-1] if self._done else None
+    @property
+    def exported_at(self) -> int | None:
+        """How many steps were done when it was exported last; None if that state is gone."""
+        return next((i + 1 for i, s in enumerate(self._done) if s is self._clean_at), None)
+
+    def mark_exported(self, steps_done: int | None = None) -> None:
+        """Remember that what stands now is in a file, or what stood after so many steps."""
+        done = self._done if steps_done is None else self._done[:steps_done]
+        self._clean_at = done[-1] if done else None
 
     @property
     def steps(self) -> tuple[tuple[Step, ...], tuple[Step, ...]]:

@@ -86,6 +86,7 @@ class SessionFile:
             "artifacts": [to_dict(a) for a in self.session.artifacts],
             "done": [step_to_dict(s) for s in done],
             "undone": [step_to_dict(s) for s in undone],
+            "exported": self.session.exported_at,
         }
         part = self.path.with_name(self.path.name + ".part")
         try:
@@ -337,6 +338,8 @@ def _replay_document(session: Session, document: Mapping[str, Any]) -> None:
         session.perform(*step)
     for _ in undone:
         session.undo()
+    if document.get("exported") is not None:
+        session.mark_exported(int(document["exported"]))
 
 
 def _replay_journal(session: Session, text: bytes, generation: int, digest: str) -> int:

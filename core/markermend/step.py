@@ -38,16 +38,19 @@ def parts(edit: Edit, *kinds: type) -> list[Edit]:
     return [edit] if isinstance(edit, kinds) else []
 
 
-def touched_by_hand(steps: Iterable[Step]) -> set[str]:
-    """Ids of artifacts that the operator marked, changed or decided about in these steps."""
-    return {
+def artifacts_of(step: Step) -> tuple[str, ...]:
+    """Ids of the artifacts that a step adds, changes or removes."""
+    return tuple(
         i
-        for step in steps
-        if decides(step)
         for part in parts(step.edit, SetArtifacts)
         if isinstance(part, SetArtifacts)
         for i in part.changes
-    }
+    )
+
+
+def touched_by_hand(steps: Iterable[Step]) -> set[str]:
+    """Ids of artifacts that the operator marked, changed or decided about in these steps."""
+    return {i for step in steps if decides(step) for i in artifacts_of(step)}
 
 
 def same_finding(new: Artifact, decided: Artifact) -> bool:

@@ -10,7 +10,7 @@ import markermend as mm
 from markermend.artifact import Status
 from markermend.batch import Recipe, find_takes, run_batch
 from markermend.session_file import open_session
-from markermend_app import settings
+from markermend_app import export_dialog, settings
 
 WAIT = 60_000
 
@@ -104,6 +104,22 @@ def test_the_list_tells_how_each_take_stands(window, shoot, qtbot):
     assert told[1] == f"0/{total} · {100 * missing:.1f} % missing"
     assert told[2] == f"not searched · {100 * missing:.1f} % missing"
     assert [row.share for row in model.rows] == [1 / total, 0.0, None]
+
+
+def test_what_is_exported_is_marked_also_when_it_is_listed_again(window, shoot, qtbot, tmp_path):
+    batch, document = window.batch, window.document
+    model = window.docks["takes"].widget().model
+    batch.start([shoot])
+    settled(window, qtbot)
+    document.reject([a.id for a in document.session.artifacts])
+    choice = export_dialog.ExportChoice(record=True, mark_outputs=False)
+    assert window.commands._exporter.export_to(tmp_path / "out.c3d", choice, wait=True)
+    qtbot.waitUntil(lambda: model.rows[0].facts().startswith("exported"), timeout=WAIT)
+    document.open(None, None)
+    batch.start([shoot])
+    settled(window, qtbot)
+    assert [row.facts().startswith("exported") for row in model.rows] == [True, False, False]
+    qtbot.waitUntil(lambda: model.rows[0].glance.exported)
 
 
 def test_what_is_done_is_passed_over_and_the_key_is_told(window, shoot, qtbot):

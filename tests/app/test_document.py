@@ -145,3 +145,35 @@ def test_accepting_leaves_repaired_samples_repaired(document, qtbot):
         document.accept([peak.id])
     assert "repaired already" in str(told.args[0])
     assert document.session.positions.tobytes() == mended.tobytes()
+
+
+def test_undo_and_redo_go_to_the_artifact_they_are_about(document, qtbot):
+    gap, peak, noise, _ = document.session.artifacts
+    document.accept([gap.id])
+    document.reject([peak.id])
+    document.select(noise.id)
+    document.undo()
+    assert (document.current.id, document.shown) == (peak.id, (peak.marker,))
+    with qtbot.waitSignal(document.frame_requested) as asked:
+        document.undo()
+    assert asked.args == [gap.start, gap.stop]
+    assert document.current.id == gap.id
+    document.redo()
+    document.redo()
+    assert document.current.id == peak.id
+    document.travel(2)
+    assert document.current.id == gap.id
+
+
+def test_undoing_a_step_on_samples_alone_shows_them(document):
+    from markermend import hand
+
+    peak = of(document, Kind.PEAK)
+    document.select(peak.id)
+    values = document.session.positions[20:30, 3:4].copy()
+    origin = document.session.origin[20:30, 3:4].copy()
+    document.do(lambda s: hand.replace_samples(s, "Smooth", ["T10"], 20, values, origin))
+    document.undo()
+    assert document.shown == ("T10",)
+    assert document.frame == 25
+    assert document.current.id == peak.id

@@ -14,7 +14,7 @@ from markermend.priority import badness
 from markermend.session_file import open_session
 from markermend.take import Take
 from markermend_app.document import Document
-from markermend_app.panels.queue_model import FRAMES, KIND, MARKER, REPAIR, STATUS
+from markermend_app.panels.queue_model import FRAMES, KIND, MARKER, REPAIR, STATUS, WHY
 from markermend_app.panels.review_queue import ReviewQueue
 
 
@@ -67,6 +67,27 @@ def test_header_click_sorts_and_the_walk_follows(qtbot, queue, document):
     assert markers(queue) == ["LWRA", "C7", "LELB", "CLAV"]
     assert document.queue == tuple(a.id for a in queue.model.rows)
     assert queue.model.index(3, FRAMES).data() == "161–190"
+
+
+def test_columns_fit_at_every_width_and_what_has_no_room_is_in_the_tooltip(queue, qtbot):
+    bar = queue.view.horizontalScrollBar()
+    for width in (1500, 780, 560):
+        queue.resize(width, 300)
+        qtbot.waitUntil(lambda: queue.view.width() > queue.width() - 20 and not bar.maximum())
+        assert queue.view.columnWidth(WHY) >= 200
+    assert queue.view.isColumnHidden(FRAMES)
+    tip = queue.model.index(0, WHY).data(Qt.ItemDataRole.ToolTipRole)
+    assert "frames 161–190" in tip
+    assert "30 f, 300 ms" in tip
+    queue.resize(1500, 300)
+    qtbot.waitUntil(lambda: not queue.view.isColumnHidden(FRAMES))
+
+
+def test_a_second_click_on_the_row_brings_its_marker_back(qtbot, queue, document):
+    click(qtbot, queue, 0)
+    document.show(["T10"])
+    click(qtbot, queue, 0)
+    assert document.shown == (document.current.marker,)
 
 
 def test_click_puts_an_artifact_under_review(qtbot, queue, document):

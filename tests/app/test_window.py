@@ -266,6 +266,29 @@ def test_f_without_a_repair_says_so_aside(reviewed, qtbot, monkeypatch):
     assert "cannot be repaired" in said.args[0]
 
 
+def test_keys_decide_about_nothing_that_is_out_of_sight(reviewed, qtbot):
+    document, back = reviewed.document, reviewed.trajectories.header.back
+    artifact = document.current
+    assert not back.isVisible()
+    away = next(m for m in document.session.original.labels if m != artifact.marker)
+    document.show([away])
+    assert back.isVisible()
+    for key in (Qt.Key.Key_R, Qt.Key.Key_A, Qt.Key.Key_F):
+        document.show([away])
+        qtbot.keyClick(reviewed, key)
+        assert document.session.artifact(artifact.id).status is Status.PENDING
+        assert document.shown == (artifact.marker,)
+        assert not back.isVisible()
+    reviewed.trajectories.set_view(artifact.stop + 20, artifact.stop + 60)
+    assert back.isVisible()
+    qtbot.mouseClick(back, Qt.MouseButton.LeftButton)
+    low, high = reviewed.trajectories._view
+    assert low < artifact.start
+    assert artifact.stop < high
+    qtbot.keyClick(reviewed, Qt.Key.Key_R)
+    assert document.session.artifact(artifact.id).status is Status.REJECTED
+
+
 def test_undo_and_redo_say_what_they_did(reviewed, qtbot):
     key(qtbot, reviewed, Qt.Key.Key_A)
     step = reviewed.document.session.history[-1]

@@ -375,3 +375,24 @@ def test_a_swap_of_three_is_kept_exported_and_taken_back(tmp_path):
     again.session.set_status([swap.id], Status.PENDING)
     assert np.array_equal(again.session.positions, take.positions)
     again.close()
+
+
+def test_what_was_exported_is_known_when_the_review_is_opened_again(tmp_path):
+    take = make_take()
+    first = open_session(take, folder=tmp_path)
+    a = artifact()
+    first.session.add_detected([a], "paper")
+    first.session.set_status([a.id], Status.REJECTED)
+    first.session.mark_exported()
+    first.save()
+    first.close()
+    again = open_session(take, folder=tmp_path)
+    assert again.session.exported_at == 2
+    again.session.set_status([a.id], Status.ACCEPTED)
+    assert not again.session.exported
+    again.close()
+    later = open_session(take, folder=tmp_path)
+    assert not later.session.exported
+    later.session.undo()
+    assert later.session.exported
+    later.close()

@@ -101,17 +101,17 @@ class ArtifactPage(QWidget):
         form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
         form.addRow(self.tr("Class"), axes)
         form.addRow(self.tr("Frames"), edges)
-        form.addRow(self.tr("Size"), self.extent)
-        form.addRow(self.tr("Sure"), sure)
-        form.addRow(self.tr("Why"), self.why)
         form.addRow(self.tr("Note"), self.note)
+        # From the top what is read before every decision; what is seldom changed comes last.
         column = QVBoxLayout(self)
         column.setContentsMargins(12, 8, 12, 8)
-        column.setSpacing(8)
-        column.addWidget(self.title)
-        column.addWidget(self.status)
-        column.addLayout(form)
+        column.setSpacing(4)
+        for widget in (self.title, self.status, self.why, self.extent):
+            column.addWidget(widget)
+        column.addLayout(sure)
         column.addWidget(self.methods)
+        column.addSpacing(8)
+        column.addLayout(form)
         column.addStretch(1)
         document.current_changed.connect(self._refresh)
         theme.watcher.changed.connect(self._recolour)
@@ -142,13 +142,10 @@ class ArtifactPage(QWidget):
                 field.setRange(low, high)
                 field.setValue(value)
             field.setEnabled(editable)
-        length = self.tr("1 frame") if a.length == 1 else self.tr("{0} frames").format(a.length)
-        seconds = a.length / take.rate
-        short = self.tr(", {0:.0f} ms").format(1000 * seconds)
-        length += short if seconds < 1 else self.tr(", {0:.2f} s").format(seconds)
-        if math.isfinite(a.amplitude_mm):
-            length += ", " + units.length(a.amplitude_mm)
-        self.extent.setText(length)
+        span = f"{a.start + first}–{a.stop - 1 + first}" if a.length > 1 else f"{a.start + first}"
+        extent = self.tr("Frames {0}") if a.length > 1 else self.tr("Frame {0}")
+        size = f", {units.length(a.amplitude_mm)}" if math.isfinite(a.amplitude_mm) else ""
+        self.extent.setText(extent.format(span) + size)
         # A bar paints itself, and all behind it, at once unless it is kept from it.
         self.confidence.setUpdatesEnabled(False)
         self.confidence.setValue(round(100 * a.confidence))

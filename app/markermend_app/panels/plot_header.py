@@ -9,7 +9,9 @@ from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
 from markermend_app import theme
+from markermend_app.panels.badge import kind_icon
 from markermend_app.panels.naming import short_names
+from markermend_app.sight import Sight
 
 _MOST, _GAP = 6, 4
 
@@ -27,6 +29,7 @@ class PlotHeader(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._markers: tuple[str, ...] = ()
+        self._sight: Sight | None = None
         self.legend = Legend()
         self.legend.chosen.connect(self.chosen)
         self.readout = QLabel()
@@ -43,6 +46,13 @@ class PlotHeader(QWidget):
         self.plots.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.plots.setToolTip(self.tr("Choose what the plots show"))
         layout.addWidget(self.plots)
+        self.back = QToolButton()
+        self.back.setObjectName("back")
+        self.back.setAccessibleName(self.tr("Back to the artifact under review"))
+        self.back.setIconSize(QSize(16, 16))
+        self.back.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.back.hide()
+        layout.addWidget(self.back)
         layout.addWidget(self.legend, 1)
         layout.addWidget(self.readout)
         theme.watcher.changed.connect(self._restyle)
@@ -57,6 +67,24 @@ class PlotHeader(QWidget):
         """Read nothing out."""
         self.readout.hide()
 
+    def follow(self, sight: Sight) -> None:
+        """Offer the way back to the artifact under review while it is out of sight."""
+        self._sight = sight
+        self.back.clicked.connect(sight.bring_back)
+        sight.changed.connect(self._offer_back)
+
+    def _offer_back(self) -> None:
+        lost = None if self._sight is None else self._sight.lost
+        self.back.setVisible(lost is not None)
+        if lost is not None:
+            kind = theme.kind_name(lost.kind, within=True)
+            self.back.setIcon(kind_icon(lost.kind))
+            self.back.setText(
+                self.tr("Back to {0}").format(short_names([lost.marker])[lost.marker])
+            )
+            text = self.tr("Under review, but out of sight: {0} on {1}").format(kind, lost.marker)
+            self.back.setToolTip(text)
+
     def show_markers(self, markers: Sequence[str]) -> None:
         """List these markers, each in its colour, the foremost first."""
         self._markers = tuple(markers)
@@ -65,6 +93,7 @@ class PlotHeader(QWidget):
     def _restyle(self) -> None:
         """Take over the theme's colours."""
         self.plots.setIcon(theme.icon("curves"))
+        self._offer_back()
         self.show_markers(self._markers)
 
 

@@ -21,6 +21,7 @@ from markermend.edits import RepairNote
 from markermend.priority import badness
 from markermend.take import Take
 from markermend_app import theme, units
+from markermend_app.panels.artifact_text import describe
 from markermend_app.panels.badge import dot_icon
 from markermend_app.panels.naming import short_names
 from markermend_app.words import tr
@@ -210,7 +211,7 @@ class QueueModel(QAbstractTableModel):
         if role == ARTIFACT:
             return a
         if role == Qt.ItemDataRole.ToolTipRole:
-            return {LENGTH: describe_length(a, self.rate), MARKER: a.marker}.get(column, a.why)
+            return None if self._take is None else self._tip(self._take, a)
         if role == Qt.ItemDataRole.TextAlignmentRole:
             side = Qt.AlignmentFlag.AlignRight if column in RIGHT else Qt.AlignmentFlag.AlignLeft
             return side | Qt.AlignmentFlag.AlignVCenter
@@ -240,6 +241,13 @@ class QueueModel(QAbstractTableModel):
             REPAIR: lambda: self._repair_text(a),
             WHY: lambda: f"✎ {a.note} – {a.why}" if a.note else a.why,
         }[column]()
+
+    def _tip(self, take: Take, a: Artifact) -> str:
+        """All that is known, since not every column has room."""
+        lines = [describe(take, a), describe_length(a, self.rate)]
+        if math.isfinite(a.amplitude_mm):
+            lines[1] += f", {units.length(a.amplitude_mm)}"
+        return "\n".join([*lines, *filter(None, [a.note])])
 
     def _marker_text(self, a: Artifact) -> str:
         """The marker, and those it changes places with."""

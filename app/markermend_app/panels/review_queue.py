@@ -25,16 +25,25 @@ from markermend_app.menus import entry
 from markermend_app.panels.badge import hint, kind_icon
 from markermend_app.panels.filter_line import FilterLine
 from markermend_app.panels.queue_model import (
+    AXES,
     COLUMNS,
+    FRAMES,
+    LENGTH,
     REPAIR,
+    SIZE,
     STATUS,
+    TIME,
+    WHY,
     QueueModel,
     Wanted,
     count_decided,
 )
 from markermend_app.panels.queue_view import QueueView
 
-_WIDTHS = (76, 92, 112, 54, 92, 68, 68, 84, 100, 180, 60)
+_WIDTHS = (70, 94, 100, 54, 88, 66, 60, 72, 92, 180, 60)
+_SPARED = (TIME, LENGTH, AXES, SIZE, FRAMES)
+"""Columns that are left out one after the other where room is scarce; tooltips tell them."""
+_WHY_LEAST = 220
 _ROOMY = 680
 _OPEN = frozenset({Status.PENDING})
 _DECIDED = frozenset({Status.ACCEPTED, Status.REJECTED, Status.REPAIRED})
@@ -62,8 +71,10 @@ class ReviewQueue(QWidget):
         self.view.setModel(self.model)
         self.view.setSortingEnabled(True)
         self.view.sortByColumn(STATUS, Qt.SortOrder.AscendingOrder)
+        self._widths = list(_WIDTHS)
         for column, width in enumerate(_WIDTHS):
             self.view.setColumnWidth(column, width)
+        self.view.horizontalHeader().sectionResized.connect(self._remember_width)
 
         self._hint = hint("")
         self._pages = QStackedWidget()
@@ -87,7 +98,6 @@ class ReviewQueue(QWidget):
         document.current_changed.connect(self._follow_current)
         theme.watcher.changed.connect(self._recolour)
         self._recolour()
-        self._hide_repairs()
         self._filter()
         self._refresh()
 
@@ -136,6 +146,7 @@ class ReviewQueue(QWidget):
         """Leave the progress to the status line, which says it too, where room is scarce."""
         super().resizeEvent(event)
         self.progress.setVisible(self.width() >= _ROOMY)
+        self._fit_columns()
 
     # Verbs on the selected rows
 
@@ -232,14 +243,26 @@ class ReviewQueue(QWidget):
             )
         )
         self._syncing = False
-        self._hide_repairs()
+        self._fit_columns()
         self._follow_current()
         self._explain()
 
-    def _hide_repairs(self) -> None:
-        """Have the column of repairs only where something repaired can be listed."""
+    def _fit_columns(self) -> None:
+        """Leave room for the reasons; repairs are listed only where something repaired can be."""
         statuses = self.status.currentData()
-        self.view.setColumnHidden(REPAIR, bool(statuses) and Status.REPAIRED not in statuses)
+        hidden = {REPAIR} if statuses and Status.REPAIRED not in statuses else set()
+        room = self.width() - self.view.verticalScrollBar().sizeHint().width() - _WHY_LEAST
+        for column in _SPARED:
+            if sum(w for c, w in enumerate(self._widths[:WHY]) if c not in hidden) <= room:
+                break
+            hidden.add(column)
+        for column in range(WHY):
+            self.view.setColumnHidden(column, column in hidden)
+
+    def _remember_width(self, column: int, _: int, width: int) -> None:
+        """Remember how wide a column is while it is left out, too."""
+        if width and column != WHY:
+            self._widths[column] = width
 
     def _order_changed(self) -> None:
         """Tell the document in which order artifacts are walked."""
@@ -285,7 +308,8 @@ class ReviewQueue(QWidget):
     def _clicked(self, index: QModelIndex) -> None:
         """Bring the artifact into view again when its row is clicked again."""
         a = self.model.rows[index.row()]
-        self._document.frame_requested.emit(a.start, a.stop)
+        if a == self._document.current:
+            self._document.look_at(a.markers, a.start, a.stop)
 
     def _count(self) -> None:
         """Say how far the review is."""

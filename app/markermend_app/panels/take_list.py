@@ -74,18 +74,21 @@ class Row:
             return "…"
         s = self.glance.standing
         total = self.glance.decided + self.glance.left
+        counted = f"{self.glance.decided}/{total}" if self.glance.begun else tr("not searched")
         facts = [
-            f"{self.glance.decided}/{total}" if self.glance.begun else tr("not searched"),
+            tr("exported") if self.glance.exported else counted,
             tr("{0:.1f} % missing").format(100 * s.gap_now),
         ]
         if s.worst_mm is not None:
-            facts.append(tr("worst {0}").format(units.length(s.worst_mm)))
+            facts.append(f"± {units.length(s.worst_mm)}")
         return " · ".join(facts)
 
     def icon(self) -> QIcon:
-        """Done, ready to be opened, neither, or not to be opened at all."""
+        """Exported, done, ready to be opened, neither, or not to be opened at all."""
         if self.problem:
             return theme.icon("warning")
+        if self.glance is not None and self.glance.exported:
+            return theme.icon("export")
         if self.glance is not None and self.glance.done:
             return theme.icon("accept")
         t = theme.current()
@@ -103,12 +106,17 @@ class Row:
                     s.gap_now, s.gap_before, s.mended
                 )
             )
+            if s.worst_mm is not None:
+                worst = units.length(s.worst_mm)
+                lines.append(tr("Largest expected error of a repair: {0}").format(worst))
             lines += [
                 tr("{0}: {1} open, {2} decided").format(
                     theme.kind_name(kind), s.open.get(kind, 0), s.decided.get(kind, 0)
                 )
                 for kind in {**s.open, **s.decided}
             ]
+        if self.glance is not None and self.glance.exported:
+            lines.append(tr("Exported as it stands."))
         if self.ready:
             lines.append(tr("Made ready: it opens at once."))
         return "\n".join(lines)

@@ -1468,20 +1468,28 @@
         <translation>nicht durchsucht</translation>
     </message>
     <message>
-        <source>{0:.1f} % missing</source>
-        <translation>{0:.1f} % fehlen</translation>
+        <source>exported</source>
+        <translation>exportiert</translation>
     </message>
     <message>
-        <source>worst {0}</source>
-        <translation>größter {0}</translation>
+        <source>{0:.1f} % missing</source>
+        <translation>{0:.1f} % fehlen</translation>
     </message>
     <message>
         <source>Missing {0:.2%}, in the file {1:.2%}; mended {2:.2%}</source>
         <translation>Fehlend {0:.2%}, in der Datei {1:.2%}; ausgebessert {2:.2%}</translation>
     </message>
     <message>
+        <source>Largest expected error of a repair: {0}</source>
+        <translation>Größter erwarteter Fehler einer Reparatur: {0}</translation>
+    </message>
+    <message>
         <source>{0}: {1} open, {2} decided</source>
         <translation>{0}: {1} offen, {2} entschieden</translation>
+    </message>
+    <message>
+        <source>Exported as it stands.</source>
+        <translation>So exportiert, wie er steht.</translation>
     </message>
     <message>
         <source>Made ready: it opens at once.</source>
@@ -1602,36 +1610,16 @@
         <translation>Frames</translation>
     </message>
     <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>Sure</source>
-        <translation>Sicher</translation>
-    </message>
-    <message>
-        <source>Why</source>
-        <translation>Warum</translation>
-    </message>
-    <message>
         <source>Note</source>
         <translation>Notiz</translation>
     </message>
     <message>
-        <source>1 frame</source>
-        <translation>1 Frame</translation>
+        <source>Frames {0}</source>
+        <translation>Frames {0}</translation>
     </message>
     <message>
-        <source>{0} frames</source>
-        <translation>{0} Frames</translation>
-    </message>
-    <message>
-        <source>, {0:.0f} ms</source>
-        <translation>, {0:.0f} ms</translation>
-    </message>
-    <message>
-        <source>, {0:.2f} s</source>
-        <translation>, {0:.2f} s</translation>
+        <source>Frame {0}</source>
+        <translation>Frame {0}</translation>
     </message>
     <message>
         <source>No reason was given.</source>
@@ -2353,6 +2341,18 @@
         <source>Choose what the plots show</source>
         <translation>Wählen, was die Kurven zeigen</translation>
     </message>
+    <message>
+        <source>Back to the artifact under review</source>
+        <translation>Zurück zum Artefakt in Durchsicht</translation>
+    </message>
+    <message>
+        <source>Back to {0}</source>
+        <translation>Zurück zu {0}</translation>
+    </message>
+    <message>
+        <source>Under review, but out of sight: {0} on {1}</source>
+        <translation>In Durchsicht, aber nicht zu sehen: {0} an {1}</translation>
+    </message>
 </context>
 <context>
     <name>Preferences</name>
@@ -2846,6 +2846,13 @@
     <message>
         <source>{0} belongs to “{1}”, which would lose it.</source>
         <translation>{0} gehört „{1}“, das sie verlöre.</translation>
+    </message>
+</context>
+<context>
+    <name>Sight</name>
+    <message>
+        <source>{0} on {1} is under review, but was out of sight. Press again to decide.</source>
+        <translation>{0} an {1} ist in Durchsicht, war aber nicht zu sehen. Zum Entscheiden noch einmal drücken.</translation>
     </message>
 </context>
 <context>

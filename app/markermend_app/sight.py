@@ -1,0 +1,53 @@
+"""Whether the artifact under review can be seen: no key may decide about one that cannot."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject, Signal
+
+from markermend.artifact import Artifact
+from markermend_app import theme
+from markermend_app.document import Document
+
+
+class Sight(QObject):
+    """Follows what the plots show, and brings the artifact under review back into them.
+
+    Signals
+    -------
+    changed() : the artifact under review came into sight, left it, or is another one
+    said(str) : a sentence for the status bar
+    """
+
+    changed = Signal()
+    said = Signal(str)
+
+    def __init__(self, document: Document, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._view = (0.0, 0.0)
+        document.current_changed.connect(self.changed)
+        document.shown_changed.connect(self.changed)
+
+    def set_view(self, start: float, stop: float) -> None:
+        """Be told which frames the plots show."""
+        before, self._view = self.lost, (start, stop)
+        if self.lost != before:
+            self.changed.emit()
+
+    @property
+    def lost(self) -> Artifact | None:
+        """The artifact under review if its marker or its frames are not in view, else None."""
+        a, (start, stop) = self._document.current, self._view
+        if a is None or (a.marker in self._document.shown and a.start < stop and a.stop > start):
+            return None
+        return a
+
+    def bring_back(self) -> bool:
+        """Look at the artifact under review again if it is out of sight; whether it was."""
+        lost = self.lost
+        if lost is None:
+            return False
+        self._document.look_at(lost.markers, lost.start, lost.stop)
+        text = self.tr("{0} on {1} is under review, but was out of sight. Press again to decide.")
+        self.said.emit(text.format(theme.kind_name(lost.kind), lost.marker))
+        return True
