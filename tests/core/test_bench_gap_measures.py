@@ -9,10 +9,18 @@ from markermend.bench.gap_measures import figures, half_sample_mode, measure, me
 from markermend.bench.gaps import GapCase, GapResult
 
 
-def result(length: int, errors: tuple[float, ...], method: str = "linear") -> GapResult:
-    case = GapCase("take", "p", length, (), {})
+def result(
+    length: int,
+    errors: tuple[float, ...],
+    method: str = "linear",
+    *,
+    weights: int = 0,
+    take: str = "take",
+) -> GapResult:
+    case = GapCase(take, "p", length, (), {})
     samples = (3 * length,) * len(errors)
-    return GapResult(case, method, 1.0, 1.0, 1.0, 1.0, 0.0, errors, samples)
+    learnt = (weights,) * len(errors)
+    return GapResult(case, method, 1.0, 1.0, 1.0, 1.0, 0.0, errors, samples, learnt)
 
 
 def test_measures_are_those_of_the_single_gaps() -> None:
@@ -26,13 +34,24 @@ def test_measures_are_those_of_the_single_gaps() -> None:
 
 
 def test_criteria_punish_parameters_and_are_empty_where_their_number_is_unknown() -> None:
-    (m,) = measure([result(10, (1.0, 2.0), "net")], {"net": 7})
+    (m,) = measure([result(10, (1.0, 2.0), "net", weights=7)])
     fit = 60 * np.log(2.5)
     assert m.aic == pytest.approx(fit + 14)
     assert m.bic == pytest.approx(fit + 7 * np.log(60))
     (unknown,) = measure([result(10, (1.0,), "auto")])
     assert np.isnan(unknown.aic)
     assert "–" in measures_table([unknown])[1]
+
+
+def test_takes_can_be_measured_one_by_one() -> None:
+    some = [result(10, (1.0, 2.0), take="a"), result(10, (5.0,), take="b")]
+    assert [(m.take, m.gaps, m.mean_mm) for m in measure(some, by_take=True)] == [
+        ("a", 2, 1.5),
+        ("b", 1, 5.0),
+    ]
+    (together,) = measure(some)
+    assert (together.take, together.gaps) == ("", 3)
+    assert measures_table(measure(some, by_take=True))[1].startswith("a ")
 
 
 def test_mode_lies_where_values_are_densest() -> None:

@@ -8,9 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from markermend.bench.gaps import PROTOCOLS, draw_cases, read_cases, replay, summarise
+from markermend.bench.gap_protocols import PROTOCOLS, draw_cases, named_methods
+from markermend.bench.gaps import read_cases, replay, summarise
 from markermend.bench.gaps_text import gaps_csv, gaps_table
-from markermend.errors import DataError, FileFormatError
+from markermend.errors import Cancelled, DataError, FileFormatError, MethodError
+from markermend.repairs import REPAIRS
 from markermend.take import Take
 
 
@@ -72,10 +74,53 @@ def test_drawn_cases_repeat_by_seed_and_fit_the_take(protocol: str) -> None:
             assert 0 < start < stop < take.frames
     counts = {len(c.gaps) for c in cases}
     wanted = {
-        "skurowski2021": {2}, "tits2018": {3}, "tits2018-count": {1, 3, 6}, "single": {1},
-        "blackout": {take.markers},
+        "skurowski2021": {2}, "tits2018": {3}, "tits2018-duration": {3},
+        "tits2018-count": {1, 3, 6}, "single": {1}, "blackout": {take.markers},
     }  # fmt: skip
     assert counts == wanted[protocol]
+
+
+def test_only_a_fragment_is_used_where_durations_are_compared() -> None:
+    t = np.arange(1500.0)[:, None, None]
+    take = Take(t * np.ones((1, 4, 3)) + np.arange(4.0)[:, None], tuple("ABCD"), 100.0)
+    cases = draw_cases({"t": take}, "tits2018-duration", simulations=2, seed=0)
+    assert [c.within and c.within[1] - c.within[0] for c in cases] == [500, 500, 1000, 1000]
+    for case in cases:
+        assert case.within is not None
+        for _, start, stop in case.gaps:
+            assert case.within[0] < start < stop < case.within[1]
+    assert all(r.error_mm < 1e-9 for r in replay(cases, {"t": take}, ["linear"]))
+
+
+def test_a_paper_stands_for_all_that_it_compares() -> None:
+    names = named_methods(["skurowski2021", "pma", "linear", "tits2018"])
+    assert len(names) == len(set(names)) == 10 + 9
+    assert {"lstm", "gru", "bilstm", "ffnn_lin", "bolero", "pma_no_pca"} <= set(names)
+    assert set(names) <= set(REPAIRS)
+
+
+def test_results_do_not_depend_on_the_number_of_processes(ramps: Take) -> None:
+    cases = draw_cases({"t": ramps}, "skurowski2021", simulations=2, seed=0)
+    one = replay(cases, {"t": ramps}, ["pchip", "spline"])
+    two = replay(cases, {"t": ramps}, ["pchip", "spline"], n_jobs=2)
+    assert [(r.case, r.method, r.gap_rmse_mm) for r in one] == [
+        (r.case, r.method, r.gap_rmse_mm) for r in two
+    ]
+
+
+def test_replaying_can_be_cancelled(ramps: Take) -> None:
+    def stop(share: float, what: str) -> None:
+        raise Cancelled
+
+    cases = draw_cases({"t": ramps}, "skurowski2021", simulations=2, seed=0)
+    with pytest.raises(Cancelled):
+        replay(cases, {"t": ramps}, ["pchip"], progress=stop)
+
+
+def test_parameters_reach_the_method_they_are_for(ramps: Take) -> None:
+    cases = draw_cases({"t": ramps}, "skurowski2021", simulations=1, seed=0)
+    with pytest.raises(MethodError, match="no parameter"):
+        replay(cases, {"t": ramps}, ["pchip"], params={"pchip": {"nonsense": 1}})
 
 
 def test_in_a_blackout_nothing_is_seen(ramps: Take) -> None:

@@ -6,14 +6,18 @@ The paper's mode has no definition for numbers that never repeat; here it is the
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from markermend.arrays import FloatArray
+from markermend.bench.criteria import aic, bic
 from markermend.bench.gaps import GapResult
 from markermend.bench.svg import chart
+
+INTERPOLATIONS = ("linear", "spline", "pchip", "makima", "li")
+"""Methods that learn nothing."""
 
 
 @dataclass(frozen=True)
@@ -22,14 +26,16 @@ class GapMeasures:
 
     Attributes
     ----------
+    take : name, empty for all takes together
     protocol, length, method : what is summed up
     gaps : how many were filled
     rmse_mm : root mean square over all samples and coordinates (15)
     mean_mm, median_mm, mode_mm, std_mm, iqr_mm : of the single gaps' root mean squares (16)
-    aic, bic : information criteria (18), (17) with MSE in mm²; NaN where the method's number of
-        tunable parameters is not given
+    aic, bic : information criteria (18), (17) with MSE in mm²; NaN where the method does not say
+        how many numbers it learnt
     """
 
+    take: str
     protocol: str
     length: int
     method: str
@@ -44,40 +50,36 @@ class GapMeasures:
     bic: float
 
 
-def measure(
-    results: Sequence[GapResult], tunable: Mapping[str, int] | None = None
-) -> tuple[GapMeasures, ...]:
+def measure(results: Sequence[GapResult], *, by_take: bool = False) -> tuple[GapMeasures, ...]:
     """Sum up replayed gaps as the paper does.
 
     Parameters
     ----------
     results : of :func:`markermend.bench.gaps.replay`
-    tunable : number of tunable parameters by method, for the information criteria; interpolations
-        have none
+    by_take : each take for itself, as the paper has it
 
     Returns
     -------
-    One for each protocol, length and method that filled a gap
+    One for each (take,) protocol, length and method that filled a gap
     """
-    known = dict.fromkeys(("linear", "spline", "pchip", "makima"), 0) | dict(tunable or {})
-    keys = dict.fromkeys((r.case.protocol, r.case.length, r.method) for r in results)
+    groups: dict[tuple[str, str, int, str], list[GapResult]] = {}
+    for r in results:
+        key = (r.case.take if by_take else "", r.case.protocol, r.case.length, r.method)
+        groups.setdefault(key, []).append(r)
     made = []
-    for protocol, length, method in sorted(keys):
-        some = [
-            r
-            for r in results
-            if (r.case.protocol, r.case.length, r.method) == (protocol, length, method)
-        ]
+    for (take, protocol, length, method), some in sorted(groups.items()):
         each = np.array([v for r in some for v in r.gap_rmse_mm])
-        count = np.array([n for r in some for n in r.gap_samples], dtype=np.float64)
         if len(each) == 0:
             continue
-        mse, n = float(np.average(each**2, weights=count)), float(count.sum())
+        count = np.array([n for r in some for n in r.gap_samples])
+        learnt = [n for r in some for n in r.gap_weights]
+        mse, n = float(np.average(each**2, weights=count)), int(count.sum())
+        told = any(learnt) or method in INTERPOLATIONS
+        weights = float(np.mean(learnt)) if learnt and told else 0.0 if told else float("nan")
         low, middle, high = np.quantile(each, [0.25, 0.5, 0.75])
-        fit = n * np.log(mse) if mse > 0 else -np.inf
-        p = float(known.get(method, np.nan))
         made.append(
             GapMeasures(
+                take,
                 protocol,
                 length,
                 method,
@@ -88,8 +90,8 @@ def measure(
                 half_sample_mode(each),
                 float(each.std(ddof=1)) if len(each) > 1 else float("nan"),
                 float(high - low),
-                float(fit + 2 * p),
-                float(fit + p * np.log(n)),
+                aic(n, mse, weights),
+                bic(n, mse, weights),
             )
         )
     return tuple(made)
@@ -111,13 +113,16 @@ def half_sample_mode(values: FloatArray) -> float:
     return float(ordered.mean())
 
 
-def measures_table(measures: Iterable[GapMeasures]) -> list[str]:
+def measures_table(measures: Sequence[GapMeasures]) -> list[str]:
     """Lay measures out as lines for a terminal."""
-    head = f"{'protocol':<16}{'frames':>7}  {'method':<18}{'gaps':>5}{'rmse':>9}{'mean':>9}"
+    named = max((len(m.take) for m in measures), default=0)
+    first = f"{'take':<{named + 2}}" if named else ""
+    head = f"{first}{'protocol':<16}{'frames':>7}  {'method':<18}{'gaps':>5}{'rmse':>9}{'mean':>9}"
     lines = [head + f"{'median':>9}{'mode':>9}{'std':>9}{'iqr':>9}{'AIC':>11}{'BIC':>11}"]
     for m in measures:
         sizes = (m.rmse_mm, m.mean_mm, m.median_mm, m.mode_mm, m.std_mm, m.iqr_mm)
-        line = f"{m.protocol:<16}{m.length:>7}  {m.method:<18}{m.gaps:>5}"
+        line = f"{m.take:<{named + 2}}" if named else ""
+        line += f"{m.protocol:<16}{m.length:>7}  {m.method:<18}{m.gaps:>5}"
         line += "".join(f"{size:>9.3f}" for size in sizes)
         lines.append(
             line

@@ -40,6 +40,7 @@ class GapCase:
     length : of the gaps, in frames, as the experiment names it
     gaps : (marker, start, stop), half-open 0-based frames
     known_mm : errors that others reached on these gaps, by name
+    within : part of the take that is used, half-open frames; None for all of it
     """
 
     take: str
@@ -47,6 +48,7 @@ class GapCase:
     length: int
     gaps: tuple[tuple[str, int, int], ...]
     known_mm: Mapping[str, float]
+    within: tuple[int, int] | None = None
 
 
 @dataclass(frozen=True)
@@ -63,6 +65,7 @@ class GapResult:
     in_band : share of filled frames inside the 90 % band, NaN when the method gives none
     seconds : per gap
     gap_rmse_mm, gap_samples : root mean square error of each filled gap, and its coordinates
+    gap_weights : numbers that were learnt for each filled gap
     """
 
     case: GapCase
@@ -74,6 +77,7 @@ class GapResult:
     seconds: float
     gap_rmse_mm: tuple[float, ...] = ()
     gap_samples: tuple[int, ...] = ()
+    gap_weights: tuple[int, ...] = ()
 
     def penalised_mm(self, reference: str) -> float:
         """Error with every unfilled frame counted as three times a reference's error."""
@@ -130,6 +134,8 @@ def replay(
     takes: Mapping[str, Take],
     methods: Iterable[str] = ("auto",),
     *,
+    params: Mapping[str, Mapping[str, Any]] | None = None,
+    n_jobs: int = 1,
     progress: Progress | None = None,
 ) -> tuple[GapResult, ...]:
     """Hide the gaps of each case together, fill each one, and measure.
@@ -139,42 +145,60 @@ def replay(
     cases : what to hide
     takes : complete takes by name
     methods : names in the registry, or ``"auto"``
-    progress : told the share of cases done; may raise ``Cancelled``
+    params : of a method by its name, where they are not the defaults
+    n_jobs : processes; −1 for one a core
+    progress : told the share of fills done; may raise ``Cancelled``
 
     Returns
     -------
     One result for each case and method, in that order.
     """
-    report, names = progress or quiet, tuple(methods)
+    from joblib import Parallel, delayed
+
+    chosen = params or {}
+    tasks = [(case, name) for case in cases for name in dict.fromkeys(methods)]
+    report = progress or quiet
+    done = Parallel(n_jobs=n_jobs, return_as="generator", pre_dispatch="2*n_jobs")(
+        delayed(_replay_one)(case, takes[case.take], name, chosen.get(name)) for case, name in tasks
+    )
     results = []
-    for i, case in enumerate(cases):
-        report(i / len(cases), f"{case.protocol}, {case.length} frames")
-        results += [_replay_one(case, takes[case.take], name) for name in names]
-    report(1.0, "Replayed")
+    try:
+        for i, ((case, name), result) in enumerate(zip(tasks, done, strict=True)):
+            results.append(result)
+            report((i + 1) / len(tasks), f"{case.protocol}, {case.length} frames, {name}")
+    finally:
+        done.close()
     return tuple(results)
 
 
-def _replay_one(case: GapCase, take: Take, method: str) -> GapResult:
+def _replay_one(
+    case: GapCase, take: Take, method: str, params: Mapping[str, Any] | None
+) -> GapResult:
     """Hide, fill and measure one case with one method."""
-    holed = take.positions.copy()
-    for marker, start, stop in case.gaps:
+    first, last = case.within or (0, take.frames)
+    truth = take.positions[first:last]
+    gaps = [(m, start - first, stop - first) for m, start, stop in case.gaps]
+    holed = truth.copy()
+    for marker, start, stop in gaps:
         holed[start:stop, take.index(marker)] = np.nan
     evidence = evidence_for(Take(holed, take.labels, take.rate))
     errors: list[float] = []
     squares: list[FloatArray] = []
+    weights: list[int] = []
     inside: list[bool] = []
     frames = filled = 0
     began = time.perf_counter()
-    for marker, start, stop in case.gaps:
+    for marker, start, stop in gaps:
         frames += stop - start
         gap = Artifact(marker, AXES, start, stop, Kind.GAP)
-        repair = propose_from(evidence, gap, method=method)
+        repair = propose_from(evidence, gap, method=method, params=params)
         for patch in repair.patches:
             filled += stop - start
-            miss = patch.values - take.positions[start:stop, take.index(marker)]
+            miss = patch.values - truth[start:stop, take.index(marker)]
             distance = np.linalg.norm(miss, axis=1)
             errors.append(float(distance.mean()))
             squares.append(miss.ravel() ** 2)
+            weights.append(repair.weights)
             if repair.band_mm is not None:
                 inside.extend(distance <= BAND_90 * repair.band_mm)
     return GapResult(
@@ -184,9 +208,10 @@ def _replay_one(case: GapCase, take: Take, method: str) -> GapResult:
         float(np.sqrt(np.mean(np.concatenate(squares)))) if squares else float("nan"),
         filled / frames,
         float(np.mean(inside)) if inside else float("nan"),
-        (time.perf_counter() - began) / len(case.gaps),
+        (time.perf_counter() - began) / len(gaps),
         tuple(float(np.sqrt(np.mean(s))) for s in squares),
         tuple(len(s) for s in squares),
+        tuple(weights),
     )
 
 
@@ -268,73 +293,3 @@ def _mean(values: Iterable[float]) -> float:
     """Mean of what is not NaN, NaN when nothing is left."""
     known = [v for v in values if not np.isnan(v)]
     return float(np.mean(known)) if known else float("nan")
-
-
-# Protocols as published: gaps at a time, lengths in frames at 100 Hz or in seconds.
-POISSON_FRAMES = (10, 20, 50, 100, 200)
-CONCOMITANT_S = (0.5, 1.0, 2.0, 5.0)
-CONCOMITANT_COUNTS = (1, 3, 6, 10, 20)
-PROTOCOLS = ("skurowski2021", "tits2018", "tits2018-count", "single", "blackout")
-# Of our own, from short to long: one marker alone, and no marker at all.
-ALONE_S = (0.1, 0.2, 0.5, 1.0, 2.0, 4.0)
-BLACKOUT_S = (0.1, 0.2, 0.5, 1.0, 2.0)
-
-
-def draw_cases(
-    takes: Mapping[str, Take], protocol: str, *, simulations: int, seed: int
-) -> tuple[GapCase, ...]:
-    """Place gaps at random as a paper does.
-
-    ``skurowski2021``: two gaps of Poisson length with means 10 to 200 frames; ``tits2018``: three
-    markers at once for 0.5 to 5 s; ``tits2018-count``: 1 to 20 markers at once for 1 s. Of our own
-    are ``single``, one marker for 0.1 to 4 s, and ``blackout``, all markers for 0.1 to 2 s.
-
-    Parameters
-    ----------
-    takes : by name; what a take has no room for is left out
-    protocol : of :data:`PROTOCOLS`
-    simulations : for each take and setting
-    seed : same seed, same gaps
-
-    Raises
-    ------
-    DataError
-        when there is no such protocol
-    """
-    from markermend.simulation.gap_placement import place_gaps
-
-    cases = []
-    for name, take in takes.items():
-        for number, (label, length, count, together) in enumerate(_settings(protocol, take)):
-            for i in range(simulations):
-                try:
-                    _, gaps = place_gaps(
-                        take,
-                        count=count,
-                        mean_length=length,
-                        concomitant=together,
-                        fixed_length=protocol != "skurowski2021",
-                        seed=seed + 1000 * number + i,
-                    )
-                except DataError:
-                    break
-                hidden = tuple((g.marker, g.start, g.stop) for g in gaps)
-                cases.append(GapCase(name, label, round(length), hidden, {}))
-    return tuple(cases)
-
-
-def _settings(protocol: str, take: Take) -> list[tuple[str, float, int, int]]:
-    """Label, length in frames, intervals and markers at once for each setting."""
-    rate = take.rate
-    if protocol == "skurowski2021":
-        return [(protocol, float(n), 2, 1) for n in POISSON_FRAMES]
-    if protocol == "tits2018":
-        return [("3 at once", s * rate, 1, 3) for s in CONCOMITANT_S]
-    if protocol == "tits2018-count":
-        return [(f"{n} at once", rate, 1, n) for n in CONCOMITANT_COUNTS]
-    if protocol == "single":
-        return [("1 at once", s * rate, 1, 1) for s in ALONE_S]
-    if protocol == "blackout":
-        return [("all at once", s * rate, 1, take.markers) for s in BLACKOUT_S]
-    known = ", ".join(PROTOCOLS)
-    raise DataError(f"There is no protocol “{protocol}”; choose one of {known}.")

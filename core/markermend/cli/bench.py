@@ -5,9 +5,9 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-import markermend as mm
 from markermend.cli.bench_e2 import run_e2
 from markermend.cli.bench_e3 import run_e3
+from markermend.cli.bench_gaps import run_gaps
 from markermend.cli.bench_pose import run_pose
 from markermend.cli.bench_predictors import run_predictors
 from markermend.cli.bench_smooth import run_smooth
@@ -69,51 +69,11 @@ def _run_e1(options: argparse.Namespace) -> int:
     return 0
 
 
-def _run_gaps(options: argparse.Namespace) -> int:
-    """Hide, fill, and show the errors."""
-    from markermend.bench.gap_measures import figure_name, figures, measure, measures_table
-    from markermend.bench.gaps import draw_cases, only_named, read_cases, replay, summarise
-    from markermend.bench.gaps_text import gaps_csv, gaps_table
-
-    folder = Path(options.figures) if options.figures is not None else None
-    check_outputs([options.csv], source=None, force=options.force)
-    takes = {Path(path).stem: only_named(mm.read(path)) for path in options.takes}
-    if options.list is not None:
-        cases = tuple(c for c in read_cases(options.list) if c.take in takes)
-    else:
-        cases = tuple(
-            case
-            for protocol in options.protocol
-            for case in draw_cases(
-                takes, protocol, simulations=options.simulations, seed=options.seed
-            )
-        )
-    if folder is not None:
-        drawings = [str(folder / figure_name(p)) for p in dict.fromkeys(c.protocol for c in cases)]
-        check_outputs(drawings, source=None, force=options.force)
-    with Bar() as bar:
-        results = replay(cases, takes, dict.fromkeys(options.method), progress=bar)
-    rows = summarise(results, options.reference)
-    if options.csv is not None:
-        write_text(options.csv, gaps_csv(results))
-    if options.csv != STDOUT:
-        for line in gaps_table(rows, options.reference):
-            say(line)
-    measures = measure(results) if options.measures or folder is not None else ()
-    if folder is not None:
-        for name, text in figures(measures).items():
-            write_text(str(folder / name), text)
-    if options.measures and options.csv != STDOUT:
-        for line in ["", *measures_table(measures)]:
-            say(line)
-    return 0
-
-
 RUN = {
     "e1": _run_e1,
     "e2": run_e2,
     "e3": run_e3,
-    "gaps": _run_gaps,
+    "gaps": run_gaps,
     "pose": run_pose,
     "predictors": run_predictors,
     "smooth": run_smooth,

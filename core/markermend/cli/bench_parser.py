@@ -8,6 +8,8 @@ from markermend.cli.bench_e2 import SUMMARY as E2
 from markermend.cli.bench_e2 import add_e2
 from markermend.cli.bench_e3 import SUMMARY as E3
 from markermend.cli.bench_e3 import add_e3
+from markermend.cli.bench_gaps import SUMMARY as GAPS
+from markermend.cli.bench_gaps import add_gaps
 from markermend.cli.bench_pose import SUMMARY as POSE
 from markermend.cli.bench_pose import add_pose
 from markermend.cli.bench_predictors import SUMMARY as PREDICTORS
@@ -21,7 +23,7 @@ EXPERIMENTS = {
     "e1": "contaminate clean takes, detect, compare by sample and by event",
     "e2": E2,
     "e3": E3,
-    "gaps": "hide pieces of takes, fill them, compare with what was hidden",
+    "gaps": GAPS,
     "pose": POSE,
     "predictors": PREDICTORS,
     "smooth": SMOOTH,
@@ -35,7 +37,7 @@ def add_experiments(parser: argparse.ArgumentParser) -> None:
         "e1": _add_e1,
         "e2": add_e2,
         "e3": add_e3,
-        "gaps": _add_gaps,
+        "gaps": add_gaps,
         "pose": add_pose,
         "predictors": add_predictors,
         "smooth": add_smooth,
@@ -96,34 +98,4 @@ def _add_e1(p: argparse.ArgumentParser) -> None:
     p.add_argument(
         "--figures", metavar="FOLDER", help="draw confusion matrices and calibration as SVG there"
     )
-    p.add_argument("--force", action="store_true", help="overwrite what is there already")
-
-
-def _add_gaps(p: argparse.ArgumentParser) -> None:
-    p.add_argument("takes", metavar="TAKE", nargs="+", help="recordings with little missing")
-    p.add_argument(
-        "--method",
-        metavar="NAME",
-        nargs="+",
-        default=["auto", "pma", "spline", "pchip", "linear"],
-        help="repair methods (default: auto pma spline pchip linear)",
-    )
-    p.add_argument(
-        "--protocol",
-        metavar="NAME",
-        nargs="+",
-        default=["skurowski2021", "tits2018"],
-        help="skurowski2021, tits2018, tits2018-count, single, blackout (default: the first two)",
-    )
-    p.add_argument("--list", metavar="FILE", help="replay the gaps of this JSON list instead")
-    p.add_argument(
-        "--reference", metavar="NAME", help="error the list knows, to compare with (such as pma)"
-    )
-    p.add_argument("--simulations", metavar="N", type=int, default=10, help="per take and setting")
-    p.add_argument("--seed", metavar="N", type=int, default=0, help="same seed, same gaps")
-    p.add_argument("--csv", metavar="FILE", help="write every case as CSV; “-” for standard output")
-    p.add_argument(
-        "--measures", action="store_true", help="how single gaps are spread: mean, mode, IQR, AIC…"
-    )
-    p.add_argument("--figures", metavar="FOLDER", help="draw error against gap length as SVG there")
     p.add_argument("--force", action="store_true", help="overwrite what is there already")
