@@ -79,11 +79,11 @@ HAND_WORK: tuple[Action, ...] = (
     ),
     Action(
         "merge_marker",
-        "Merge marker into another…",
+        "Merge marker…",
         "By hand",
         ("Ctrl+M",),
         "unlabelled",
-        "Give all samples of the foremost marker to another one that is missing there",
+        "Take an unlabelled trajectory into the foremost marker, or give all of it to another one",
         marker,
     ),
     Action(

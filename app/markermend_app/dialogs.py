@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import traceback
-from collections.abc import Sequence
 from pathlib import Path
 
 from PySide6.QtCore import Qt
@@ -102,12 +101,6 @@ def ask_replace_source(parent: QWidget, target: Path) -> bool:
     box.setDefaultButton(cancel)
     box.exec()
     return box.clickedButton() is go
-
-
-def ask_choice(parent: QWidget, question: str, offered: Sequence[str]) -> str | None:
-    """Ask for one of several, the first one proposed; None when nothing was chosen."""
-    text, chosen = QInputDialog.getItem(parent, question, question, list(offered), 0, False)
-    return text if chosen else None
 
 
 def ask_text(parent: QWidget, question: str, proposed: str) -> str | None:

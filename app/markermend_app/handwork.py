@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
+import numpy as np
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
@@ -12,13 +15,15 @@ from markermend import hand
 from markermend.artifact import Artifact, Kind, Status
 from markermend.edits import Change
 from markermend.errors import DataError
-from markermend.fitting import receivers
+from markermend.fitting import donors, exchangers, receivers
 from markermend.progress import Progress
 from markermend.session import Session
 from markermend.take import AXES, Origin, is_unlabelled
-from markermend_app import dialogs
+from markermend_app import dialogs, theme, units
 from markermend_app.document import Document
 from markermend_app.jobs import Lane
+from markermend_app.looking import Selection
+from markermend_app.palette import Entry, Palette
 
 
 class HandWork(QObject):
@@ -86,16 +91,24 @@ class HandWork(QObject):
         swept, session = self._document.selection, self._document.session
         if swept is None or session is None:
             return
-        other = self._ask_marker(
-            swept.marker,
-            self.tr("Swap {0} with").format(swept.marker),
-            self._others(swept.marker, self._document.shown),
+        offered = exchangers(session.take, swept.marker, swept.start, swept.stop)
+        shown = self._document.shown
+        question = self.tr("Swap {0} with which marker, {1}?").format(
+            swept.marker, self._frames(swept.start, swept.stop)
         )
-        if other is None:
-            return
+        self._ask_marker(
+            question,
+            # Who put another one beside it most likely means that one.
+            sorted(offered, key=lambda pair: pair[0] not in shown),
+            lambda other: self._swap(swept, other),
+            self.tr("jumps {0} at the edges"),
+        )
+
+    def _swap(self, swept: Selection, other: str) -> None:
+        """Exchange a range of two markers."""
         artifact = Artifact(
             swept.marker, AXES, swept.start, swept.stop, Kind.STEP, counterpart=other,
-            why=self.tr("marked by hand"),
+            why="marked by hand",
         )  # fmt: skip
 
         def swap(session: Session) -> Change:
@@ -109,15 +122,15 @@ class HandWork(QObject):
     def move_selection(self) -> None:
         """Give the swept range to another marker: it has the wrong name there."""
         swept = self._document.selection
-        if swept is None:
-            return
-        other = self._ask_marker(
-            swept.marker,
-            self.tr("Frames of {0} are in truth").format(swept.marker),
-            self._free(swept.marker, swept.start, swept.stop),
-        )
-        if other is not None:
-            self._change(lambda s: hand.move(s, swept.marker, other, swept.start, swept.stop))
+        if swept is not None:
+            question = self.tr("Which marker is {0} in truth, {1}?")
+            self._ask_receiver(
+                question.format(swept.marker, self._frames(swept.start, swept.stop)),
+                swept,
+                lambda other: self._change(
+                    lambda s: hand.move(s, swept.marker, other, swept.start, swept.stop)
+                ),
+            )
 
     def clear_selection(self) -> None:
         """Forget the swept range."""
@@ -135,19 +148,31 @@ class HandWork(QObject):
             self._change(lambda s: hand.rename(s, {old: new}))
 
     def merge_marker(self) -> None:
-        """Give all samples of the foremost marker to another one that is missing there."""
+        """Merge an unlabelled trajectory into the foremost marker, or the foremost into another."""
         session = self._document.session
         if session is None or not self._document.shown:
             return
-        donor = self._document.shown[0]
-        other = self._ask_marker(
-            donor,
-            self.tr("Merge {0} into").format(donor),
-            self._free(donor, 0, session.original.frames),
-        )
-        if other is not None:
-            self._change(lambda s: hand.merge(s, donor, other))
-            self._document.show([other])
+        foremost = self._document.shown[0]
+        fitting = () if is_unlabelled(foremost) else donors(session.take, foremost)
+        if fitting:
+            question = self.tr("Which unlabelled trajectory belongs to {0}?").format(foremost)
+            merge = partial(self._merge, receiver=foremost)
+            self._ask_marker(question, fitting, merge, self.tr("{0} away"))
+        else:
+            question = self.tr("Merge {0} into which marker?").format(foremost)
+            whole = Selection(foremost, 0, session.original.frames)
+            self._ask_receiver(question, whole, partial(self._merge, foremost))
+
+    def _merge(self, donor: str, receiver: str) -> None:
+        """Give all samples of one marker to another, and look at where they went."""
+        session = self._document.session
+        if session is None:
+            return
+        seen = np.flatnonzero(session.take.present[:, session.take.index(donor)])
+        self._change(lambda s: hand.merge(s, donor, receiver))
+        self._document.show([receiver])
+        if len(seen):
+            self._document.look_at([receiver], int(seen[0]), int(seen[-1]) + 1)
 
     # Artifacts
 
@@ -206,7 +231,7 @@ class HandWork(QObject):
             column = session.original.index(swept.marker)
             origin = session.origin[swept.start : swept.stop, column]
             kind = Kind.GAP if (origin == Origin.MISSING).all() else Kind.NOISE
-        why = self.tr("marked by hand")
+        why = "marked by hand"
         return Artifact(swept.marker, AXES, swept.start, swept.stop, kind, 1.0, why=why)
 
     def _change(self, verb: Callable[[Session], Change]) -> None:
@@ -243,24 +268,41 @@ class HandWork(QObject):
 
         self._lane.submit(label, prepare(session), done, self._document.failed.emit)
 
-    def _ask_marker(self, marker: str, question: str, offered: Sequence[str]) -> str | None:
-        """Ask for one of the markers that may have the samples of one."""
-        if not offered:
-            text = self.tr(
-                "No other marker is missing wherever {0} is seen; to exchange two, swap."
+    def _ask_receiver(self, question: str, given: Selection, then: Callable[[str], object]) -> None:
+        """Ask which marker is to have the samples of one."""
+        session = self._document.session
+        if session is None:
+            return
+        offered = receivers(session.take, given.marker, given.start, given.stop)
+        if offered:
+            self._ask_marker(question, offered, then, self.tr("{0} away"))
+            return
+        text = self.tr("No other marker is missing wherever {0} is seen; to exchange two, swap.")
+        self._document.failed.emit(DataError(text.format(given.marker)))
+
+    def _ask_marker(
+        self,
+        question: str,
+        offered: Sequence[tuple[str, float]],
+        then: Callable[[str], object],
+        aside: str,
+    ) -> None:
+        """Ask for one of some markers, the likeliest first, each with how well it fits."""
+        icon = theme.icon("marker")
+        found = [
+            Entry(
+                label,
+                aside.format(units.length(mm)) if math.isfinite(mm) else "",
+                icon,
+                True,
+                partial(then, label),
             )
-            self._document.failed.emit(DataError(text.format(marker)))
-            return None
-        return dialogs.ask_choice(self._window, question, offered)
+            for label, mm in offered
+        ]
+        Palette(found, self._window, question).open()
 
-    def _others(self, marker: str, first: Sequence[str]) -> list[str]:
-        """All other markers, these first, unlabelled ones last."""
+    def _frames(self, start: int, stop: int) -> str:
+        """Frames as the file counts them, in words."""
         session = self._document.session
-        labels = () if session is None else session.original.labels
-        rest = sorted(labels, key=lambda s: (s not in first, is_unlabelled(s)))
-        return [s for s in rest if s != marker]
-
-    def _free(self, marker: str, start: int, stop: int) -> tuple[str, ...]:
-        """Other markers that these samples may belong to, the likeliest first."""
-        session = self._document.session
-        return () if session is None else receivers(session.take, marker, start, stop)
+        first = 0 if session is None else session.original.first_frame
+        return self.tr("frames {0}–{1}").format(start + first, stop - 1 + first)

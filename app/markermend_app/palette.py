@@ -1,4 +1,4 @@
-"""The command palette: a few letters find any action, marker or artifact."""
+"""The command palette: a few letters find any action, marker or artifact, or one of a few."""
 
 from __future__ import annotations
 
@@ -118,7 +118,9 @@ def _places(word: str, text: str) -> list[int]:
 
 
 def ranked(wanted: str, found: Sequence[Entry]) -> list[Entry]:
-    """Entries that fit a search, best first; of equals those that can be done now."""
+    """Entries that fit a search, best first; of equals those that can be done now. Else all."""
+    if not wanted.strip():
+        return list(found)
     fits = [(score(wanted, entry.text), entry) for entry in found]
     good = [(fit + 0.4 * entry.usable, entry) for fit, entry in fits if fit is not None]
     good.sort(key=lambda pair: -pair[0])
@@ -126,18 +128,23 @@ def ranked(wanted: str, found: Sequence[Entry]) -> list[Entry]:
 
 
 class Palette(QDialog):
-    """A line to type in and what fits below it; Return does the first or the chosen one."""
+    """A line to type in and what fits below it; Return does the first or the chosen one.
 
-    def __init__(self, found: Sequence[Entry], parent: QWidget) -> None:
+    With a question it stands above, and the entries are its answers, the likeliest first.
+    """
+
+    def __init__(self, found: Sequence[Entry], parent: QWidget, question: str = "") -> None:
         super().__init__(parent, Qt.WindowType.Popup)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setObjectName("palette")
-        self.setAccessibleName(self.tr("Find a command, marker or artifact"))
+        finds = self.tr("Type a few letters") if question else ""
+        finds = finds or self.tr("Find a command, marker or artifact")
+        self.setAccessibleName(question or finds)
         self._found = found
         self._shown: list[Entry] = []
         self.line = QLineEdit()
-        self.line.setPlaceholderText(self.tr("Find a command, marker or artifact"))
-        self.line.setAccessibleName(self.tr("Find a command, marker or artifact"))
+        self.line.setPlaceholderText(finds)
+        self.line.setAccessibleName(question or finds)
         self.line.textChanged.connect(self._search)
         self.list = QListWidget()
         self.list.setAccessibleName(self.tr("Found"))
@@ -147,6 +154,11 @@ class Palette(QDialog):
         column = QVBoxLayout(self)
         column.setContentsMargins(8, 8, 8, 8)
         column.setSpacing(8)
+        if question:
+            asked = QLabel(question)
+            asked.setProperty("role", "heading")
+            asked.setWordWrap(True)
+            column.addWidget(asked)
         column.addWidget(self.line)
         column.addWidget(self.list)
         self.resize(min(_WIDTH, parent.width() - 40), min(_HEIGHT, parent.height() - 80))

@@ -279,6 +279,7 @@ class TrajectoryPanel(QWidget):
                 drawn = self._drawn(name)
                 for row in self.rows:
                     row.refresh(name, drawn)
+        self.cross.read_out(self.document.frame)
         self.predictions.note(samples=True)
 
     def _show_artifacts(self) -> None:

@@ -668,12 +668,12 @@
         <translation>Dem vordersten Marker in der ganzen Aufnahme einen anderen Namen geben</translation>
     </message>
     <message>
-        <source>Merge marker into another…</source>
-        <translation>Marker in einen anderen aufnehmen…</translation>
+        <source>Merge marker…</source>
+        <translation>Marker zusammenführen…</translation>
     </message>
     <message>
-        <source>Give all samples of the foremost marker to another one that is missing there</source>
-        <translation>Alle Werte des vordersten Markers einem anderen geben, der dort fehlt</translation>
+        <source>Take an unlabelled trajectory into the foremost marker, or give all of it to another one</source>
+        <translation>Eine unbenannte Trajektorie in den vordersten Marker aufnehmen oder ihn ganz einem anderen geben</translation>
     </message>
     <message>
         <source>Choose the markers to follow</source>
@@ -1972,24 +1972,32 @@
         <translation>Reparatur</translation>
     </message>
     <message>
-        <source>Swap {0} with</source>
-        <translation>{0} tauschen mit</translation>
-    </message>
-    <message>
-        <source>marked by hand</source>
-        <translation>von Hand gekennzeichnet</translation>
-    </message>
-    <message>
-        <source>Frames of {0} are in truth</source>
-        <translation>Frames von {0} gehören in Wahrheit zu</translation>
-    </message>
-    <message>
         <source>Rename {0}</source>
         <translation>{0} umbenennen</translation>
     </message>
     <message>
-        <source>Merge {0} into</source>
-        <translation>{0} aufnehmen in</translation>
+        <source>Swap {0} with which marker, {1}?</source>
+        <translation>Mit welchem Marker {0} tauschen, {1}?</translation>
+    </message>
+    <message>
+        <source>jumps {0} at the edges</source>
+        <translation>springt {0} an den Rändern</translation>
+    </message>
+    <message>
+        <source>Which marker is {0} in truth, {1}?</source>
+        <translation>Welcher Marker ist {0} in Wahrheit, {1}?</translation>
+    </message>
+    <message>
+        <source>Which unlabelled trajectory belongs to {0}?</source>
+        <translation>Welche unbenannte Trajektorie gehört zu {0}?</translation>
+    </message>
+    <message>
+        <source>{0} away</source>
+        <translation>{0} entfernt</translation>
+    </message>
+    <message>
+        <source>Merge {0} into which marker?</source>
+        <translation>{0} mit welchem Marker zusammenführen?</translation>
     </message>
     <message>
         <source>{0}.</source>
@@ -2002,6 +2010,10 @@
     <message>
         <source>No other marker is missing wherever {0} is seen; to exchange two, swap.</source>
         <translation>Kein anderer Marker fehlt überall dort, wo {0} zu sehen ist; um zwei auszutauschen, tauschen.</translation>
+    </message>
+    <message>
+        <source>frames {0}–{1}</source>
+        <translation>Frames {0}–{1}</translation>
     </message>
 </context>
 <context>
@@ -2318,6 +2330,10 @@
 </context>
 <context>
     <name>Palette</name>
+    <message>
+        <source>Type a few letters</source>
+        <translation>Ein paar Buchstaben tippen</translation>
+    </message>
     <message>
         <source>Find a command, marker or artifact</source>
         <translation>Befehl, Marker oder Artefakt finden</translation>
