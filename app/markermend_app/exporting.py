@@ -12,6 +12,7 @@ from markermend.artifact import Status
 from markermend.errors import MarkermendError, RangeError
 from markermend.files import Export
 from markermend.progress import Progress
+from markermend.take import Take
 from markermend_app import dialogs, export_dialog, settings
 from markermend_app.document import Document
 from markermend_app.file_filters import export_filter
@@ -71,7 +72,7 @@ class Exporter(QObject):
         if choice is None:
             return False
         settings.remember("record_repairs", choice.record)
-        target = self._ask_target()
+        target = self._ask_target(session.original)
         if target is None:
             return False
         overwrite = False
@@ -158,12 +159,15 @@ class Exporter(QObject):
             text += " " + self.tr("The original is kept as {0}.").format(export.backup.name)
         return text
 
-    def _ask_target(self) -> Path | None:
+    def _ask_target(self, take: Take) -> Path | None:
         """Ask where to write; never proposes the source."""
         path = self._document.path
-        proposal = str(proposed_place(path, "_clean.c3d")) if path else "take_clean.c3d"
+        ending = "_clean.c3d"
+        if path is not None and take.skeleton:
+            ending = f"_clean{path.suffix}"
+        proposal = str(proposed_place(path, ending)) if path else "take_clean.c3d"
         name, chosen = QFileDialog.getSaveFileName(
-            self._window, self.tr("Export repaired take"), proposal, export_filter()
+            self._window, self.tr("Export repaired take"), proposal, export_filter(take)
         )
         if not name:
             return None

@@ -33,7 +33,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         metavar="TAKE",
         nargs="*",
         type=Path,
-        help="a C3D, TRC or CSV file to open; several, a folder or a batch's review.json to review",
+        help="a take (C3D, TRC, CSV) or skeleton recording (CSV, AMC, BVH) to open; several, "
+        "a folder or a batch's review.json to review",
     )
     parser.add_argument(
         "--screenshot", type=Path, metavar="PNG", help="open, detect, save a picture and leave"

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     import xarray
 
 AXES = "xyz"
+SKELETON = "skeleton"
 
 
 class Origin(IntEnum):
@@ -99,11 +100,12 @@ class Source:
     Attributes
     ----------
     path : absolute path
-    format : ``"c3d"``, ``"trc"``, ``"csv"``…
+    format : ``"c3d"``, ``"trc"``, ``"csv"``, ``"skeleton"``…
     size, mtime_ns : of the file when it was read, to notice later changes
     columns : position of each marker in the file's own point list, -1 for one added since
     scale_mm : millimetres per file unit
-    layout : the format's own description of the file (for C3D a ``C3dLayout``)
+    layout : the format's own description of the file (for C3D a ``C3dLayout``, for a skeleton
+        recording the ``Pose``)
     """
 
     path: Path
@@ -200,6 +202,11 @@ class Take:
     def markers(self) -> int:
         """Number of markers."""
         return int(self.positions.shape[1])
+
+    @property
+    def skeleton(self) -> bool:
+        """Whether its markers are the joints of a skeleton recording."""
+        return self.source is not None and self.source.format == SKELETON
 
     @property
     def duration_s(self) -> float:

@@ -54,8 +54,9 @@ class Node:
         return [self] if self.label else [n for n in self.rows if n.label]
 
     def all_markers(self) -> list[Node]:
-        """Every marker under this row, however deep."""
-        return [self] if self.label else [m for n in self.rows for m in n.all_markers()]
+        """Itself where it is a marker, and every marker under this row, however deep."""
+        own = [self] if self.label else []
+        return own + [m for n in self.rows for m in n.all_markers()]
 
 
 def grow(take: Take, mesh: Mesh | None) -> Node:
@@ -74,12 +75,18 @@ def grow(take: Take, mesh: Mesh | None) -> Node:
             above = groups[group.parent]
         else:
             above = bodies.get(group.subject, root)
+        if take.skeleton:
+            # A joint holds those that hang on it.
+            (joint,) = group.markers
+            groups.append(above.add(_marker(take, joint)))
+            placed.add(joint)
+            continue
         node = above.add(Node(group.name, "group", selects=True))
         groups.append(node)
         for column in group.markers:
             node.add(_marker(take, column))
             placed.add(column)
-    for node in groups:
+    for node in groups if not take.skeleton else ():
         node.rows.sort(key=lambda n: not n.label)
     rest = [i for i in range(take.markers) if i not in placed]
     for i in (i for i in rest if not is_unlabelled(take.labels[i])):

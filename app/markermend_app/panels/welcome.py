@@ -33,7 +33,9 @@ class Welcome(QWidget):
         self._picture = QLabel()
         title = QLabel(self.tr("Open a take to mend"))
         title.setProperty("role", "heading")
-        hint = QLabel(self.tr("Drop a C3D, TRC or CSV file here, or begin with the demo take."))
+        hint = QLabel(
+            self.tr("Drop a C3D, TRC, CSV, AMC or BVH file here, or begin with the demo take.")
+        )
         hint.setProperty("role", "muted")
         self._open = QPushButton(self.tr("Open take…"))
         KeyTip(self._open, self.tr("Open a take"), "open")

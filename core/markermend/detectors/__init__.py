@@ -30,6 +30,8 @@ def detect(
 ) -> tuple[Artifact, ...]:
     """Find damaged intervals and name their class.
 
+    A take made of a skeleton recording has a detector of its own, whatever method is named.
+
     Parameters
     ----------
     take : the recording; points that are not markers are never looked at
@@ -57,6 +59,11 @@ def detect(
     if take.frames == 0:
         return ()
     report = progress or quiet
+    if take.skeleton:
+        from markermend.detectors.skeleton import detect_joints
+
+        with threadpool_limits(1):
+            return in_order(detect_joints(take, report))
     report(0.0, "gaps")
     with threadpool_limits(1):
         found = in_order([*detect_gaps(take), *detector.run(take, chosen, mesh, report)])

@@ -45,7 +45,8 @@ def read(path: str | PathLike[str], *, progress: Progress | None = None) -> Take
 
     Parameters
     ----------
-    path : a C3D or TRC file, or a table of comma-separated values
+    path : a C3D or TRC file, a table of comma-separated values, or a skeleton recording, whose
+        joints become markers (:func:`read_pose` reads it as what it is)
     progress : told the share of frames read; may raise to stop
 
     Returns
@@ -70,7 +71,7 @@ def _reader(path: Path) -> Callable[..., Take]:
     from markermend.files.c3d import read_c3d
     from markermend.files.csv import read_csv
     from markermend.files.trc import SIGNATURE, read_trc
-    from markermend.plugins.formats import formats
+    from markermend.plugins.formats import SKELETONS, formats
 
     with path.open("rb") as file:
         head = file.read(_SNIFFED)
@@ -84,11 +85,30 @@ def _reader(path: Path) -> Callable[..., Take]:
         raise FileFormatError(f"{path.name} is empty; look for another copy of it.")
     if suffix == ".trc":
         return read_trc
+    if suffix in SKELETONS or (suffix == ".csv" and _names_joints(head)):
+        return _read_skeleton
     if suffix != ".csv" and suffix in formats():
         return formats()[suffix].run
     if binary:
-        raise FileFormatError(f"{path.name} is of an unknown kind; C3D, TRC and CSV can be read.")
+        raise FileFormatError(
+            f"{path.name} is of an unknown kind; C3D, TRC, CSV, AMC, ASF and BVH can be read."
+        )
     return read_csv
+
+
+def _names_joints(head: bytes) -> bool:
+    """Whether a table is of joints rather than of markers."""
+    from markermend.files.pose_csv import names_joints
+
+    return names_joints(head)
+
+
+def _read_skeleton(path: Path, *, progress: Progress | None = None) -> Take:
+    """Read a skeleton recording as a take of joints."""
+    from markermend.files.pose import read_pose
+    from markermend.poses.take import as_take
+
+    return as_take(read_pose(path, progress=progress), path)
 
 
 def write(
@@ -111,8 +131,8 @@ def write(
     Parameters
     ----------
     take : the recording
-    path : where to, ending in ``.c3d``, ``.trc`` or ``.csv``; a file that is there is replaced,
-        but the take's own source only on request
+    path : where to, ending in ``.c3d``, ``.trc`` or ``.csv``, for joints in ``.amc`` or ``.bvh``
+        too; a file that is there is replaced, but the take's own source only on request
     overwrite : replace the source too; it is kept beside, as ``name.bak``
     as_float : write a C3D file of floats even where the source has 16-bit integers
     record : what was done, a line each, written into the C3D file's MARKERMEND group
@@ -196,10 +216,18 @@ def _writer(
     from markermend.files.c3d_restructure import copy_restructured, structure_of, to_be_floats
     from markermend.files.csv import write_csv
     from markermend.files.trc import write_trc
-    from markermend.plugins.formats import contents, formats, writable_in_words
+    from markermend.plugins.formats import (
+        SKELETONS_WRITTEN,
+        contents,
+        formats,
+        writable_in_words,
+    )
 
     others = {name: f for name, f in formats().items() if f.write is not None}
     present = np.asarray(np.count_nonzero(take.present, axis=0), dtype=np.int64)
+
+    if take.skeleton and target.suffix.lower() in SKELETONS_WRITTEN:
+        return _skeleton_writer(take, target, report)
 
     def new(file: IO[bytes]) -> IntArray:
         match target.suffix.lower():
@@ -217,7 +245,8 @@ def _writer(
         return new
     if target.suffix.lower() != ".c3d":
         raise ExportError(
-            f"{target.name} should end in {writable_in_words()}, to tell what to write."
+            f"{target.name} should end in {writable_in_words(skeleton=take.skeleton)},"
+            " to tell what to write."
         )
     notes = _notes(take, record, mark_outputs)
     if patchable(take) and not notes and not (as_float and to_be_floats(take)):
@@ -228,6 +257,20 @@ def _writer(
     return lambda file: copy_restructured(
         take, structure, file, report, as_float=as_float, notes=notes
     )
+
+
+def _skeleton_writer(take: Take, target: Path, report: Progress) -> Callable[[IO[bytes]], IntArray]:
+    """How a take of joints is written as what it was read from."""
+    from markermend.files.pose import pose_writer
+    from markermend.poses.take import as_pose, changed_joints
+
+    fill = pose_writer(as_pose(take, progress=report), target, report)
+
+    def write_joints(file: IO[bytes]) -> IntArray:
+        fill(file)
+        return np.asarray(np.count_nonzero(changed_joints(take), axis=0), dtype=np.int64)
+
+    return write_joints
 
 
 def _notes(take: Take, record: Sequence[str], mark_outputs: bool) -> dict[str, list[str]]:

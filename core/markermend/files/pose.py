@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from os import PathLike
 from pathlib import Path
+from typing import IO
 
 from markermend.errors import ExportError, FileFormatError
 from markermend.files.amc import find_skeleton, read_amc, write_amc
@@ -89,12 +91,18 @@ def write_pose(pose: Pose, path: str | PathLike[str], *, progress: Progress | No
         when the ending is of no such format, the recording has no skeleton to write an AMC by, or
         the disk does not take the file
     """
-    target, report = Path(path), progress or quiet
+    target = Path(path)
+    fill = pose_writer(pose, target, progress or quiet)
+    write_whole(target, fill, backup=False)
+
+
+def pose_writer(pose: Pose, target: Path, report: Progress) -> Callable[[IO[bytes]], None]:
+    """Choose by a name's ending how a recording is written; parameters are :func:`write_pose`'s."""
     match target.suffix.lower():
         case ".csv":
-            write_whole(target, lambda file: write_pose_csv(pose, file, report), backup=False)
+            return lambda file: write_pose_csv(pose, file, report)
         case ".bvh":
-            write_whole(target, lambda file: write_bvh(pose, file, report), backup=False)
+            return lambda file: write_bvh(pose, file, report)
         case ".amc":
             if not isinstance(pose.source, Movement):
                 raise ExportError(
@@ -102,7 +110,7 @@ def write_pose(pose: Pose, path: str | PathLike[str], *, progress: Progress | No
                     " AMC has; write a CSV."
                 )
             movement = inverse_kinematics(pose, pose.source)
-            write_whole(target, lambda file: write_amc(movement, file, report), backup=False)
+            return lambda file: write_amc(movement, file, report)
         case _:
             raise ExportError(
                 f"{target.name} should end in {', '.join(WRITABLE)}, to tell what to write."

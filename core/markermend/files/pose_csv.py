@@ -145,6 +145,17 @@ def rows_of(
     ]
 
 
+def names_joints(head: bytes) -> bool:
+    """Whether the first bytes of a file are the header of such a table."""
+    lines = head.decode("utf-8-sig", errors="replace").splitlines()
+    first = next((line for line in lines if line.strip() and not line.startswith("#")), "")
+    try:
+        columns_of(first.split(max(",;\t", key=first.count)), "")
+    except FileFormatError:
+        return False
+    return True
+
+
 def columns_of(head: list[str], name: str) -> dict[str, int]:
     """Place of each known column in a header.
 

@@ -29,7 +29,7 @@ def infer_mesh(take: Take, *, progress: Progress | None = None) -> Mesh:
     Nothing but the take is needed: any subject, any marker set. Each subject (the part of the
     labels before the colon) becomes one tree. Unlabelled markers, and those seen in less than a
     fifth of the frames, get no group. Where nothing moves, nearness alone decides. The result
-    depends on the take only: no chance is involved.
+    depends on the take only: no chance is involved. A skeleton recording tells its tree itself.
 
     Parameters
     ----------
@@ -46,6 +46,10 @@ def infer_mesh(take: Take, *, progress: Progress | None = None) -> Mesh:
     Figure 5: rigid groups keep their inter-marker distances, and a parent group is represented
     by the one marker closest in gradient coherence and distance constancy.
     """
+    if take.skeleton:
+        from markermend.poses.take import skeleton_mesh
+
+        return skeleton_mesh(take)
     report = progress or quiet
     bodies = _bodies(take)
     groups: list[Group] = []

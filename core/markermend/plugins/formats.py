@@ -14,6 +14,9 @@ from markermend.plugins.worker import Worker
 from markermend.take import Take
 
 OURS = ("c3d", "trc", "csv")
+SKELETONS = (".amc", ".bvh", ".asf")
+"""Endings of skeleton recordings, which CSV may be too."""
+SKELETONS_WRITTEN = (".csv", ".amc", ".bvh")
 
 
 @dataclass(frozen=True)
@@ -59,12 +62,13 @@ def _guard(chosen: Format) -> Callable[[Path], Take]:
     return read
 
 
-def writable() -> tuple[str, ...]:
-    """Endings of the files that can be written, with the dot."""
-    return (*(f".{o}" for o in OURS), *(e for e, f in formats().items() if f.write is not None))
+def writable(*, skeleton: bool = False) -> tuple[str, ...]:
+    """Endings of the files that can be written, with the dot; a skeleton recording's first."""
+    usual = (*(f".{o}" for o in OURS), *(e for e, f in formats().items() if f.write is not None))
+    return tuple(dict.fromkeys((*SKELETONS_WRITTEN, *usual))) if skeleton else usual
 
 
-def writable_in_words() -> str:
+def writable_in_words(*, skeleton: bool = False) -> str:
     """Endings of the files that can be written, as a list for people."""
-    *first, last = writable()
+    *first, last = writable(skeleton=skeleton)
     return f"{', '.join(first)} or {last}"

@@ -14,6 +14,7 @@ from markermend.repairs import (  # noqa: F401, importing a module registers its
     pattern,
     rigid,
     savgol,
+    skeleton,
     skurowski2021,
     swap,
     tits2018,

@@ -139,10 +139,16 @@ def propose_from(
             f"the take has {evidence.take.frames}."
         )
     evidence = without_own(evidence, artifact)
+    skeleton = evidence.take.skeleton
+    if skeleton and method == AUTO:
+        method = "skeleton"
     with threadpool_limits(1):
         if method != AUTO:
             found = find_method(method)
             done = found.run(evidence, artifact, read_params(found, params))
+            if skeleton:
+                # The detector that looks again knows markers, which do not tremble as joints do.
+                return with_expected_error(evidence, artifact, done)
             return looked_at(evidence.take, with_expected_error(evidence, artifact, done))
         return best_repair(evidence, artifact)
 

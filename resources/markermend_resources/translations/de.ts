@@ -1084,6 +1084,14 @@
         <translation>Bewegt den Marker mit drei oder mehr anderen seiner Gruppe; für starre Segmente.</translation>
     </message>
     <message>
+        <source>Restore skeleton</source>
+        <translation>Skelett wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Works a joint out from the others, from time, from its bones and from how bodies move; only for skeleton recordings, where it is the best.</source>
+        <translation>Berechnet ein Gelenk aus den anderen, dem zeitlichen Verlauf, seinen Knochen und daraus, wie Körper sich bewegen; nur für Skelettaufnahmen, dort am besten.</translation>
+    </message>
+    <message>
         <source>Adaptive</source>
         <translation>Anpassend</translation>
     </message>
@@ -3196,8 +3204,8 @@
         <translation>Eine Aufnahme zum Ausbessern öffnen</translation>
     </message>
     <message>
-        <source>Drop a C3D, TRC or CSV file here, or begin with the demo take.</source>
-        <translation>Eine C3D-, TRC- oder CSV-Datei hierher ziehen oder mit der Beispielaufnahme beginnen.</translation>
+        <source>Drop a C3D, TRC, CSV, AMC or BVH file here, or begin with the demo take.</source>
+        <translation>Eine C3D-, TRC-, CSV-, AMC- oder BVH-Datei hierher ziehen oder mit der Demo-Aufnahme beginnen.</translation>
     </message>
     <message>
         <source>Open take…</source>

@@ -1,0 +1,62 @@
+"""Joints of a skeleton recording, worked out from its bones, other joints, time and a prior."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from markermend.artifact import Artifact, axis_columns
+from markermend.errors import DataError
+from markermend.patch import Patch
+from markermend.poses.take import pose_of, restored_without
+from markermend.repairs.registry import Evidence, Repair, register
+from markermend.repairs.result import MEAN_OVER_RMS, as_mapping, axes_of, refuse
+
+NAME = "skeleton"
+
+
+@dataclass(frozen=True)
+class SkeletonParams:
+    """There is nothing to set: noise, bones and what others tell are measured."""
+
+
+@register(
+    NAME,
+    label="Restore skeleton",
+    summary="Works a joint out from the others, from time, from its bones and from how bodies move;"
+    " only for skeleton recordings, where it is the best.",
+    params=SkeletonParams,
+)
+def repair_skeleton(evidence: Evidence, artifact: Artifact, params: Any) -> Repair:
+    """Give joints where restoring the recording has them, as ``denoise`` does.
+
+    The recording is restored as it was read: what is wrong in it by itself, and the interval of
+    the artifact, count as not seen. A swap with a counterpart mends both joints.
+    """
+    take = evidence.take
+    if not take.skeleton:
+        return refuse(NAME, "Only skeleton recordings have joints and bones.", params)
+    rows, axes = slice(artifact.start, artifact.stop), axes_of(artifact)
+    joints = [take.index(marker) for marker in artifact.markers]
+    try:
+        told = restored_without(pose_of(take), joints, rows, evidence.progress)
+    except DataError as problem:
+        return refuse(NAME, str(problem), params)
+    values = told.pose.positions[rows]
+    if np.isnan(values[:, joints]).any():
+        return refuse(NAME, "The joint is never seen elsewhere, so that nothing tells.", params)
+    band = told.error_mm[rows, joints[0]].copy()
+    patches = tuple(
+        Patch(
+            marker,
+            axes,
+            artifact.start,
+            artifact.stop,
+            values[:, joint][:, axis_columns(axes)].copy(),
+        )
+        for marker, joint in zip(artifact.markers, joints, strict=True)
+    )
+    error = float(MEAN_OVER_RMS * band.mean())
+    return Repair(NAME, patches, error_mm=error, band_mm=band, params=as_mapping(params))

@@ -1,0 +1,132 @@
+"""A skeleton recording under review: read as a take, searched, repaired, written back."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import markermend as mm
+from markermend.artifact import Artifact, Kind
+from markermend.cli import main
+from markermend.errors import ExportError
+from markermend.poses.breaking import break_pose
+from markermend.poses.nuitrack import JOINTS, to_nuitrack
+from markermend.poses.restore import INFERRED
+from markermend.poses.take import changed_joints, pose_of
+from markermend.repairs import propose
+
+HIDDEN = slice(200, 230)
+
+
+@pytest.fixture(scope="module")
+def walk(shared_data):
+    return to_nuitrack(mm.read_pose(shared_data / "poses" / "02_01.amc"))
+
+
+@pytest.fixture
+def broken(walk, tmp_path):
+    """A file of joints of which some are wrong and one is not seen for a while."""
+    pose, _ = break_pose(walk, each=1, seed=4)
+    confidence = np.array(pose.confidence)
+    confidence[HIDDEN, JOINTS.index("head")] = 0.0
+    path = tmp_path / "sensor.csv"
+    mm.write_pose(pose.with_samples(pose.positions, pose.rotations, confidence), path)
+    return path
+
+
+def apart(a, b):
+    return np.sqrt(np.sum((a.positions - b.positions) ** 2, axis=2))
+
+
+def test_joints_are_markers_and_bones_the_mesh(broken):
+    take = mm.read(broken)
+    assert take.skeleton
+    assert take.labels == JOINTS
+    mesh = mm.infer_mesh(take)
+    tree = {g.name: g.parent is not None and mesh.groups[g.parent].name for g in mesh.groups}
+    assert tree["left_elbow"] == "left_shoulder"
+    assert tree["waist"] is False
+    assert len(mesh.links) == len(JOINTS) - 1
+
+
+def test_what_is_wrong_is_found_and_put_right(walk, broken, tmp_path):
+    take = mm.read(broken)
+    found = mm.detect(take)
+    gap = next(a for a in found if a.marker == "head")
+    assert (gap.kind, gap.start, gap.stop) == (Kind.GAP, HIDDEN.start, HIDDEN.stop)
+    swap = next(a for a in found if a.counterpart)
+    assert swap.marker.startswith("left_")
+    clean = mm.repair(take, found)
+    target = tmp_path / "clean.csv"
+    export = mm.write(clean, target)
+    back, changed = mm.read_pose(target), changed_joints(clean)
+    assert export.samples == changed.sum()
+    assert apart(back, walk)[changed].mean() < 0.1 * np.nanmean(apart(pose_of(take), walk)[changed])
+    assert (back.confidence[HIDDEN, JOINTS.index("head")] == INFERRED).all()
+    before = mm.read_pose(broken)
+    turned = changed.copy()
+    for joint, parent in enumerate(before.parents):
+        turned[:, parent] |= changed[:, joint] & (parent >= 0)
+    np.testing.assert_array_equal(back.positions[~changed], before.positions[~changed])
+    np.testing.assert_allclose(back.rotations[~turned], before.rotations[~turned], atol=2e-6)
+
+
+def test_an_interval_marked_by_hand_is_worked_out_anew(walk, tmp_path):
+    path = tmp_path / "walk.csv"
+    mm.write_pose(walk, path)
+    take = mm.read(path)
+    assert mm.detect(take) == ()
+    marked = Artifact("left_elbow", "xyz", 100, 120, Kind.STEP)
+    repair = propose(take, marked)
+    assert repair.method == "skeleton"
+    off = np.sqrt(np.sum((repair.patches[0].values - take.positions[100:120, 6]) ** 2, axis=1))
+    assert 0 < off.mean() < 3 * repair.error_mm
+    assert repair.band_mm.shape == (20,)
+
+
+def test_an_amc_is_the_same_where_nothing_was_repaired(shared_data, tmp_path):
+    source = shared_data / "poses" / "02_01.amc"
+    take = mm.read(source)
+    mm.write(take, tmp_path / "same.amc")
+    marked = Artifact("lradius", "xyz", 100, 120, Kind.STEP)
+    clean = mm.repair(take, [marked])
+    mm.write(clean, tmp_path / "clean.amc")
+    asf = shared_data / "poses" / "02.asf"
+    before, same, after = (
+        mm.read_pose(path, skeleton=asf).source.channels
+        for path in (source, tmp_path / "same.amc", tmp_path / "clean.amc")
+    )
+    rows = np.r_[0:100, 120 : take.frames]
+    for name, values in before.items():
+        np.testing.assert_array_equal(same[name], values)
+        np.testing.assert_array_equal(after[name][rows], values[rows])
+    assert (after["lradius"][100:120] != before["lradius"][100:120]).any()
+
+
+def test_every_shared_recording_opens(shared_data):
+    for path in sorted((shared_data / "poses").iterdir()):
+        if path.suffix == ".asf" or path.stem in ("01_08", "02_03", "03_01"):
+            take = mm.read(path)
+            assert take.skeleton
+            assert take.markers == 31
+
+
+def test_what_cannot_be_said_is_one_sentence(broken, tmp_path):
+    take = mm.read(broken)
+    with pytest.raises(ExportError, match="needs a skeleton"):
+        mm.write(take, tmp_path / "out.amc")
+    with pytest.raises(ExportError, match=r"\.amc"):
+        mm.write(take, tmp_path / "out.txt")
+    (tmp_path / "cut.csv").write_text("frame,joint,x,y,z\n")
+    with pytest.raises(mm.MarkermendError, match="cut short"):
+        mm.read(tmp_path / "cut.csv")
+    (tmp_path / "lone.amc").write_text("1\nroot 0 0 0 0 0 0\n")
+    with pytest.raises(mm.MarkermendError, match="skeleton"):
+        mm.read(tmp_path / "lone.amc")
+
+
+def test_the_command_line_takes_joints_for_markers(broken, tmp_path, capsys):
+    assert main(["info", str(broken)]) == 0
+    assert "left_elbow" in capsys.readouterr().out
+    assert main(["clean", str(broken), "-o", str(tmp_path / "out.csv")]) == 0
+    assert mm.read_pose(tmp_path / "out.csv").joints == JOINTS
