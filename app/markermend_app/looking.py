@@ -51,9 +51,9 @@ class Looking(QObject):
             self.shown_changed.emit()
 
     def show_too(self, markers: Iterable[str]) -> None:
-        """Show these markers, beside the others where the first one is shown already."""
+        """Show these markers foremost, with the others where the first one is shown already."""
         wanted = tuple(markers)
-        self.show((*self.shown, *wanted) if wanted[0] in self.shown else wanted)
+        self.show((*wanted, *self.shown) if wanted[0] in self.shown else wanted)
 
     def look_at(self, markers: Iterable[str], start: int, stop: int) -> None:
         """Bring frames of these markers into view, and the cursor into their middle."""

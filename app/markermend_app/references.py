@@ -13,7 +13,7 @@ class References(QObject):
     Signals
     -------
     said(str) : a sentence for the status bar
-    ended() : clicks mean what they always do again
+    changed(bool) : clicks choose references from now on, or mean what they always do again
 
     Attributes
     ----------
@@ -21,7 +21,7 @@ class References(QObject):
     """
 
     said = Signal(str)
-    ended = Signal()
+    changed = Signal(bool)
 
     def __init__(self, document: Document, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -41,8 +41,7 @@ class References(QObject):
                     current.marker
                 )
             )
-        else:
-            self.ended.emit()
+        self.changed.emit(self.choosing)
 
     def toggle(self, marker: str) -> bool:
         """Put a marker in or take it out; whether the click was meant for this."""

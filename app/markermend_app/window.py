@@ -222,7 +222,8 @@ class MainWindow(QMainWindow):
             speaker.said.connect(self.status.say)
         self.batch.started.connect(self._show_takes)
         choosing = self.actions_by_name["choose_references"]
-        self.references.ended.connect(lambda: choosing.setChecked(False))
+        self.references.changed.connect(choosing.setChecked)
+        self.references.changed.connect(self.scene.set_choosing)
         self.welcome.open_requested.connect(self.commands.open)
         self.welcome.demo_requested.connect(self.commands.open_demo)
         self.welcome.path_requested.connect(self.commands.open_path)

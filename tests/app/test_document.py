@@ -51,6 +51,15 @@ def test_selecting_shows_the_marker_and_asks_for_its_frames(document, qtbot):
     assert peak.start <= document.frame < peak.stop
 
 
+def test_the_marker_under_review_is_foremost_among_those_shown(document):
+    gap, peak, *_ = document.session.artifacts
+    document.show(["T10", gap.marker, peak.marker])
+    document.select(peak.id)
+    assert document.shown == (peak.marker, "T10", gap.marker)
+    document.select(gap.id)
+    assert document.shown == (gap.marker, peak.marker, "T10")
+
+
 def test_repair_tells_what_changed(document, qtbot):
     gap = of(document, Kind.GAP)
     document.select(gap.id)

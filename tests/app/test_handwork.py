@@ -228,8 +228,9 @@ def test_references_are_chosen_by_clicks_in_the_3d_view(window, qtbot):
     document.show(["CLAV", "LSHO"])
     document.go_to(75)
     scene.reset()
-    scene.grab()
+    plain = scene.grab().toImage()
     qtbot.keyClick(window, Qt.Key.Key_K)
+    assert scene.grab().toImage() != plain, "the view says what clicks do now"
 
     def click(marker):
         x, y = scene._at[document.session.original.index(marker)]

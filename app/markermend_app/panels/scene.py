@@ -26,7 +26,7 @@ from markermend_app.panels.scene_buttons import SceneButtons
 from markermend_app.panels.scene_camera import Camera
 from markermend_app.panels.scene_looks import Looks, marker_colours
 from markermend_app.panels.scene_seen import Seen
-from markermend_app.panels.scene_select import Outline
+from markermend_app.panels.scene_select import Outline, nearest
 from markermend_app.panels.scene_stage import Stage, centre_at, set_stage
 
 PICK_PX = 14.0
@@ -55,7 +55,7 @@ class Scene(QWidget):
         self.stage: Stage | None = None
         self._vertical: int | None = None
         self.looks = Looks()
-        self.before = False
+        self.before = self._choosing = False
         self.seen = Seen(document)
         self._outline: Outline | None = None
         self._followed: FloatArray | None = None
@@ -93,7 +93,7 @@ class Scene(QWidget):
         self.follow, self.trails = self.buttons.follow, self.buttons.trails
         self.labels, self.fit = self.buttons.labels, self.buttons.fit
         self.buttons.fit_wanted.connect(self.reset)
-        self.buttons.follow_changed.connect(self._follow_toggled)
+        self.buttons.follow_changed.connect(self.reset)
         self.buttons.changed.connect(self.update)
         self.buttons.menu.aboutToShow.connect(lambda: self._fill(self.buttons.menu))
         row = QHBoxLayout(self)
@@ -120,6 +120,11 @@ class Scene(QWidget):
     def set_before(self, before: bool) -> None:
         """Show the samples as they were in the file, or as they stand."""
         self.before = before
+        self.update()
+
+    def set_choosing(self, choosing: bool) -> None:
+        """Say that clicks choose the markers which a repair follows, or no longer."""
+        self._choosing = choosing
         self.update()
 
     def set_vertical(self, axis: int | None) -> None:
@@ -188,8 +193,10 @@ class Scene(QWidget):
         paint.paint_triad(sight)
         square = f"{self.stage.unit * units.FACTORS[units.unit()]:g} {units.unit()}"
         paint.paint_note(sight, self.tr("One square: {0}").format(square))
-        if self.before:
-            paint.paint_title(sight, self.tr("Before repair"))
+        if self._choosing:
+            paint.paint_title(sight, self.tr("Click the markers to follow"), t.accent)
+        elif self.before:
+            paint.paint_title(sight, self.tr("Before repair"), t.muted)
         if self._outline is not None:
             self._outline.paint(painter)
         paint.paint_focus(sight, self.hasFocus())
@@ -264,12 +271,8 @@ class Scene(QWidget):
     def marker_at(self, at: QPointF) -> str | None:
         """Marker nearest to a point of the view, or None when none is near."""
         session = self._document.session
-        if session is None or not len(self._at):
-            return None
-        away = np.hypot(self._at[:, 0] - at.x(), self._at[:, 1] - at.y())
-        if np.isnan(away).all() or np.nanmin(away) > PICK_PX:
-            return None
-        return session.original.labels[int(np.nanargmin(away))]
+        hit = nearest(self._at, at, PICK_PX)
+        return None if session is None or hit is None else session.original.labels[hit]
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Begin a click or a drag."""
@@ -374,11 +377,6 @@ class Scene(QWidget):
     def _frame_changed(self, _: int) -> None:
         self._keep_up()
         self.update()
-
-    def _follow_toggled(self) -> None:
-        """Begin to follow, nearer, or see the whole take again."""
-        self._followed = None
-        self.reset()
 
     def _keep_up(self) -> None:
         """Move the camera with the body."""

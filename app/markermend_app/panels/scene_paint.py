@@ -234,11 +234,11 @@ def paint_note(sight: Sight, text: str) -> None:
     painter.drawText(box, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, text)
 
 
-def paint_title(sight: Sight, text: str) -> None:
+def paint_title(sight: Sight, text: str, color: QColor) -> None:
     """Write a line in the upper left corner."""
     painter = sight.painter
     painter.setFont(_font(painter, QFont.Weight.DemiBold))
-    painter.setPen(theme.current().muted)
+    painter.setPen(color)
     painter.drawText(QPointF(10, 20), text)
 
 

@@ -45,3 +45,11 @@ class Outline:
         painter.setPen(QPen(look.accent, 1.5, Qt.PenStyle.DashLine))
         painter.setBrush(theme.faded(look.accent, 0.12))
         painter.drawPolygon(self.polygon())
+
+
+def nearest(at: FloatArray, point: QPointF, reach: float) -> int | None:
+    """Which of the (markers, 2) pixels is nearest to a point, or None when none is in reach."""
+    away = np.hypot(at[:, 0] - point.x(), at[:, 1] - point.y())
+    if not np.isfinite(away).any() or np.nanmin(away) > reach:
+        return None
+    return int(np.nanargmin(away))

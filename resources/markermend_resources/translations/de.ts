@@ -2739,6 +2739,10 @@
         <translation>Ein Quadrat: {0}</translation>
     </message>
     <message>
+        <source>Click the markers to follow</source>
+        <translation>Die Marker anklicken, denen gefolgt wird</translation>
+    </message>
+    <message>
         <source>Before repair</source>
         <translation>Vor der Reparatur</translation>
     </message>
