@@ -24,7 +24,7 @@ def table_strings() -> list[str]:
     """What is translated from tables rather than where it is written."""
     from markermend.repairs import REPAIRS
     from markermend.smoothers import SMOOTHERS
-    from markermend_app import actions, detection, params_form, theme
+    from markermend_app import actions, detection, params_form, telling, theme
     from markermend_app.panels import artifact_text, plot_quantity
 
     found = list(theme.KIND_NAME.values())
@@ -38,7 +38,7 @@ def table_strings() -> list[str]:
             found += [params_form.words(field.name), field.metadata.get("help", "")]
     for quantity in plot_quantity.QUANTITIES.values():
         found += [quantity.title, quantity.meaning]
-    found += [*artifact_text.STATUS_NAME.values(), *detection.DIALS]
+    found += [*artifact_text.STATUS_NAME.values(), *detection.DIALS, *telling.FORMS]
     return list(dict.fromkeys(text for text in found if text))
 
 

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import QWidget
 from markermend.alike import Doubt, doubts, lower
 from markermend.artifact import Artifact, Kind
 from markermend.progress import Progress
-from markermend_app import theme
 from markermend_app.alike_dialog import AlikeDialog
 from markermend_app.document import Document
 from markermend_app.jobs import Lane
@@ -133,12 +132,11 @@ class Bulk(QObject):
     def _carry_out(self, dialog: AlikeDialog, like: Artifact, repairing: bool) -> None:
         """Do what the dialog lists, as one step."""
         ids = dialog.chosen()
-        kind = theme.kind_name(like.kind, within=True)
         if not repairing:
             self._document.reject(ids)
         else:
             # One alone is named as any other repair is.
-            many = self.tr("Repair {0} artifacts alike ({1})").format(len(ids), kind)
+            many = f"Repair {len(ids)} artifacts alike ({like.kind})"
             label = many if len(ids) > 1 else ""
             chosen = [(i, repair) for i, repair in dialog.repairs.items() if i in ids]
             self._document.repair_many(chosen, label)

@@ -20,6 +20,7 @@ from markermend_app.exporting import Exporter
 from markermend_app.file_filters import open_filter
 from markermend_app.jobs import Lane
 from markermend_app.loading import Opened, load
+from markermend_app.telling import told
 
 
 class Commands(QObject):
@@ -211,7 +212,7 @@ class Commands(QObject):
             if session.original is not take:
                 self.said.emit(self.tr("Markers were renamed meanwhile; detect again."))
                 return
-            self._document.add_detected(found, self.tr("all kinds") if slow else self.tr("sudden"))
+            self._document.add_detected(found, "all kinds" if slow else "sudden")
             one, many = self.tr("1 artifact found."), self.tr("{0} artifacts found.")
             text = one if len(found) == 1 else many.format(len(found))
             # What is odd about the file was said before, and must not be lost.
@@ -248,7 +249,7 @@ class Commands(QObject):
         session = self._document.session
         if session is not None:
             ids = [a.id for a in session.with_status(Status.ACCEPTED)]
-            self.repair_many(ids, self.tr("Repair all accepted"))
+            self.repair_many(ids, "Repair all accepted")
 
     def repair_many(self, ids: Sequence[str], label: str = "") -> None:
         """Repair artifacts with their best methods, as one step."""
@@ -286,7 +287,7 @@ class Commands(QObject):
                 return
             good = [(a.id, r) for a, r in repairs if r.patches]
             if good:
-                name = label or self.tr("Repair {0} artifacts").format(len(good))
+                name = label or f"Repair {len(good)} artifacts"
                 self._document.repair_many(good, name)
             left = len(repairs) - len(good)
             text = self.tr("{0} repaired.").format(len(good))
@@ -313,14 +314,14 @@ class Commands(QObject):
         if session is not None and session.history:
             what = session.history[-1]
             self._document.undo()
-            self.said.emit(self.tr("Undone: {0}").format(what))
+            self.said.emit(self.tr("Undone: {0}").format(told(what)))
 
     def redo(self) -> None:
         """Bring the last undone step back, and say which."""
         session = self._document.session
         if session is not None and session.undone:
             self._document.redo()
-            self.said.emit(self.tr("Done again: {0}").format(session.history[-1]))
+            self.said.emit(self.tr("Done again: {0}").format(told(session.history[-1])))
 
     # Exporting
 
@@ -355,7 +356,7 @@ class Commands(QObject):
         elif file.recovered and not file.session.exported:
             # A detection run that was cut short is no work of the operator's.
             text = self.tr("An interrupted review was recovered; last step: {0}.").format(
-                file.session.history[-1] if file.session.history else self.tr("opened")
+                told(file.session.history[-1]) if file.session.history else self.tr("opened")
             )
         elif file.warning:
             text = file.warning

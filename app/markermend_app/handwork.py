@@ -24,6 +24,7 @@ from markermend_app.document import Document
 from markermend_app.jobs import Lane
 from markermend_app.looking import Selection
 from markermend_app.palette import Entry, Palette
+from markermend_app.telling import told
 
 
 class HandWork(QObject):
@@ -242,7 +243,7 @@ class HandWork(QObject):
         before = {a.id for a in session.artifacts}
         if self._document.do(verb):
             self._document.sweep(None)
-            self.said.emit(self.tr("{0}.").format(session.history[-1]))
+            self.said.emit(self.tr("{0}.").format(told(session.history[-1])))
             new = [a for a in session.artifacts if a.id not in before]
             opened = next((a for a in new if a.status is Status.PENDING), *new[:1] or (None,))
             if opened is not None:

@@ -15,6 +15,7 @@ from markermend_app.document import Document
 from markermend_app.jobs import Lane
 from markermend_app.scope import Scope, scopes
 from markermend_app.smooth_dialog import SmoothDialog, Smoothed
+from markermend_app.telling import told
 
 
 class Smoothing(QObject):
@@ -132,4 +133,4 @@ class Smoothing(QObject):
             )
         ):
             self._document.sweep(None)
-            self.said.emit(self.tr("{0}.").format(session.history[-1]))
+            self.said.emit(self.tr("{0}.").format(told(session.history[-1])))

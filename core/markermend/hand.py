@@ -262,7 +262,7 @@ def _gaps_redone(
         if kept is not None:
             del changes[kept.id]
             continue
-        why = f"Not seen for {stop - start} frames, since samples were cut or moved by hand."
+        why = f"not seen for {stop - start} frames, since samples were cut or moved by hand"
         new = Artifact(marker, AXES, start, stop, Kind.GAP, why=why)
         changes[session.free_id(new.id)] = replace(new, id=session.free_id(new.id))
     return changes

@@ -86,10 +86,10 @@ def test_every_sudden_class_is_found_and_named() -> None:
     assert abs(noise.stop - 360) < 5
     assert (step.marker, step.axes, step.start, step.stop) == ("C", "xy", 600, 660)
     assert step.amplitude_mm == pytest.approx(36, abs=2)
-    assert "60 frames (0.60 s)" in step.why
+    assert "60 frames (600 ms)" in step.why
     assert step.counterpart is None
     assert (gap.marker, gap.start, gap.stop, gap.confidence) == ("D", 900, 918, 1.0)
-    assert gap.why == "not seen for 18 frames (0.18 s)"
+    assert gap.why == "not seen for 18 frames (180 ms)"
     assert list(found) == sorted(found, key=lambda a: (a.start, a.marker))
     assert all(0.5 <= a.confidence <= 1 and a.why for a in found)
 

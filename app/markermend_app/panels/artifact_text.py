@@ -5,6 +5,7 @@ from __future__ import annotations
 from markermend.artifact import Artifact, Status
 from markermend.take import Take
 from markermend_app import theme
+from markermend_app.telling import told
 from markermend_app.words import tr as _tr
 
 STATUS_NAME = {
@@ -25,4 +26,4 @@ def describe(take: Take, artifact: Artifact) -> str:
         sure=artifact.confidence,
         status=_tr(STATUS_NAME[artifact.status]),
     )
-    return f"{text}\n{artifact.why}" if artifact.why else text
+    return f"{text}\n{told(artifact.why)}" if artifact.why else text

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QListView, QStackedWidget, QVBoxLayout, QWidget
 from markermend_app import theme
 from markermend_app.document import Document
 from markermend_app.panels.badge import hint
+from markermend_app.telling import told
 
 Index = QModelIndex | QPersistentModelIndex
 
@@ -80,7 +81,7 @@ class _Steps(QAbstractListModel):
         """Label, grey where undone, the present one heavier."""
         row = index.row()
         if role == Qt.ItemDataRole.DisplayRole:
-            return self._labels[row]
+            return told(self._labels[row])
         if role == Qt.ItemDataRole.ForegroundRole and row > self._done:
             return theme.current().muted
         if role == Qt.ItemDataRole.FontRole:

@@ -28,6 +28,7 @@ from markermend_app.panels.inspector_methods import MethodList
 from markermend_app.panels.inspector_take import heading, plain
 from markermend_app.panels.note_line import NoteLine
 from markermend_app.shortcuts import KeyTip
+from markermend_app.telling import told
 from markermend_app.words import tr
 
 
@@ -151,7 +152,7 @@ class ArtifactPage(QWidget):
         self.confidence.setValue(round(100 * a.confidence))
         self.confidence.setUpdatesEnabled(True)
         self.sureness.setText(f"{100 * a.confidence:.0f} %, {self._words(a.confidence)}")
-        self.why.setText(a.why or self.tr("No reason was given."))
+        self.why.setText(told(a.why) or self.tr("No reason was given."))
 
     def _words(self, confidence: float) -> str:
         """Confidence for people."""

@@ -24,6 +24,7 @@ from markermend_app import theme, units
 from markermend_app.panels.artifact_text import describe
 from markermend_app.panels.badge import dot_icon
 from markermend_app.panels.naming import short_names
+from markermend_app.telling import told
 from markermend_app.words import tr
 
 Index = QModelIndex | QPersistentModelIndex
@@ -239,7 +240,7 @@ class QueueModel(QAbstractTableModel):
             SIZE: lambda: units.length(a.amplitude_mm) if math.isfinite(a.amplitude_mm) else "–",
             CONFIDENCE: lambda: f"{100 * a.confidence:.0f} %",
             REPAIR: lambda: self._repair_text(a),
-            WHY: lambda: f"✎ {a.note} – {a.why}" if a.note else a.why,
+            WHY: lambda: f"✎ {a.note} – {told(a.why)}" if a.note else told(a.why),
         }[column]()
 
     def _tip(self, take: Take, a: Artifact) -> str:

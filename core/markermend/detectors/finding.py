@@ -148,7 +148,7 @@ def in_mm(amplitude: float) -> str:
 
 
 def how_long(length: int, rate: float) -> str:
-    """Write a length as frames and seconds."""
+    """Write a length as frames and time."""
     seconds = length / rate
-    digits = 2 if seconds < 1 else 1
-    return f"{length} {'frame' if length == 1 else 'frames'} ({seconds:.{digits}f} s)"
+    time = f"{1000 * seconds:.0f} ms" if seconds < 1 else f"{seconds:.1f} s"
+    return f"{length} {'frame' if length == 1 else 'frames'} ({time})"

@@ -1356,6 +1356,198 @@
         <translation>Alles Auffällige</translation>
     </message>
     <message>
+        <source>Find gaps, peaks, noise and steps</source>
+        <translation>Lücken, Spitzen, Rauschen und Sprünge gesucht</translation>
+    </message>
+    <message>
+        <source>Find artifacts of all classes</source>
+        <translation>Artefakte aller Klassen gesucht</translation>
+    </message>
+    <message>
+        <source>Accept {0}</source>
+        <translation>Angenommen: {0}</translation>
+    </message>
+    <message>
+        <source>Reject {0}</source>
+        <translation>Abgelehnt: {0}</translation>
+    </message>
+    <message>
+        <source>Reopen {0}</source>
+        <translation>Wieder geöffnet: {0}</translation>
+    </message>
+    <message>
+        <source>Mark {0}</source>
+        <translation>Markiert: {0}</translation>
+    </message>
+    <message>
+        <source>Remove {0}</source>
+        <translation>Entfernt: {0}</translation>
+    </message>
+    <message>
+        <source>Adjust {0}</source>
+        <translation>Angepasst: {0}</translation>
+    </message>
+    <message>
+        <source>Split {0}</source>
+        <translation>Geteilt: {0}</translation>
+    </message>
+    <message>
+        <source>Note on {0}</source>
+        <translation>Notiz: {0}</translation>
+    </message>
+    <message>
+        <source>Repair {0} artifacts alike ({1})</source>
+        <translation>{0} gleichartige Artefakte repariert ({1})</translation>
+    </message>
+    <message>
+        <source>Repair {0} by hand</source>
+        <translation>Von Hand repariert: {0}</translation>
+    </message>
+    <message>
+        <source>Repair {0}</source>
+        <translation>Repariert: {0}</translation>
+    </message>
+    <message>
+        <source>Swap {0} and {1} by hand</source>
+        <translation>{0} und {1} von Hand getauscht</translation>
+    </message>
+    <message>
+        <source>Call {0} on {1} {2}</source>
+        <translation>{0} an {1} umbenannt in {2}</translation>
+    </message>
+    <message>
+        <source>Cut {0} in {1}</source>
+        <translation>{0} ausgeschnitten, {1}</translation>
+    </message>
+    <message>
+        <source>Move {0} to {1} in {2}</source>
+        <translation>{0} zu {1} verschoben, {2}</translation>
+    </message>
+    <message>
+        <source>Smooth {0} in {1}</source>
+        <translation>{0} geglättet, {1}</translation>
+    </message>
+    <message>
+        <source>Rename {0} to {1}</source>
+        <translation>{0} umbenannt in {1}</translation>
+    </message>
+    <message>
+        <source>Join {0} on {1}</source>
+        <translation>{0} an {1} verbunden</translation>
+    </message>
+    <message>
+        <source>Lower {0} ({1} on {2})</source>
+        <translation>{0} herabgestuft ({1} an {2})</translation>
+    </message>
+    <message>
+        <source>Detect ({0})</source>
+        <translation>Gesucht ({0})</translation>
+    </message>
+    <message>
+        <source>{0} artifacts</source>
+        <translation>{0} Artefakte</translation>
+    </message>
+    <message>
+        <source>{0} artifact</source>
+        <translation>{0} Artefakt</translation>
+    </message>
+    <message>
+        <source>{0} markers</source>
+        <translation>{0} Marker</translation>
+    </message>
+    <message>
+        <source>frames {0}–{1}</source>
+        <translation>Frames {0}–{1}</translation>
+    </message>
+    <message>
+        <source>all frames</source>
+        <translation>alle Frames</translation>
+    </message>
+    <message>
+        <source>marked by hand</source>
+        <translation>von Hand markiert</translation>
+    </message>
+    <message>
+        <source>{0}; {1} times its usual scatter</source>
+        <translation>{0}; {1}-mal seine übliche Streuung</translation>
+    </message>
+    <message>
+        <source>{0}; its residual changes there from {1} to {2} mm</source>
+        <translation>{0}; sein Residuum ändert sich dort von {1} auf {2} mm</translation>
+    </message>
+    <message>
+        <source>{0}; {1} cameras see it instead of {2}</source>
+        <translation>{0}; {1} Kameras sehen ihn statt {2}</translation>
+    </message>
+    <message>
+        <source>not seen for {0} frames, since samples were cut or moved by hand</source>
+        <translation>{0} Frames lang nicht gesehen, da von Hand ausgeschnitten oder verschoben wurde</translation>
+    </message>
+    <message>
+        <source>not seen for {0}</source>
+        <translation>nicht gesehen, {0} lang</translation>
+    </message>
+    <message>
+        <source>sticks out by {0} for {1}, its neighbours do not</source>
+        <translation>ragt um {0} heraus, {1} lang, seine Nachbarn nicht</translation>
+    </message>
+    <message>
+        <source>sticks out by {0} for {1}, its neighbours by {2}</source>
+        <translation>ragt um {0} heraus, {1} lang, seine Nachbarn um {2}</translation>
+    </message>
+    <message>
+        <source>jitters by about {0} for {1}, {2} times its usual; its neighbours are calm</source>
+        <translation>zittert um etwa {0}, {1} lang, {2}-mal so stark wie sonst; seine Nachbarn sind ruhig</translation>
+    </message>
+    <message>
+        <source>jumps {0} in one frame, its neighbours do not, and comes back {1} later</source>
+        <translation>springt {0} in einem Frame, seine Nachbarn nicht, und kommt {1} später zurück</translation>
+    </message>
+    <message>
+        <source>jumps {0} in one frame, its neighbours by {1}, and comes back {2} later</source>
+        <translation>springt {0} in einem Frame, seine Nachbarn {1}, und kommt {2} später zurück</translation>
+    </message>
+    <message>
+        <source>jumps {0} in one frame, its neighbours do not, and slides back within {1}</source>
+        <translation>springt {0} in einem Frame, seine Nachbarn nicht, und gleitet in {1} zurück</translation>
+    </message>
+    <message>
+        <source>jumps {0} in one frame, its neighbours by {1}, and slides back within {2}</source>
+        <translation>springt {0} in einem Frame, seine Nachbarn {1}, und gleitet in {2} zurück</translation>
+    </message>
+    <message>
+        <source>slides {0} off within {1} and jumps back, its neighbours do not</source>
+        <translation>gleitet {0} weg in {1} und springt zurück, seine Nachbarn nicht</translation>
+    </message>
+    <message>
+        <source>slides {0} off within {1} and jumps back, its neighbours by {2}</source>
+        <translation>gleitet {0} weg in {1} und springt zurück, seine Nachbarn um {2}</translation>
+    </message>
+    <message>
+        <source>slides {0} off, jumps past its course and slides back, {1} in all</source>
+        <translation>gleitet {0} weg, springt über seine Bahn hinaus und gleitet zurück, {1} in allem</translation>
+    </message>
+    <message>
+        <source>lies {0} off for {1} beside a gap or an end, one jump away</source>
+        <translation>liegt {0} daneben, {1} lang, an einer Lücke oder einem Ende, einen Sprung entfernt</translation>
+    </message>
+    <message>
+        <source>drifts {0} off the place its neighbours give it and returns, within {1}</source>
+        <translation>driftet {0} von dem Ort weg, den seine Nachbarn angeben, und kehrt zurück, in {1}</translation>
+    </message>
+    <message>
+        <source>changes places with {0} for {1}: once exchanged, {2} of the {3} jump are left</source>
+        <translation>tauscht den Platz mit {0}, {1} lang: zurückgetauscht bleiben {2} des Sprungs von {3}</translation>
+    </message>
+    <message>
+        <source>{0} frames ({1})</source>
+        <translation>{0} Frames ({1})</translation>
+    </message>
+    <message>
+        <source>{0} frame ({1})</source>
+        <translation>{0} Frame ({1})</translation>
+    </message>
+    <message>
         <source>Plots</source>
         <translation>Kurven</translation>
     </message>
@@ -1506,6 +1698,10 @@
     <message>
         <source>None yet</source>
         <translation>Noch keine</translation>
+    </message>
+    <message>
+        <source>{0} on {1}</source>
+        <translation>{0} an {1}</translation>
     </message>
 </context>
 <context>
@@ -1716,10 +1912,6 @@
         <translation>{0} Artefakte kommen jetzt zuletzt.</translation>
     </message>
     <message>
-        <source>Repair {0} artifacts alike ({1})</source>
-        <translation>{0} ähnliche Artefakte reparieren ({1})</translation>
-    </message>
-    <message>
         <source>{0} repaired.</source>
         <translation>{0} repariert.</translation>
     </message>
@@ -1770,14 +1962,6 @@
         <translation>Inzwischen wurden Marker umbenannt; bitte erneut suchen.</translation>
     </message>
     <message>
-        <source>all kinds</source>
-        <translation>alle Arten</translation>
-    </message>
-    <message>
-        <source>sudden</source>
-        <translation>plötzliche</translation>
-    </message>
-    <message>
         <source>1 artifact found.</source>
         <translation>1 Artefakt gefunden.</translation>
     </message>
@@ -1790,20 +1974,12 @@
         <translation>Suche nach Artefakten</translation>
     </message>
     <message>
-        <source>Repair all accepted</source>
-        <translation>Alle angenommenen reparieren</translation>
-    </message>
-    <message>
         <source>There is nothing to repair: no artifact is accepted.</source>
         <translation>Es gibt nichts zu reparieren: Kein Artefakt ist angenommen.</translation>
     </message>
     <message>
         <source>The review changed meanwhile; repair again.</source>
         <translation>Die Durchsicht hat sich inzwischen geändert; bitte erneut reparieren.</translation>
-    </message>
-    <message>
-        <source>Repair {0} artifacts</source>
-        <translation>{0} Artefakte reparieren</translation>
     </message>
     <message>
         <source>{0} repaired.</source>

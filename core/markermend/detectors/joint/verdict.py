@@ -18,6 +18,9 @@ SAME = 0.5
 FAINT = 0.2
 """What is as sure as this counts where another axis of the marker is surely wrong as well."""
 
+NOTICED = 0.05
+"""What the neighbours jump is told from this share of the marker's own jump on."""
+
 
 def to_artifacts(
     take: Take,
@@ -89,26 +92,28 @@ def _explain(group: Sequence[Sudden], size: float, length: int, rate: float) -> 
     lasting, mm = how_long(length, rate), in_mm(size)
     if surest.kind is Kind.NOISE:
         return (
-            f"jitters by {mm} mm (standard deviation) for {lasting}, {6 * surest.score:.0f} times "
-            "its usual; its neighbours are calm"
+            f"jitters by about {mm} mm for {lasting}, {6 * surest.score:.0f} times its usual; its "
+            "neighbours are calm"
         )
-    beside = f"while its neighbours move {in_mm(surest.beside_mm)} mm"
-    clear = f"{surest.score:.0f} standard errors of its motion around"
+    beside = "its neighbours do not"
+    if surest.beside_mm >= NOTICED * size:
+        beside = f"its neighbours by {in_mm(surest.beside_mm)} mm"
+    clear = f"{surest.score:.0f} times its usual scatter"
     if surest.kind is Kind.PEAK:
-        return f"sticks out by {mm} mm for {lasting} {beside}; {clear}"
+        return f"sticks out by {mm} mm for {lasting}, {beside}; {clear}"
     if surest.course is Course.FALLEN:
         return (
-            f"jumps {mm} mm in one frame {beside} and stays off for {lasting}, up to an end of the "
-            f"take, at another distance from them: it moved on the body or fell off; {clear}"
+            f"jumps {mm} mm in one frame, {beside}, and stays off for {lasting}, up to an end of "
+            f"the take, at another distance from them: it moved on the body or fell off; {clear}"
         )
     if surest.course is Course.CUT_OFF:
         return f"lies {mm} mm off for {lasting} beside a gap or an end, one jump away; {clear}"
     if surest.course is Course.BUILDS_UP:
-        return f"slides {mm} mm off within {lasting} and jumps back {beside}; {clear}"
+        return f"slides {mm} mm off within {lasting} and jumps back, {beside}; {clear}"
     if surest.course is Course.RELAXES:
-        return f"jumps {mm} mm in one frame {beside} and slides back within {lasting}; {clear}"
+        return f"jumps {mm} mm in one frame, {beside}, and slides back within {lasting}; {clear}"
     if surest.course is Course.OVERSHOOTS:
         return (
             f"slides {mm} mm off, jumps past its course and slides back, {lasting} in all; {clear}"
         )
-    return f"jumps {mm} mm in one frame {beside} and comes back {lasting} later; {clear}"
+    return f"jumps {mm} mm in one frame, {beside}, and comes back {lasting} later; {clear}"

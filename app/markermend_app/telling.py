@@ -1,0 +1,98 @@
+"""What the engine wrote in English, steps of the history and reasons, in the language of the app.
+
+The engine's sentences are made of few forms, so that a list of forms translates them. What has
+none stays as it is.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from functools import cache
+
+from markermend.artifact import Kind
+from markermend_app import theme
+from markermend_app.words import tr
+
+_SAME = (
+    # Steps of the history.
+    "Accept {0}",
+    "Reject {0}",
+    "Reopen {0}",
+    "Mark {0}",
+    "Remove {0}",
+    "Adjust {0}",
+    "Split {0}",
+    "Note on {0}",
+    "Repair all accepted",
+    "Repair {0} artifacts alike ({1})",
+    "Repair {0} by hand",
+    "Repair {0}",
+    "Swap {0} and {1} by hand",
+    "Call {0} on {1} {2}",
+    "Cut {0} in {1}",
+    "Move {0} to {1} in {2}",
+    "Smooth {0} in {1}",
+    "Rename {0} to {1}",
+    "Join {0} on {1}",
+    "Lower {0} ({1} on {2})",
+    "Detect ({0})",
+    "{0} artifacts",
+    "{0} artifact",
+    "{0} markers",
+    "frames {0}–{1}",
+    "all frames",
+    # Reasons; what follows a semicolon first, since it stands behind any of them.
+    "marked by hand",
+    "{0}; {1} times its usual scatter",
+    "{0}; its residual changes there from {1} to {2} mm",
+    "{0}; {1} cameras see it instead of {2}",
+    "not seen for {0} frames, since samples were cut or moved by hand",
+    "not seen for {0}",
+    "sticks out by {0} for {1}, its neighbours do not",
+    "sticks out by {0} for {1}, its neighbours by {2}",
+    "jitters by about {0} for {1}, {2} times its usual; its neighbours are calm",
+    "jumps {0} in one frame, its neighbours do not, and comes back {1} later",
+    "jumps {0} in one frame, its neighbours by {1}, and comes back {2} later",
+    "jumps {0} in one frame, its neighbours do not, and slides back within {1}",
+    "jumps {0} in one frame, its neighbours by {1}, and slides back within {2}",
+    "slides {0} off within {1} and jumps back, its neighbours do not",
+    "slides {0} off within {1} and jumps back, its neighbours by {2}",
+    "slides {0} off, jumps past its course and slides back, {1} in all",
+    "lies {0} off for {1} beside a gap or an end, one jump away",
+    "drifts {0} off the place its neighbours give it and returns, within {1}",
+    "changes places with {0} for {1}: once exchanged, {2} of the {3} jump are left",
+    "{0} frames ({1})",
+    "{0} frame ({1})",
+)
+_FORMS: Mapping[str, str] = {
+    "Detect (sudden)": "Find gaps, peaks, noise and steps",
+    "Detect (all kinds)": "Find artifacts of all classes",
+    **{form: form for form in _SAME},
+}
+"""Forms as the engine writes them, and as they are told."""
+FORMS = tuple(_FORMS.values())
+
+
+@cache
+def _patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
+    """Forms as expressions to match, and how each is told."""
+    return tuple(
+        (re.compile(re.sub(r"\\\{\d\\\}", "(.+?)", re.escape(form))), told)
+        for form, told in _FORMS.items()
+    )
+
+
+def told(text: str) -> str:
+    """A sentence of the engine in the language of the app, as far as its form is known."""
+    kinds = {kind.value: kind for kind in Kind}
+    if text in kinds:
+        return theme.kind_name(kinds[text], within=True)
+    kind, _, marker = text.partition(" on ")
+    if kind in kinds and marker:
+        return tr("{0} on {1}").format(told(kind), marker)
+    for pattern, form in _patterns():
+        found = pattern.fullmatch(text)
+        if found is not None:
+            return tr(form).format(*map(told, found.groups()))
+    return text

@@ -1,0 +1,72 @@
+"""The engine's sentences in the language of the app: every form is known and keeps its values."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import QCoreApplication, QTranslator
+
+from markermend import hand
+from markermend.artifact import Kind, Status
+from markermend.detectors import detect
+from markermend.session import Session
+from markermend_app.telling import told
+
+
+class Brackets(QTranslator):
+    """Puts every translated text into brackets."""
+
+    def translate(self, context, text, disambiguation=None, n=-1):
+        return f"⟦{text}⟧"
+
+    def isEmpty(self):
+        return False
+
+
+@pytest.fixture
+def brackets(qapp):
+    made = Brackets()
+    QCoreApplication.installTranslator(made)
+    yield
+    QCoreApplication.removeTranslator(made)
+
+
+def steps(take, truth):
+    """The history of a review in which everything was done once."""
+    session = Session(take)
+    session.add_detected(truth, "sudden")
+    gap, peak, noise, step = session.artifacts
+    session.set_status([gap.id], Status.ACCEPTED)
+    session.set_status([gap.id, peak.id], Status.REJECTED)
+    session.set_status([gap.id], Status.PENDING)
+    session.annotate(noise.id, "odd")
+    session.change(noise.id, kind=Kind.STEP)
+    session.change(noise.id, stop=noise.stop + 2)
+    hand.split(session, step.id, 300)
+    hand.cut(session, "T10", 10, 20)
+    hand.rename(session, {"STRN": "STERNUM"})
+    session.remove([peak.id])
+    return session.history
+
+
+def test_every_step_is_told_in_the_language_of_the_app(damaged, brackets):
+    for label in steps(*damaged):
+        assert told(label).startswith("⟦"), label
+
+
+def test_reasons_are_told_in_the_language_of_the_app(damaged, brackets):
+    found = detect(damaged[0])
+    assert len({a.kind for a in found}) >= 3
+    for artifact in found:
+        assert "⟦" in told(artifact.why), artifact.why
+
+
+def test_values_keep_their_places():
+    assert told("Accept gap on LFHD") == "Accept gap on LFHD"
+    assert told("Call slow on C7 noise") == "Call slow drift on C7 noise"
+    why = "sticks out by 9 mm for 1 frame (9 ms), its neighbours by 2 mm; 8 times its usual scatter"
+    assert told(why) == why
+    assert told("something nobody wrote") == "something nobody wrote"
+
+
+def test_a_search_is_told_in_plain_words():
+    assert told("Detect (sudden)") == "Find gaps, peaks, noise and steps"
