@@ -11,10 +11,11 @@ from markermend.detectors.joint import JointParams
 from markermend.detectors.joint.bands import clipped, filters, split
 from markermend.detectors.joint.bank import KINDS, bank, scores, shape_of
 from markermend.detectors.joint.drift import scan
+from markermend.detectors.joint.judge import Judge, evidence, load_judge, quiet_levels
 from markermend.detectors.joint.measures import FEATURES
-from markermend.detectors.joint.slow import prepare, shipped_trees
+from markermend.detectors.joint.slow import prepare, shipped_judge
 from markermend.detectors.joint.slow_training import examples_of
-from markermend.detectors.joint.trees import from_scikit, load_trees, rescaled
+from markermend.detectors.joint.trees import from_scikit
 from markermend.detectors.joint.views import BODY, VIEWS, Views, see
 from markermend.detectors.joint.whiten import whiten
 from markermend.predictors.cross_fit import distance_spreads
@@ -127,16 +128,31 @@ def test_trees_agree_with_scikit_learn(tmp_path):
     mean = np.mean([model.decision_function(rows) for model in models], axis=0)
     trees = from_scikit(models)
     assert np.allclose(trees.log_odds(rows), mean)
-    assert np.allclose(rescaled(trees, 0.5, 2.0).log_odds(rows), 0.5 * mean + 2.0)
-    trees.save(tmp_path / "trees.npz")
-    stored = load_trees(tmp_path / "trees.npz")
-    assert np.allclose(stored.log_odds(rows), mean, atol=1e-4)
+    Judge(trees, np.arange(6.0)).save(tmp_path / "judge.npz")
+    stored = load_judge(tmp_path / "judge.npz")
+    assert np.allclose(stored.trees.log_odds(rows), mean, atol=1e-4)
+    assert (stored.weights == np.arange(6.0)).all()
 
 
-def test_shipped_trees_fit_the_features():
-    trees = shipped_trees()
-    assert trees.feature.max() < len(FEATURES)
-    assert np.isfinite(trees.log_odds(np.ones((3, len(FEATURES))))).all()
+def test_the_shipped_judge_fits_the_features():
+    judge = shipped_judge()
+    assert judge.trees.feature.max() < len(FEATURES)
+    assert len(judge.weights) == 1 + evidence(np.zeros(1), np.ones(1, bool), np.zeros(2)).shape[1]
+    assert np.isfinite(judge.trees.log_odds(np.ones((3, len(FEATURES))))).all()
+
+
+def test_candidates_are_believed_less_where_the_take_has_many_as_clear():
+    judge, rng = shipped_judge(), np.random.default_rng(0)
+    odds = np.concatenate([[1.0], rng.normal(-6.0, 1.0, 400)])
+    rougher = np.concatenate([[1.0], rng.normal(-4.0, 1.0, 400)])
+    sharp = np.ones(401, dtype=bool)
+
+    def weighed(values):
+        return (evidence(values, sharp, quiet_levels(values, 20.0)) @ judge.weights[1:])[0]
+
+    assert weighed(odds) > weighed(rougher) + 0.5
+    assert quiet_levels(odds, 20.0)[0] == np.sort(odds)[-41]
+    assert (quiet_levels(np.zeros(0), 20.0) == 0.0).all()
 
 
 @pytest.mark.parametrize(("kind", "length"), [("sharp", 50), ("hann", 50)])

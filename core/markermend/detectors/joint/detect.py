@@ -14,7 +14,7 @@ from markermend.detectors.joint.slow import (
     drift_artifacts,
     find_drifts,
     prepare,
-    shipped_trees,
+    shipped_judge,
 )
 from markermend.detectors.joint.strays import find_strays
 from markermend.detectors.joint.sudden import find_sudden
@@ -107,5 +107,5 @@ def _slow(
     """Slow changes, on what the sudden artifacts leave."""
     ground = prepare(take, markers, sudden)
     least = 1.0 - params.sensitivity
-    drifts = find_drifts(ground, neighbours, shipped_trees(), least, params.jobs, progress)
+    drifts = find_drifts(ground, neighbours, shipped_judge(), least, params.jobs, progress)
     return drift_artifacts(take, markers, [d for d in drifts if d.size_mm >= params.least_mm])

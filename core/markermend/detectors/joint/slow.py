@@ -13,9 +13,9 @@ from markermend.artifact import Artifact, Kind, axis_columns
 from markermend.detectors.finding import how_long, in_mm, overlap
 from markermend.detectors.joint.bank import LONGEST
 from markermend.detectors.joint.drift import Candidates, scan
+from markermend.detectors.joint.judge import Judge, load_judge
 from markermend.detectors.joint.measures import CROWDS, FEATURES
 from markermend.detectors.joint.shapes import fit_of
-from markermend.detectors.joint.trees import Trees, load_trees
 from markermend.predictors.bridging import bridge
 from markermend.predictors.cross_fit import distance_spreads
 from markermend.progress import Progress
@@ -188,7 +188,7 @@ def crowd_of(scans: Sequence[Candidates], ground: Ground) -> Crowd:
 def find_drifts(
     ground: Ground,
     neighbours: IntArray,
-    trees: Trees,
+    judge: Judge,
     least: float,
     jobs: int,
     progress: Progress,
@@ -199,7 +199,7 @@ def find_drifts(
     ----------
     ground : from :func:`prepare`
     neighbours : (markers, k) nearest other markers
-    trees : what confidence was learned into
+    judge : what confidence was learned into
     least : smallest confidence
     jobs : processes
     progress : told after each marker; may raise to stop
@@ -210,17 +210,20 @@ def find_drifts(
     echo of a larger one on a neighbour is left out
     """
     scans = scan_all(ground, jobs, progress)
+    if not sum(map(len, scans)):
+        return []
+    crowd = crowd_of(scans, ground)
+    scans = [crowd.fill_in(one, marker) for marker, one in enumerate(scans)]
+    features = np.concatenate([one.features for one in scans])
+    sure = judge.confidence(features, crowd.minutes * len(scans))
     found: list[Drift] = []
-    crowd = crowd_of(scans, ground) if scans else None
+    first = 0
     for marker, one in enumerate(scans):
-        if crowd is None or not len(one):
-            continue
-        judged = crowd.fill_in(one, marker)
-        sure = 1.0 / (1.0 + np.exp(-trees.log_odds(judged.features)))
-        for n in np.flatnonzero(sure >= least):
-            start, stop = (int(v[n]) * ground.thin for v in (judged.start, judged.stop))
-            size = float(abs(judged.size_mm[n]))
-            found.append(Drift(marker, int(judged.axis[n]), start, stop, size, float(sure[n])))
+        for n in np.flatnonzero(sure[first : first + len(one)] >= least):
+            start, stop = (int(v[n]) * ground.thin for v in (one.start, one.stop))
+            size, confidence = float(abs(one.size_mm[n])), float(sure[first + n])
+            found.append(Drift(marker, int(one.axis[n]), start, stop, size, confidence))
+        first += len(one)
     kept: list[Drift] = []
     for d in sorted(found, key=lambda d: (-d.confidence, d.marker, d.start)):
         if not any(_hidden(d, k, neighbours) for k in kept):
@@ -272,9 +275,9 @@ def drift_artifacts(take: Take, markers: Sequence[int], drifts: Sequence[Drift])
 
 
 @lru_cache(maxsize=1)
-def shipped_trees() -> Trees:
-    """Read the trees that ship with Markermend (``models/slow.npz``)."""
+def shipped_judge() -> Judge:
+    """Read the judge that ships with Markermend (``models/slow.npz``)."""
     from importlib.resources import as_file, files
 
     with as_file(files("markermend_resources").joinpath("models", "slow.npz")) as path:
-        return load_trees(path)
+        return load_judge(path)

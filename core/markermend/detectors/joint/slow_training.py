@@ -16,10 +16,11 @@ from markermend.detectors.finding import overlap
 from markermend.detectors.joint.bank import KINDS, LONGEST, SHORTEST, shape_of
 from markermend.detectors.joint.detect import detect_joint
 from markermend.detectors.joint.drift import Candidates, scan
+from markermend.detectors.joint.judge import Judge, evidence, is_sharp, quiet_levels
 from markermend.detectors.joint.measures import FEATURES
 from markermend.detectors.joint.params import JointParams
 from markermend.detectors.joint.slow import Crowd, Ground, crowd_of, prepare, scan_all
-from markermend.detectors.joint.trees import Trees, from_scikit, rescaled
+from markermend.detectors.joint.trees import Trees, from_scikit
 from markermend.files.pose import read_pose
 from markermend.predictors.cross_fit import distance_spreads
 from markermend.progress import Progress, quiet
@@ -32,6 +33,9 @@ DENSITY = 0.2
 RAISED = 20.0
 """Drifts count so many times as often in learning; their odds are set right afterwards."""
 FOLDS, MODELS, TREES = 4, 3, 120
+TAIL = -1.0
+"""Log odds of the trees from which on their reading is learned: what lies below is never believed,
+and so plentiful that it would rule."""
 RISING = (
     *("score", "reweighted", "raw score", "without a part", "without a band"),
     *("weakest view", "t gain", "over spread"),
@@ -230,36 +234,38 @@ def dressed(folder: Path, sets: int, seed: int) -> Iterator[Take]:
                 yield dress(pose, markers=markers, seed=one)
 
 
-def fit_slow(takes: Sequence[Examples], *, seed: int = 0) -> Trees:
+def fit_slow(takes: Sequence[Examples], *, seed: int = 0) -> Judge:
     """Learn confidence from the examples of several takes.
 
     Parameters
     ----------
     takes : examples of each take, two at least
-    seed : same examples and seed, same trees
+    seed : same examples and seed, same judge
 
     Returns
     -------
-    Trees whose log odds hold where :data:`DENSITY` drifts come on a marker and minute. How far
-    they may be believed on a take that was not learned from is found by leaving takes out, and
-    their odds are drawn together accordingly.
+    Judge whose confidence holds where :data:`DENSITY` drifts come on a marker and minute. How the
+    trees may be believed on a take that was not learned from is found by leaving takes out.
     """
-    folds = range(len(takes))
-    held_out: list[FloatArray] = []
+    read: list[FloatArray] = []
     truth: list[BoolArray] = []
     weight: list[FloatArray] = []
     for fold in range(min(FOLDS, len(takes))):
-        others = [takes[k] for k in folds if k % FOLDS != fold]
-        trees = from_scikit([_boost(others, seed)])
-        for k in folds:
-            if k % FOLDS == fold:
-                held_out.append(trees.log_odds(takes[k].features))
-                truth.append(takes[k].real)
-                weight.append(_weights(takes[k]))
-    odds = np.concatenate(held_out) - np.log(RAISED)
-    slope, shift = _straightened(odds, np.concatenate(truth), np.concatenate(weight))
-    trees = from_scikit([_boost(takes, seed + n) for n in range(MODELS)])
-    return rescaled(trees, slope, shift - slope * np.log(RAISED))
+        trees = _boosted([take for k, take in enumerate(takes) if k % FOLDS != fold], seed)
+        for take in takes[fold::FOLDS]:
+            odds = trees.log_odds(take.features)
+            levels = quiet_levels(odds[take.drift < 0], take.minutes)
+            tail = odds > TAIL
+            read.append(evidence(odds, is_sharp(take.features), levels)[tail])
+            truth.append(take.real[tail])
+            weight.append(_weights(take)[tail])
+    weights = _reading(np.concatenate(read), np.concatenate(truth), np.concatenate(weight))
+    return Judge(_boosted(takes, seed), weights)
+
+
+def _boosted(takes: Sequence[Examples], seed: int) -> Trees:
+    """Trees of several seeds, averaged."""
+    return from_scikit([_boost(takes, seed + n) for n in range(MODELS)])
 
 
 def _weights(examples: Examples) -> FloatArray:
@@ -291,9 +297,9 @@ def _boost(takes: Sequence[Examples], seed: int) -> Any:
     return model.fit(features, real, sample_weight=weight)
 
 
-def _straightened(odds: FloatArray, real: BoolArray, weight: FloatArray) -> tuple[float, float]:
-    """Slope and shift by which log odds become true on what was left out."""
+def _reading(evidence: FloatArray, real: BoolArray, weight: FloatArray) -> FloatArray:
+    """Weights of 1 and of the evidence by which log odds become true on what was left out."""
     from sklearn.linear_model import LogisticRegression
 
-    model = LogisticRegression(C=1e6).fit(odds[:, None], real, sample_weight=weight)
-    return float(model.coef_[0, 0]), float(model.intercept_[0])
+    model = LogisticRegression(C=1e6, max_iter=1000).fit(evidence, real, sample_weight=weight)
+    return np.concatenate([model.intercept_, model.coef_[0]])

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from pathlib import Path
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from markermend.arrays import FloatArray, IntArray
 
@@ -49,30 +49,29 @@ class Trees:
             node = np.where(column < 0, node, step)
         return np.asarray(self.bias + self.value[trees, node].sum(axis=1))
 
-    def save(self, path: Path) -> None:
-        """Write the arrays as one ``.npz``."""
-        np.savez_compressed(
-            path,
-            feature=self.feature.astype(np.int16),
-            threshold=self.threshold,
-            left=self.left.astype(np.int16),
-            right=self.right.astype(np.int16),
-            value=self.value.astype(np.float32),
-            bias=np.array(self.bias),
-        )
+
+def tree_arrays(trees: Trees) -> dict[str, NDArray[Any]]:
+    """Give the arrays by name, as small as they may be."""
+    return {
+        "feature": trees.feature.astype(np.int16),
+        "threshold": trees.threshold,
+        "left": trees.left.astype(np.int16),
+        "right": trees.right.astype(np.int16),
+        "value": trees.value.astype(np.float32),
+        "bias": np.array(trees.bias),
+    }
 
 
-def load_trees(path: Path) -> Trees:
-    """Read what :meth:`Trees.save` wrote; nothing in it is executed."""
-    with np.load(path, allow_pickle=False) as stored:
-        return Trees(
-            stored["feature"].astype(np.int64),
-            stored["threshold"].astype(np.float64),
-            stored["left"].astype(np.int64),
-            stored["right"].astype(np.int64),
-            stored["value"].astype(np.float64),
-            float(stored["bias"]),
-        )
+def trees_from(stored: Mapping[str, NDArray[Any]]) -> Trees:
+    """Make trees of the arrays that :func:`tree_arrays` gave."""
+    return Trees(
+        stored["feature"].astype(np.int64),
+        stored["threshold"].astype(np.float64),
+        stored["left"].astype(np.int64),
+        stored["right"].astype(np.int64),
+        stored["value"].astype(np.float64),
+        float(stored["bias"]),
+    )
 
 
 def from_scikit(models: Sequence[Any]) -> Trees:
@@ -97,8 +96,3 @@ def from_scikit(models: Sequence[Any]) -> Trees:
         np.where(leaf, share * padded("value", 0), 0.0),
         share * sum(float(model._baseline_prediction[0, 0]) for model in models),
     )
-
-
-def rescaled(trees: Trees, slope: float, shift: float) -> Trees:
-    """Trees whose log odds are ``slope`` times the old ones plus ``shift``."""
-    return replace(trees, value=slope * trees.value, bias=slope * trees.bias + shift)
