@@ -9,6 +9,7 @@ from types import MappingProxyType
 from PySide6.QtGui import QColor
 
 from markermend.artifact import Kind
+from markermend.class_colours import ON_DARK, ON_LIGHT
 
 
 @dataclass(frozen=True)
@@ -83,7 +84,7 @@ LIGHT = Theme(
     warning=QColor("#a8570a"),
     flag=QColor("#6a4fb3"),
     axes=_axes("#c62f2f", "#22802f", "#2563c9"),
-    kinds=_kinds("#2f8fd0", "#cb4512", "#c79200", "#009e73", "#b8569a"),
+    kinds=_kinds(*ON_LIGHT.values()),
     markers=tuple(
         QColor(c)
         for c in ("#2b3a55", "#0f7c8a", "#8a5a14", "#7b3fa0", "#4d7a1e", "#a83256", "#5b6573")
@@ -108,7 +109,7 @@ DARK = Theme(
     warning=QColor("#f0b45a"),
     flag=QColor("#b9a5f5"),
     axes=_axes("#ff7070", "#62c972", "#6fa8ff"),
-    kinds=_kinds("#56b4e9", "#f2683a", "#f5c542", "#2cc295", "#dd8fc0"),
+    kinds=_kinds(*ON_DARK.values()),
     markers=tuple(
         QColor(c)
         for c in ("#d7e0f0", "#5cd0dc", "#e0b070", "#c79bf0", "#a8d66a", "#f58ca8", "#a4afbf")

@@ -324,6 +324,11 @@ class SmoothDialog(QDialog):
             return
         mine = answer.percent[answer.markers.index(self.looked_at)]
         values = "  ".join(f"{a.upper()} {v:.1f}" for a, v in zip(AXES, mine, strict=True))
+        meaning = self.tr(
+            "%SM1: how much shorter the way of the marker becomes on each axis. Noise makes it "
+            "longer; above {0:g} % some of the movement may go, too."
+        )
+        self.percent.setToolTip(meaning.format(TOO_MUCH))
         self.percent.setText(self.tr("%SM1 of {0}:  {1}").format(self.looked_at, values))
         above = (answer.percent > TOO_MUCH).any(axis=1)
         if not answer.changed:

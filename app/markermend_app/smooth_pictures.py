@@ -75,7 +75,7 @@ class SmoothPictures(pg.GraphicsLayoutWidget):
 
     def set_clock(self, first_frame: int, rate: float, frames: int) -> None:
         """Say how the file counts frames, and how many there are."""
-        self._time.set_clock(first_frame, rate)
+        self._time.set_clock(first_frame, rate, frames)
         self.way.setLimits(xMin=-1, xMax=frames, minXRange=5)
 
     def show_frames(self, start: int, stop: int) -> None:

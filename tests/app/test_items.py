@@ -166,12 +166,15 @@ def test_band_leaves_missing_stretches_out():
 
 def test_time_axis_speaks_in_the_files_numbers(qtbot):
     axis = TimeAxis()
-    axis.set_clock(first_frame=101, rate=100.0)
+    axis.set_clock(first_frame=101, rate=100.0, frames=950)
     assert axis.tickStrings([99, 199], 1.0, 100) == ["200\n1.0 s", "300\n2.0 s"]
     assert axis.tickStrings([19, 29], 1.0, 10) == ["120\n0.19 s", "130\n0.29 s"]
     for _, values in axis.tickValues(0, 1000, 600):
         assert all(float(v + 101) % 1 == 0 for v in values)
     assert all(spacing >= 1 for spacing, _ in axis.tickValues(0, 2, 600))
+    ticks = [v for _, values in axis.tickValues(-30, 990, 600) for v in values]
+    assert min(ticks) >= 0
+    assert max(ticks) < 950
 
 
 def test_wide_lines_are_as_wide_on_fine_screens_and_drawn_quickly(qapp, monkeypatch):

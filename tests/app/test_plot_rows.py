@@ -17,7 +17,7 @@ from markermend.session_file import open_session
 from markermend.take import Analog, Event, Points, Take
 from markermend_app import theme
 from markermend_app.document import Document
-from markermend_app.panels.plot_quantity import can_show
+from markermend_app.panels.plot_quantity import QUANTITIES, can_show
 from markermend_app.panels.plot_range import value_range
 from markermend_app.panels.trajectories import TrajectoryPanel
 
@@ -102,6 +102,27 @@ def test_rows_are_chosen_in_the_menu_and_remembered(panel, qtbot):
     assert names(other) == names(panel)
     pick(panel, "X, Y and Z only")
     assert names(panel) == ["x", "y", "z"]
+
+
+def test_the_menu_stays_open_while_check_marks_are_set(panel, qtbot):
+    panel.open_menu()
+    menu = panel.menu
+    actions = {a.text(): a for a in menu.actions()}
+    before = panel.chosen
+    for name in ("Speed", "Acceleration", "Speed"):
+        action = next(a for text, a in actions.items() if text.startswith(name))
+        QTest.mouseClick(menu, LEFT, pos=menu.actionGeometry(action).center())
+        assert menu.isVisible()
+    assert panel.chosen == (*before, "acceleration")
+    for name in panel.chosen:
+        menu.setActiveAction(actions[QUANTITIES[name].meaning])
+        qtbot.keyClick(menu, Qt.Key.Key_Space)
+    assert menu.isVisible()
+    # The last row stays, and its check mark says so.
+    assert len(panel.chosen) == 1
+    assert [a.isChecked() for a in actions.values()].count(True) == 1
+    qtbot.keyClick(menu, Qt.Key.Key_Escape)
+    assert not menu.isVisible()
 
 
 def test_the_last_row_cannot_be_taken_away(panel):

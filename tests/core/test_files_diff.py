@@ -12,6 +12,7 @@ import markermend as mm
 from markermend.files.diff import compare, render
 from markermend.files.info import describe_file
 from markermend.files.restructure import relabel
+from markermend.take import Take
 
 
 @pytest.fixture
@@ -57,9 +58,26 @@ def test_parameters_and_parts(source: Path, tmp_path: Path) -> None:
     mm.write(relabel(take, {take.labels[0]: "OTHER"}), tmp_path / "out.c3d")
     found = compare(source, tmp_path / "out.c3d")
     assert found.samples == ()
-    assert {p.name for p in found.parameters} == {"markers", "POINT:LABELS"}
+    assert found.renamed == ((take.labels[0], "OTHER"),)
+    assert {p.name for p in found.parameters} == {"POINT:LABELS"}
     assert "parameters" in {b.part for b in found.bytes}
     assert "OTHER" in render(found, most=1)
+
+
+def test_samples_of_renamed_markers_are_compared(tmp_path: Path) -> None:
+    rng = np.random.default_rng(3)
+    positions = rng.normal(0, 100, (40, 3, 3)).astype(np.float32).astype(np.float64)
+    mm.write(Take(positions, ("A", "B", "*1"), 100.0), tmp_path / "a.c3d")
+    changed = positions.copy()
+    changed[10:13, 0, 2] += 8.0
+    changed[:, 2] = rng.normal(0, 100, (40, 3))
+    mm.write(Take(changed, ("LFHD", "B", "C"), 100.0), tmp_path / "b.c3d")
+    found = compare(tmp_path / "a.c3d", tmp_path / "b.c3d")
+    assert found.renamed == (("A", "LFHD"),)
+    assert [(s.marker, s.axes, s.start, s.stop) for s in found.samples] == [("A", "z", 11, 14)]
+    (markers,) = (p for p in found.parameters if p.name == "markers")
+    assert (markers.before, markers.after) == ("*1", "C")
+    assert "Renamed: A → LFHD" in render(found)
 
 
 def test_files_of_different_kinds(shared_data: Path, tmp_path: Path) -> None:

@@ -14,21 +14,24 @@ class TimeAxis(pg.AxisItem):
         super().__init__("bottom")
         self._first_frame = 1
         self._rate = 100.0
+        self._frames = 0
 
-    def set_clock(self, first_frame: int, rate: float) -> None:
-        """Say which number index 0 has in the file, and how many frames a second has."""
-        self._first_frame, self._rate = first_frame, rate
+    def set_clock(self, first_frame: int, rate: float, frames: int) -> None:
+        """Say which number index 0 has in the file, the frames a second, and those of the take."""
+        self._first_frame, self._rate, self._frames = first_frame, rate, frames
         self.picture = None
         self.update()
 
     def tickValues(
         self, minVal: float, maxVal: float, size: float
     ) -> list[tuple[float, list[float]]]:
-        """Ticks at round frame numbers, never between two frames."""
+        """Ticks at round frame numbers, never between two frames or beside the take."""
         shift = self._first_frame
         levels = super().tickValues(minVal + shift, maxVal + shift, size)
         return [
-            (spacing, [v - shift for v in values]) for spacing, values in levels if spacing >= 1
+            (spacing, [v - shift for v in values if 0 <= v - shift < self._frames])
+            for spacing, values in levels
+            if spacing >= 1
         ]
 
     def tickStrings(self, values: list[float], scale: float, spacing: float) -> list[str]:

@@ -14,6 +14,7 @@ from markermend_app.panels.plot_menu import artifact_menu, plot_menu, sweep_menu
 from markermend_app.panels.plot_range import snapped, whole_frames
 from markermend_app.panels.plot_row import PlotRow
 from markermend_app.panels.plot_rows_menu import fill_rows_menu
+from markermend_app.panels.staying_menu import StayingMenu
 from markermend_app.words import tr
 
 if TYPE_CHECKING:
@@ -86,7 +87,10 @@ class Gestures:
             )
         else:
             menu = plot_menu(self._panel.verb_requested.emit, self._document, self._panel)
-            fill_rows_menu(menu.addMenu(theme.icon("curves"), tr("Plots")), self._panel)
+            rows = StayingMenu(tr("Plots"), menu)
+            rows.setIcon(theme.icon("curves"))
+            fill_rows_menu(rows, self._panel)
+            menu.addMenu(rows)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         menu.popup(screen.toPoint())
 

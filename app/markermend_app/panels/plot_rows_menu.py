@@ -13,6 +13,7 @@ from markermend.take import Take
 from markermend_app.document import Document
 from markermend_app.panels.plot_beside import analog_key, point_key
 from markermend_app.panels.plot_quantity import COORDINATES, QUANTITIES, can_show
+from markermend_app.panels.staying_menu import StayingMenu
 from markermend_app.words import tr as _tr
 
 if TYPE_CHECKING:
@@ -25,8 +26,13 @@ def fill_rows_menu(menu: QMenu, panel: TrajectoryPanel) -> None:
     session = panel.document.session
     take = None if session is None else session.original
 
+    checks: dict[str, QAction] = {}
+
     def toggle(name: str) -> None:
         panel.choose_rows(sorted(set(panel.chosen) ^ {name}))
+        # The last row stays, whatever its check mark says.
+        for other, check in checks.items():
+            check.setChecked(other in panel.chosen)
 
     for name, quantity in QUANTITIES.items():
         if name == "speed":
@@ -36,6 +42,7 @@ def fill_rows_menu(menu: QMenu, panel: TrajectoryPanel) -> None:
             text = _tr("Distance to {0}").format(panel.partner)
         action = _check(menu, text, name in panel.chosen, partial(toggle, name))
         action.setEnabled(can_show(take, name))
+        checks[name] = action
     if take is None:
         return
     partners = menu.addMenu(_tr("Measure the distance to"))
@@ -80,11 +87,11 @@ def _beside(menu: QMenu, document: Document, take: Take) -> None:
         return
     menu.addSeparator()
     if analog:
-        sub = menu.addMenu(_tr("Analog channels"))
+        sub = _submenu(menu, _tr("Analog channels"))
         _channels(sub, document, ((analog_key(i), label) for i, label in enumerate(analog)))
     if take.points is not None and points:
         for kind in dict.fromkeys(take.points.kinds):
-            sub = menu.addMenu(_tr("Model outputs: {0}").format(kind))
+            sub = _submenu(menu, _tr("Model outputs: {0}").format(kind))
             _channels(
                 sub,
                 document,
@@ -97,6 +104,13 @@ def _beside(menu: QMenu, document: Document, take: Take) -> None:
     clear = menu.addAction(_tr("Hide all channels"))
     clear.setEnabled(bool(document.beside))
     clear.triggered.connect(lambda _=False: document.show_beside(()))
+
+
+def _submenu(menu: QMenu, title: str) -> QMenu:
+    """A menu of check marks below another one."""
+    sub = StayingMenu(title, menu)
+    menu.addMenu(sub)
+    return sub
 
 
 def _channels(menu: QMenu, document: Document, channels: Iterable[tuple[str, str]]) -> None:

@@ -7,7 +7,7 @@ from functools import partial
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QMenu, QStackedLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QStackedLayout, QVBoxLayout, QWidget
 
 from markermend.edits import Change
 from markermend.take import Take
@@ -28,6 +28,7 @@ from markermend_app.panels.plot_range import time_range
 from markermend_app.panels.plot_row import PlotRow, Shown
 from markermend_app.panels.plot_rows_menu import fill_rows_menu
 from markermend_app.panels.plot_stack import PlotStack
+from markermend_app.panels.staying_menu import StayingMenu
 
 FRAMED_S = 0.2
 """What is shown at least on either side of an artifact that comes under review."""
@@ -62,7 +63,7 @@ class TrajectoryPanel(QWidget):
         self.canvas = PlotStack(self.gestures.listen)
         self.cross = Crosshair(document, self.canvas, self.header)
         self.canvas.setAccessibleName(self.tr("Plots of the shown markers"))
-        self.menu = QMenu(self)
+        self.menu = StayingMenu(self)
         self.menu.aboutToShow.connect(lambda: fill_rows_menu(self.menu, self))
         self.header.plots.setMenu(self.menu)
         self.empty = EmptyState("curves")
@@ -189,8 +190,7 @@ class TrajectoryPanel(QWidget):
         self.predictions.forget()
         self.chosen_partner = None
         self._lay_rows()
-        take = self.take
-        if take is not None:
+        if (take := self.take) is not None:
             self.set_view(-0.5, take.frames - 0.5)
         self._show_frame(self.document.frame)
 
@@ -216,7 +216,7 @@ class TrajectoryPanel(QWidget):
             return
         events = events_of(take)
         for row in rows:
-            row.time.set_clock(take.first_frame, take.rate)
+            row.time.set_clock(take.first_frame, take.rate, take.frames)
             row.show_events(events)
             row.cursor.setValue(self.document.frame)
             row.show_cross(None, None)

@@ -35,6 +35,7 @@ def to_dict(comparison: Comparison) -> dict[str, Any]:
         "identical": comparison.identical,
         "sizes": list(comparison.sizes),
         "differing_bytes": comparison.differing_bytes,
+        "renamed": [{"before": old, "after": new} for old, new in comparison.renamed],
         "samples": [
             {
                 "marker": s.marker,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -28,7 +28,7 @@ class SampleDifference:
 
     Attributes
     ----------
-    marker : label
+    marker : label, that of the first file where it has another one in the second
     axes : those that differ, a part of ``"xyz"``
     start, stop : half-open interval of frame numbers as the files count them
     change : ``"moved"``, ``"filled"`` (missing in the first) or ``"removed"`` (in the second)
@@ -80,6 +80,7 @@ class Comparison:
     Attributes
     ----------
     a, b : the files
+    renamed : labels in the first and in the second file, of markers that are the same but for it
     samples, parameters, bytes : what differs; byte runs are listed up to 10,000
     differing_bytes : how many bytes differ in the length that both have
     sizes : of the two files
@@ -87,6 +88,7 @@ class Comparison:
 
     a: Path
     b: Path
+    renamed: tuple[tuple[str, str], ...]
     samples: tuple[SampleDifference, ...]
     parameters: tuple[ParameterDifference, ...]
     bytes: tuple[ByteDifference, ...]
@@ -112,7 +114,9 @@ def compare(
     Returns
     -------
     Comparison
-        samples are compared for markers and frame numbers that both files have
+        samples are compared for markers and frame numbers that both files have; a marker whose
+        name only one file has is taken for one of the other file if they are at the same place in
+        most of the frames in which either is seen
 
     Raises
     ------
@@ -123,15 +127,18 @@ def compare(
     one = read(first, progress=part(progress, 0.0, 0.4))
     two = read(second, progress=part(progress, 0.4, 0.8))
     layouts = [take.source.layout if take.source is not None else None for take in (one, two)]
-    parameters = list(_facts(one, two))
+    renamed = _renamed(one, two)
+    parameters = list(_facts(one, two, renamed))
     if isinstance(layouts[0], C3dLayout) and isinstance(layouts[1], C3dLayout):
         parameters += _parameters(layouts[0], layouts[1])
     report = part(progress, 0.8, 1.0)
     report(0.0, "Comparing bytes")
     differing, found = _bytes(first, second, layouts[0])
     sizes = (first.stat().st_size, second.stat().st_size)
-    samples = tuple(_samples(one, two))
-    return Comparison(first, second, samples, tuple(parameters), found, differing, sizes)
+    samples = tuple(_samples(one, two, renamed))
+    return Comparison(
+        first, second, tuple(renamed.items()), samples, tuple(parameters), found, differing, sizes
+    )
 
 
 def render(comparison: Comparison, *, most: int = 20) -> str:
@@ -148,6 +155,9 @@ def render(comparison: Comparison, *, most: int = 20) -> str:
     lines = [f"{names[0]} and {names[1]}: {_counted(comparison.differing_bytes, 'byte')} differ."]
     if comparison.sizes[0] != comparison.sizes[1]:
         lines.append(f"They have {comparison.sizes[0]} and {comparison.sizes[1]} bytes.")
+    lines += [f"Renamed: {old} → {new}" for old, new in comparison.renamed[:most]]
+    if len(comparison.renamed) > most:
+        lines.append(f"  … and {len(comparison.renamed) - most} more")
     samples = [_sample_line(s) for s in comparison.samples]
     parameters = [
         f"{p.name}: {'absent' if p.before is None else p.before}"
@@ -179,18 +189,41 @@ def _counted(number: int, thing: str) -> str:
     return f"{number} {thing}" if number == 1 else f"{number} {thing}s"
 
 
-def _samples(one: Take, two: Take) -> Iterator[SampleDifference]:
-    """Intervals in which markers of both takes differ, marker by marker."""
+def _shared(one: Take, two: Take) -> tuple[int, int, list[slice]]:
+    """First frame number that both have, the one after the last, and their rows in each."""
     start = max(one.first_frame, two.first_frame)
-    stop = min(one.first_frame + one.frames, two.first_frame + two.frames)
+    stop = max(start, min(one.first_frame + one.frames, two.first_frame + two.frames))
+    return start, stop, [slice(start - t.first_frame, stop - t.first_frame) for t in (one, two)]
+
+
+def _renamed(one: Take, two: Take) -> dict[str, str]:
+    """Labels of the second take by those of the first, of markers that only changed their name."""
+    _, _, rows = _shared(one, two)
+    found: dict[str, str] = {}
+    gained = [s for s in two.labels if s not in one]
+    for old in (s for s in one.labels if s not in two):
+        before = one.positions[rows[0], one.index(old)]
+        for new in gained:
+            after = two.positions[rows[1], two.index(new)]
+            seen = ~np.isnan(before[:, 0]) | ~np.isnan(after[:, 0])
+            if 2 * int((before == after).all(axis=1).sum()) > max(1, int(seen.sum())):
+                found[old] = new
+                gained.remove(new)
+                break
+    return found
+
+
+def _samples(one: Take, two: Take, renamed: Mapping[str, str]) -> Iterator[SampleDifference]:
+    """Intervals in which markers of both takes differ, marker by marker."""
+    start, stop, rows = _shared(one, two)
     if start >= stop:
         return
-    rows = [slice(start - t.first_frame, stop - t.first_frame) for t in (one, two)]
     for label in one.labels:
-        if label not in two:
+        other = renamed.get(label, label)
+        if other not in two:
             continue
         before = one.positions[rows[0], one.index(label)]
-        after = two.positions[rows[1], two.index(label)]
+        after = two.positions[rows[1], two.index(other)]
         gone, absent = np.isnan(before[:, 0]), np.isnan(after[:, 0])
         moved = ~gone & ~absent & (before != after).any(axis=1)
         changes: tuple[tuple[str, BoolArray], ...] = (
@@ -208,10 +241,10 @@ def _samples(one: Take, two: Take) -> Iterator[SampleDifference]:
                 yield SampleDifference(label, axes, start + a, start + b, change, largest)
 
 
-def _facts(one: Take, two: Take) -> Iterator[ParameterDifference]:
+def _facts(one: Take, two: Take, renamed: Mapping[str, str]) -> Iterator[ParameterDifference]:
     """What the takes themselves tell: labels, frames, rate, events, analog channels."""
-    lost = [s for s in one.labels if s not in two]
-    gained = [s for s in two.labels if s not in one]
+    lost = [s for s in one.labels if s not in two and s not in renamed]
+    gained = [s for s in two.labels if s not in one and s not in renamed.values()]
     if lost or gained:
         yield ParameterDifference("markers", ", ".join(lost) or None, ", ".join(gained) or None)
     for name, a, b in (

@@ -3,17 +3,30 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 from typing import Any
 
-# Okabe and Ito's colours, which people with any colour vision tell apart.
-_STYLE = """
+from markermend.artifact import Kind
+from markermend.class_colours import ON_DARK, ON_LIGHT
+
+
+def _variables(colours: Mapping[Kind, str]) -> str:
+    """Colours of the classes as variables of the style."""
+    return "".join(f"--{kind.value}:{colour};" for kind, colour in colours.items())
+
+
+_STYLE = (
+    (
+        f":root{{{_variables(ON_LIGHT)}}}"
+        f"@media (prefers-color-scheme:dark){{:root{{{_variables(ON_DARK)}}}}}"
+        f"@media print{{:root{{{_variables(ON_LIGHT)}}}}}"
+    )
+    + """
 :root{color-scheme:light dark;--bg:#fff;--fg:#1c2430;--dim:#5d6b7c;--line:#d8dee6;--soft:#f3f5f8;
---gap:#8b97a8;--peak:#d55e00;--noise:#cc79a7;--step:#0072b2;--slow:#009e73;--was:#d55e00;
---now:#0072b2}
+--was:#d55e00;--now:#0072b2}
 @media (prefers-color-scheme:dark){:root{--bg:#14181e;--fg:#e4e9ef;--dim:#97a4b4;--line:#323b46;
---soft:#1d232b;--gap:#77849a;--step:#56b4e9;--slow:#2bc49a;--now:#56b4e9;--was:#f0843c}}
+--soft:#1d232b;--now:#56b4e9;--was:#f0843c}}
 *{box-sizing:border-box}
 body{margin:0 auto;padding:24px;max-width:1100px;background:var(--bg);color:var(--fg);
 font:14px/1.45 system-ui,"Segoe UI",Roboto,sans-serif}
@@ -50,13 +63,14 @@ path.was{stroke:var(--was);stroke-dasharray:4 3}path.now{stroke:var(--now)}
 .where{fill:var(--dim);opacity:.13}.band{fill:var(--now);opacity:.22}
 .failed{border-left:4px solid var(--peak);padding:4px 12px;background:var(--soft)}
 @media print{:root{color-scheme:light;--bg:#fff;--fg:#000;--dim:#444;--line:#bbb;--soft:#f3f5f8;
---step:#0072b2;--slow:#009e73;--gap:#8b97a8;--was:#d55e00;--now:#0072b2}
+--was:#d55e00;--now:#0072b2}
 body{max-width:none;padding:0;font-size:10pt;-webkit-print-color-adjust:exact;
 print-color-adjust:exact}
 section.take{break-before:page;border:0}main>section.take:first-child{break-before:auto}
 h2,h3,p.key{break-after:avoid}thead{display:table-header-group}tr,svg.map{break-inside:avoid}
 .figures{grid-template-columns:1fr 1fr}a{color:inherit;text-decoration:none}}
 """
+)
 
 _SCRIPT = """
 for (const head of document.querySelectorAll('table.sortable th')) {

@@ -3106,6 +3106,10 @@
         <translation>Betrachtete Größe</translation>
     </message>
     <message>
+        <source>%SM1: how much shorter the way of the marker becomes on each axis. Noise makes it longer; above {0:g} % some of the movement may go, too.</source>
+        <translation>%SM1: um wie viel kürzer der Weg des Markers auf jeder Achse wird. Rauschen macht ihn länger; über {0:g} % geht vielleicht auch Bewegung verloren.</translation>
+    </message>
+    <message>
         <source>%SM1 of {0}:  {1}</source>
         <translation>%SM1 von {0}:  {1}</translation>
     </message>
