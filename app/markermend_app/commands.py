@@ -115,7 +115,7 @@ class Commands(QObject):
             if self._document.file is not file:
                 return
             self._document.learn(mesh)
-            new = not file.session.artifacts and not file.read_only
+            new = not file.session.history and not file.read_only
             if new and settings.flag("detect_on_open", True):
                 self.detect()
 

@@ -203,6 +203,7 @@ QStatusBar::item { border: none; }
 QFrame#floatingButtons { background: $raised; border: 1px solid $border; border-radius: 4px; }
 QFrame#notice { background: $raised; border-bottom: 1px solid $border; }
 QToolButton#overviewMode { font-size: ${small}pt; padding: 0 2px; color: $muted; }
+QPushButton#decision { padding: 4px; }
 QToolButton#back { border-color: $accent; background: $checked; padding: 1px 6px; }
 QLabel#readout { background: $raised; border: 1px solid $border; border-radius: 4px;
     padding: 2px 8px; font-size: ${small}pt; }

@@ -371,8 +371,24 @@ def test_a_cut_off_file_is_told_of_and_shown(window, qtbot, take_path, tmp_path)
     assert "cut short" in window.status.findChild(QLabel).text()
 
 
+def test_a_take_in_which_nothing_was_found_is_not_searched_again(qtbot, take_path, tmp_path):
+    clean = tmp_path / "clean.c3d"
+    take = mm.read(take_path)
+    mm.write(take.with_positions(np.zeros_like(take.positions), np.zeros_like(take.origin)), clean)
+    for _ in range(2):
+        window = MainWindow()
+        qtbot.addWidget(window)
+        window.show()
+        window.commands.open_path(clean)
+        qtbot.waitUntil(
+            lambda w=window: w.document.mesh is not None and not w.lane.busy, timeout=20_000
+        )
+        assert len(window.document.session.history) == 1
+        window.close()
+
+
 def test_the_window_fits_small_screens(window):
-    assert window.minimumSizeHint().width() <= 1280
+    assert window.minimumSizeHint().width() <= 1000
     assert window.minimumSizeHint().height() <= 760
 
 

@@ -4,9 +4,16 @@ from __future__ import annotations
 
 from typing import Any
 
-from PySide6.QtCore import QAbstractListModel, QModelIndex, QPersistentModelIndex, Qt
+from PySide6.QtCore import QAbstractListModel, QModelIndex, QPersistentModelIndex, QSize, Qt
 from PySide6.QtGui import QFont
-from PySide6.QtWidgets import QListView, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QListView,
+    QStackedWidget,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QVBoxLayout,
+    QWidget,
+)
 
 from markermend_app import theme
 from markermend_app.document import Document
@@ -26,6 +33,8 @@ class HistoryPanel(QWidget):
         self.view = QListView()
         self.view.setModel(self.model)
         self.view.setUniformItemSizes(True)
+        # What is longer than the panel is wide is cut off, and told whole in its tooltip.
+        self.view.setItemDelegate(_Narrow(self.view))
         self.view.setAccessibleName(self.tr("History"))
         self.view.setToolTip(
             self.tr("Click a step to go there; it is undone and done again in order.")
@@ -58,6 +67,14 @@ class HistoryPanel(QWidget):
         self._document.travel(index.row())
 
 
+class _Narrow(QStyledItemDelegate):
+    """Rows no wider than the list."""
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
+        """As high as any row."""
+        return QSize(0, super().sizeHint(option, index).height())
+
+
 class _Steps(QAbstractListModel):
     """One row for the take as it was opened, and one for each step."""
 
@@ -84,6 +101,8 @@ class _Steps(QAbstractListModel):
             return told(self._labels[row])
         if role == Qt.ItemDataRole.ForegroundRole and row > self._done:
             return theme.current().muted
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return told(self._labels[row])
         if role == Qt.ItemDataRole.FontRole:
             font = QFont()
             font.setPointSize(theme.BASE_PT)

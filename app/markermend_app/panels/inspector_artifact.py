@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtCore import QSignalBlocker, QSize, Qt
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QComboBox,
     QFormLayout,
@@ -251,9 +252,17 @@ class Decisions(QWidget):
         button = QPushButton(text)
         KeyTip(button, tip, name)
         button.setAccessibleName(text)
-        button.setMinimumHeight(32)
+        button.setObjectName("decision")
+        button.setMinimumSize(76, 32)
         button.clicked.connect(lambda _=False: do())
         return button
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Do without icons where there is hardly room for the words."""
+        super().resizeEvent(event)
+        size = 16 if self.width() >= self.sizeHint().width() else 0
+        for button in (self.accept, self.reject, self.repair):
+            button.setIconSize(QSize(size, size))
 
     def _reopen(self) -> None:
         if self._document.current is not None:

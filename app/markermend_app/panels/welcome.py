@@ -37,6 +37,7 @@ class Welcome(QWidget):
             self.tr("Drop a C3D, TRC, CSV, AMC or BVH file here, or begin with the demo take.")
         )
         hint.setProperty("role", "muted")
+        hint.setWordWrap(True)
         self._open = QPushButton(self.tr("Open take…"))
         KeyTip(self._open, self.tr("Open a take"), "open")
         self._open.setDefault(True)
