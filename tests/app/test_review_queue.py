@@ -71,7 +71,7 @@ def test_header_click_sorts_and_the_walk_follows(qtbot, queue, document):
 
 def test_columns_fit_at_every_width_and_what_has_no_room_is_in_the_tooltip(queue, qtbot):
     bar = queue.view.horizontalScrollBar()
-    for width in (1500, 780, 600):
+    for width in (1500, 780, 500):
         queue.resize(width, 300)
         qtbot.waitUntil(lambda: queue.view.width() > queue.width() - 20 and not bar.maximum())
         assert queue.view.columnWidth(WHY) >= 200

@@ -60,7 +60,7 @@ class MarkerTree(QWidget):
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._document = document
-        self.setMinimumWidth(200)
+        self.setMinimumWidth(230)
         self._syncing = False
         self._model = MarkerModel(document.show, document.show_beside, self)
         self._proxy = _Filter(self)

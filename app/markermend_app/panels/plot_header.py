@@ -53,6 +53,8 @@ class PlotHeader(QWidget):
         self.back.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.back.hide()
         layout.addWidget(self.back)
+        # The name of the foremost marker goes before the readout's last figures.
+        self.legend.setMinimumWidth(90)
         layout.addWidget(self.legend, 1)
         layout.addWidget(self.readout)
         theme.watcher.changed.connect(self._restyle)

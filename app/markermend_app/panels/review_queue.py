@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QMenu,
+    QSizePolicy,
     QStackedWidget,
     QToolButton,
     QVBoxLayout,
@@ -29,6 +30,7 @@ from markermend_app.panels.queue_model import (
     COLUMNS,
     FRAMES,
     LENGTH,
+    MARKER,
     REPAIR,
     SIZE,
     STATUS,
@@ -41,7 +43,7 @@ from markermend_app.panels.queue_model import (
 from markermend_app.panels.queue_view import QueueView
 
 _WIDTHS = (80, 100, 100, 54, 90, 66, 60, 80, 92, 180, 60)
-_SPARED = (TIME, LENGTH, AXES, SIZE, FRAMES)
+_SPARED = (TIME, LENGTH, AXES, SIZE, FRAMES, STATUS)
 """Columns that are left out one after the other where room is scarce; tooltips tell them."""
 _WHY_LEAST = 200
 _ROOMY = 680
@@ -136,10 +138,12 @@ class ReviewQueue(QWidget):
         self.filter.setMaximumWidth(220)
         self.filter.textChanged.connect(self._filter)
         row.addWidget(self.filter)
-        row.addStretch(1)
         self.progress = QLabel()
         self.progress.setProperty("role", "muted")
-        row.addWidget(self.progress)
+        self.progress.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        # While it is seen it must not keep the window from being made narrow.
+        self.progress.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        row.addWidget(self.progress, 1)
         return row
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -291,7 +295,7 @@ class ReviewQueue(QWidget):
             selection.setCurrentIndex(index, how)
             self.view.horizontalScrollBar().setValue(x)
             if scroll:
-                self.view.scrollTo(self.model.index(row, STATUS))
+                self.view.scrollTo(self.model.index(row, MARKER))
         self._syncing = False
 
     def _row_changed(self, index: QModelIndex, _: QModelIndex) -> None:
