@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from markermend_app.document import Document
+from markermend_app.telling import told_group
 from markermend_app.words import tr
 
 
@@ -36,4 +37,8 @@ def scopes(document: Document, marker: str) -> tuple[Scope, ...]:
     if group is None or len(mesh.groups[group].markers) < 2:
         return alone, take
     names = frozenset(session.original.labels[i] for i in mesh.groups[group].markers)
-    return alone, Scope(tr("In the group {0}").format(mesh.groups[group].name), names), take
+    return (
+        alone,
+        Scope(tr("In the group {0}").format(told_group(mesh.groups[group].name)), names),
+        take,
+    )

@@ -71,7 +71,13 @@ _FORMS: Mapping[str, str] = {
     **{form: form for form in _SAME},
 }
 """Forms as the engine writes them, and as they are told."""
-FORMS = tuple(_FORMS.values())
+_PARTS = (
+    *("head", "trunk", "shoulder", "pelvis", "upper arm"),
+    *("forearm", "hand", "thigh", "shank", "foot"),
+)
+_SIDES = {"Left": "Left {0}", "Right": "Right {0}"}
+FORMS = (*_FORMS.values(), *_PARTS, *_SIDES.values(), "{0} and {1}")
+"""Everything that is translated here."""
 
 
 @cache
@@ -96,3 +102,18 @@ def told(text: str) -> str:
         if found is not None:
             return tr(form).format(*map(told, found.groups()))
     return text
+
+
+def told_group(name: str) -> str:
+    """The name of a group of markers in the language of the app, as far as it names parts."""
+    subject, colon, rest = name.rpartition(": ")
+    found = re.fullmatch(r"(?:(Left|Right) )?(.+?)( \d+)?", rest)
+    parts = [] if found is None else found[2].lower().split(" and ")
+    if found is None or not set(parts) <= set(_PARTS):
+        return name
+    text = tr(parts[0])
+    for part in parts[1:]:
+        text = tr("{0} and {1}").format(text, tr(part))
+    if found[1]:
+        text = tr(_SIDES[found[1]]).format(text)
+    return f"{subject}{colon}{text[0].upper()}{text[1:]}{found[3] or ''}"

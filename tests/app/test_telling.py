@@ -8,8 +8,9 @@ from PySide6.QtCore import QCoreApplication, QTranslator
 from markermend import hand
 from markermend.artifact import Kind, Status
 from markermend.detectors import detect
+from markermend.mesh.names import _FROM_THE_TOP
 from markermend.session import Session
-from markermend_app.telling import told
+from markermend_app.telling import _PARTS, told, told_group
 
 
 class Brackets(QTranslator):
@@ -66,6 +67,19 @@ def test_values_keep_their_places():
     why = "sticks out by 9 mm for 1 frame (9 ms), its neighbours by 2 mm; 8 times its usual scatter"
     assert told(why) == why
     assert told("something nobody wrote") == "something nobody wrote"
+
+
+@pytest.mark.parametrize(
+    "name", ["Left shank and foot", "Trunk 2", "P0: Right thigh", "LFHD +3", "Head", "Arm thing"]
+)
+def test_groups_keep_their_names_in_english(name):
+    assert told_group(name) == name
+
+
+def test_groups_are_named_in_the_language_of_the_app(brackets):
+    assert told_group("P0: Left shank and foot 2") == "P0: ⟦Left ⟦⟦shank⟧ and ⟦foot⟧⟧⟧ 2"
+    assert told_group("LFHD +3") == "LFHD +3"
+    assert set(_FROM_THE_TOP) == set(_PARTS), "every part that a group can be named after"
 
 
 def test_a_search_is_told_in_plain_words():

@@ -18,6 +18,7 @@ from markermend.take import Take, is_unlabelled
 from markermend_app import theme
 from markermend_app.panels.badge import dot_icon
 from markermend_app.panels.plot_beside import analog_key, point_key
+from markermend_app.telling import told_group
 from markermend_app.words import tr
 
 Index = QModelIndex | QPersistentModelIndex
@@ -81,7 +82,7 @@ def grow(take: Take, mesh: Mesh | None) -> Node:
             groups.append(above.add(_marker(take, joint)))
             placed.add(joint)
             continue
-        node = above.add(Node(group.name, "group", selects=True))
+        node = above.add(Node(told_group(group.name), "group", selects=True))
         groups.append(node)
         for column in group.markers:
             node.add(_marker(take, column))

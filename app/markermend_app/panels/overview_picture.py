@@ -16,6 +16,7 @@ from markermend.arrays import FloatArray
 from markermend.artifact import Artifact, Kind, Status
 from markermend.mesh import Mesh
 from markermend_app import theme
+from markermend_app.telling import told_group
 
 MODES = ("damage", "gaps", "residual")
 MOST_MM = 20.0
@@ -46,7 +47,7 @@ def arrange(markers: int, mesh: Mesh | None) -> Rows:
     columns: list[int] = []
     groups: list[tuple[str, int, int]] = []
     for group in () if mesh is None else mesh.groups:
-        groups.append((group.name, len(columns), len(columns) + len(group.markers)))
+        groups.append((told_group(group.name), len(columns), len(columns) + len(group.markers)))
         columns += group.markers
     placed = set(columns)
     columns += [m for m in range(markers) if m not in placed]

@@ -14,6 +14,7 @@ from markermend_app.document import Document
 from markermend_app.panels.plot_beside import analog_key, point_key
 from markermend_app.panels.plot_quantity import COORDINATES, QUANTITIES, can_show
 from markermend_app.panels.staying_menu import StayingMenu
+from markermend_app.telling import told_group
 from markermend_app.words import tr as _tr
 
 if TYPE_CHECKING:
@@ -67,7 +68,7 @@ def _partners(menu: QMenu, panel: TrajectoryPanel) -> None:
     if session is None:
         return
     labels = session.original.labels
-    groups = [] if mesh is None else [(g.name, g.markers) for g in mesh.groups]
+    groups = [] if mesh is None else [(told_group(g.name), g.markers) for g in mesh.groups]
     placed = {m for _, members in groups for m in members}
     rest = tuple(m for m in range(len(labels)) if m not in placed)
     if rest:

@@ -1548,6 +1548,54 @@
         <translation>{0} Frame ({1})</translation>
     </message>
     <message>
+        <source>head</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>trunk</source>
+        <translation>Rumpf</translation>
+    </message>
+    <message>
+        <source>shoulder</source>
+        <translation>Schulter</translation>
+    </message>
+    <message>
+        <source>pelvis</source>
+        <translation>Becken</translation>
+    </message>
+    <message>
+        <source>upper arm</source>
+        <translation>Oberarm</translation>
+    </message>
+    <message>
+        <source>forearm</source>
+        <translation>Unterarm</translation>
+    </message>
+    <message>
+        <source>hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>thigh</source>
+        <translation>Oberschenkel</translation>
+    </message>
+    <message>
+        <source>shank</source>
+        <translation>Unterschenkel</translation>
+    </message>
+    <message>
+        <source>foot</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>Left {0}</source>
+        <translation>{0} links</translation>
+    </message>
+    <message>
+        <source>Right {0}</source>
+        <translation>{0} rechts</translation>
+    </message>
+    <message>
         <source>Plots</source>
         <translation>Kurven</translation>
     </message>
@@ -1702,6 +1750,10 @@
     <message>
         <source>{0} on {1}</source>
         <translation>{0} an {1}</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} und {1}</translation>
     </message>
 </context>
 <context>
