@@ -224,5 +224,6 @@ class AlikeDialog(QDialog):
         else:
             text = self.tr("One step, undone by one Ctrl+Z.")
             if left:
-                text = self.tr("{0} are left as they are.").format(left) + " " + text
+                one, many = self.tr("1 is left as it is."), self.tr("{0} are left as they are.")
+                text = (one if left == 1 else many.format(left)) + " " + text
         self.said.setText(text)

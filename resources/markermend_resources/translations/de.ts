@@ -1826,6 +1826,10 @@
         <source>{0} are left as they are.</source>
         <translation>{0} bleiben, wie sie sind.</translation>
     </message>
+    <message>
+        <source>1 is left as it is.</source>
+        <translation>1 bleibt, wie es ist.</translation>
+    </message>
 </context>
 <context>
     <name>ArtifactPage</name>
