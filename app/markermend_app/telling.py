@@ -62,6 +62,21 @@ _SAME = (
     "lies {0} off for {1} beside a gap or an end, one jump away",
     "drifts {0} off the place its neighbours give it and returns, within {1}",
     "changes places with {0} for {1}: once exchanged, {2} of the {3} jump are left",
+    "jumps {0} in one frame, its neighbours do not, and stays off for {1}, up to an end of the "
+    "take, at another distance from them: it moved on the body or fell off",
+    "jumps {0} in one frame, its neighbours by {1}, and stays off for {2}, up to an end of the "
+    "take, at another distance from them: it moved on the body or fell off",
+    "seen for {0} inside a gap, {1} from where its neighbours put it; around the gap that is {2}",
+    "repeats one position for {0} while its neighbours move {1}; in the end it is {2} off",
+    "repeats one position for {0}, as every marker does: the recording stands still",
+    "sticks out by {0} for {1}",
+    "jitters by up to {0} for {1}",
+    "jumps {0} in one frame and comes back {1} later",
+    "deviates up to {0} from where its body says it should be, for {1}",
+    "stands on the other side, and {0} here, for {1}",
+    "stands still while the body moves, for {0}",
+    "is said to stand at 0, 0, 0 for {0}",
+    "stands up to {0} from where its bones reach, for {1}",
     "{0} frames ({1})",
     "{0} frame ({1})",
 )

@@ -84,3 +84,21 @@ def test_groups_are_named_in_the_language_of_the_app(brackets):
 
 def test_a_search_is_told_in_plain_words():
     assert told("Detect (sudden)") == "Find gaps, peaks, noise and steps"
+
+
+@pytest.mark.parametrize("kind", list(Kind))
+def test_reasons_of_the_published_detector_are_told_too(kind, brackets):
+    from markermend.detectors.finding import _explain
+
+    assert told(_explain(kind, 12.0, 5, 100.0)).startswith("⟦")
+
+
+def test_every_course_of_a_jump_is_told(brackets):
+    from markermend.detectors.joint.sudden import Course, Sudden
+    from markermend.detectors.joint.verdict import _explain
+
+    for course in Course:
+        for beside in (0.0, 3.0):
+            jump = Sudden(0, 10, 30, Kind.STEP, 12.0, 9.0, beside, course)
+            why = _explain([jump], 12.0, 20, 100.0)
+            assert told(why).startswith("⟦⟦"), why

@@ -1540,6 +1540,58 @@
         <translation>tauscht den Platz mit {0}, {1} lang: zurückgetauscht bleiben {2} des Sprungs von {3}</translation>
     </message>
     <message>
+        <source>jumps {0} in one frame, its neighbours do not, and stays off for {1}, up to an end of the take, at another distance from them: it moved on the body or fell off</source>
+        <translation>springt {0} in einem Frame, seine Nachbarn nicht, und bleibt {1} lang bis zu einem Ende der Aufnahme daneben, in anderem Abstand zu ihnen: er ist verrutscht oder abgefallen</translation>
+    </message>
+    <message>
+        <source>jumps {0} in one frame, its neighbours by {1}, and stays off for {2}, up to an end of the take, at another distance from them: it moved on the body or fell off</source>
+        <translation>springt {0} in einem Frame, seine Nachbarn {1}, und bleibt {2} lang bis zu einem Ende der Aufnahme daneben, in anderem Abstand zu ihnen: er ist verrutscht oder abgefallen</translation>
+    </message>
+    <message>
+        <source>seen for {0} inside a gap, {1} from where its neighbours put it; around the gap that is {2}</source>
+        <translation>in einer Lücke gesehen, {0} lang, {1} von dem Ort, den seine Nachbarn angeben; um die Lücke sind es {2}</translation>
+    </message>
+    <message>
+        <source>repeats one position for {0} while its neighbours move {1}; in the end it is {2} off</source>
+        <translation>wiederholt {0} lang einen Ort, während seine Nachbarn sich {1} bewegen; am Ende liegt er {2} daneben</translation>
+    </message>
+    <message>
+        <source>repeats one position for {0}, as every marker does: the recording stands still</source>
+        <translation>wiederholt {0} lang einen Ort, wie alle Marker: die Aufnahme steht still</translation>
+    </message>
+    <message>
+        <source>sticks out by {0} for {1}</source>
+        <translation>ragt um {0} heraus, {1} lang</translation>
+    </message>
+    <message>
+        <source>jitters by up to {0} for {1}</source>
+        <translation>zittert um bis zu {0}, {1} lang</translation>
+    </message>
+    <message>
+        <source>jumps {0} in one frame and comes back {1} later</source>
+        <translation>springt {0} in einem Frame und kommt {1} später zurück</translation>
+    </message>
+    <message>
+        <source>deviates up to {0} from where its body says it should be, for {1}</source>
+        <translation>weicht bis zu {0} von dem Ort ab, den sein Körper angibt, {1} lang</translation>
+    </message>
+    <message>
+        <source>stands on the other side, and {0} here, for {1}</source>
+        <translation>steht auf der anderen Seite und {0} hier, {1} lang</translation>
+    </message>
+    <message>
+        <source>stands still while the body moves, for {0}</source>
+        <translation>steht still, während der Körper sich bewegt, {0} lang</translation>
+    </message>
+    <message>
+        <source>is said to stand at 0, 0, 0 for {0}</source>
+        <translation>steht angeblich bei 0, 0, 0, {0} lang</translation>
+    </message>
+    <message>
+        <source>stands up to {0} from where its bones reach, for {1}</source>
+        <translation>steht bis zu {0} von dort, wohin seine Knochen reichen, {1} lang</translation>
+    </message>
+    <message>
         <source>{0} frames ({1})</source>
         <translation>{0} Frames ({1})</translation>
     </message>
