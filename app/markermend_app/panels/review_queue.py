@@ -42,7 +42,7 @@ from markermend_app.panels.queue_model import (
 )
 from markermend_app.panels.queue_view import QueueView
 
-_WIDTHS = (80, 100, 100, 54, 90, 66, 60, 80, 92, 180, 60)
+_WIDTHS = (80, 100, 100, 54, 90, 66, 60, 88, 92, 180, 60)
 _SPARED = (TIME, LENGTH, AXES, SIZE, FRAMES, STATUS)
 """Columns that are left out one after the other where room is scarce; tooltips tell them."""
 _WHY_LEAST = 200

@@ -80,7 +80,7 @@ class Row:
             tr("{0:.1f} % missing").format(100 * s.gap_now),
         ]
         if s.worst_mm is not None:
-            facts.append(f"± {units.length(s.worst_mm)}")
+            facts.append(f"± {units.length(s.worst_mm, 0)}")
         return " · ".join(facts)
 
     def icon(self) -> QIcon:
