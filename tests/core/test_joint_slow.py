@@ -11,12 +11,13 @@ from markermend.detectors.joint import JointParams
 from markermend.detectors.joint.bands import clipped, filters, split
 from markermend.detectors.joint.bank import KINDS, bank, scores, shape_of
 from markermend.detectors.joint.drift import scan
+from markermend.detectors.joint.explained import explained
 from markermend.detectors.joint.judge import Judge, evidence, load_judge, quiet_levels
 from markermend.detectors.joint.measures import FEATURES
 from markermend.detectors.joint.slow import prepare, shipped_judge
 from markermend.detectors.joint.slow_training import examples_of
 from markermend.detectors.joint.trees import from_scikit
-from markermend.detectors.joint.views import BODY, VIEWS, Views, see
+from markermend.detectors.joint.views import BODY, VIEWS, Seen, Views, see
 from markermend.detectors.joint.whiten import whiten
 from markermend.predictors.cross_fit import distance_spreads
 from markermend.simulation import simulate_clean
@@ -153,6 +154,22 @@ def test_candidates_are_believed_less_where_the_take_has_many_as_clear():
     assert weighed(odds) > weighed(rougher) + 0.5
     assert quiet_levels(odds, 20.0)[0] == np.sort(odds)[-41]
     assert (quiet_levels(np.zeros(0), 20.0) == 0.0).all()
+
+
+def test_what_is_truly_a_drift_leaves_quiet_behind():
+    rng = np.random.default_rng(4)
+    bends = np.diff(np.pad(shape_of("sharp", 60), 40), n=2, prepend=0.0, append=0.0)
+    shape = split(bends)[0][None]
+    noise = 0.02 * rng.standard_normal(shape.shape[2])
+    drift, hill = 5.0 * bends, 5.0 * np.roll(bends, 7)
+    quieter = []
+    for error in (drift + noise, hill + noise):
+        parts, weight = split(error)
+        seen = Seen(shape, clipped(parts, weight)[None], weight[None])
+        score, gain = explained(seen, parts[None], np.array([5.0]))
+        quieter.append(float(gain[0]))
+        assert score[0] > 0
+    assert quieter[0] > quieter[1] + 0.5
 
 
 @pytest.mark.parametrize(("kind", "length"), [("sharp", 50), ("hann", 50)])

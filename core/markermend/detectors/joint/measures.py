@@ -10,6 +10,7 @@ from scipy.ndimage import maximum_filter1d, uniform_filter1d
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.detectors.joint.bands import HALF
 from markermend.detectors.joint.bank import KINDS, LONGEST, SHORTEST, shape_of
+from markermend.detectors.joint.explained import explained
 from markermend.detectors.joint.views import BODY, EVEN, ODD, OWN, Seen, Views, see, see_whole
 from markermend.detectors.joint.whiten import LAGS
 
@@ -26,7 +27,8 @@ FEATURES = (
     *("even", "odd", "own", "even height", "odd height", "own height"),
     *("other axis", "third axis", "other t", "all axes loud"),
     *("rectangle", "hann", "saw up", "saw down", "step in", "step out", "early", "late", "wide"),
-    *("over spread", "inside spread", "speed", "acceleration", "kick", "crowd", "take crowd"),
+    *("over spread", "inside spread", "speed", "acceleration", "kick"),
+    *("explained", "quieter", "crowd", "take crowd"),
 )
 CROWDS = (FEATURES.index("crowd"), FEATURES.index("take crowd"))
 
@@ -91,7 +93,9 @@ def measure(
     softened = chi / (1.0 + (0.15 * raw) ** 2 / 4)
     reweighted = loud / np.maximum(1.0, ((1 + (softened / 4) ** 3) / 2) ** (1 / 6))
     size, ratio = _robust(seen, within)
-    fitted, _ = _robust(replace(seen, error=see_whole(views, axis, start, seen)), within)
+    whole = see_whole(views, axis, start, seen)
+    fitted, _ = _robust(replace(seen, error=whole), within)
+    clear, quieter = explained(seen, whole, fitted)
     rest = seen.error - size[:, None, None] * seen.shape
     power = (within * seen.error**2 * seen.weight).sum(axis=(1, 2))
     left = (within * rest**2 * seen.weight).sum(axis=(1, 2))
@@ -123,6 +127,7 @@ def measure(
     columns += _other_axes(views, axis, start, shapes, loud)
     columns += _competitors(views, axis, start, length, seen, size, loud)
     columns += _circumstances(views, axis, start, length, shapes, size)
+    columns += [clear / level, quieter]
     columns += [np.zeros(len(axis))] * 2
     return fitted, np.column_stack(columns)
 

@@ -38,7 +38,7 @@ TAIL = -1.0
 and so plentiful that it would rule."""
 RISING = (
     *("score", "reweighted", "raw score", "without a part", "without a band"),
-    *("weakest view", "t gain", "over spread"),
+    *("weakest view", "t gain", "over spread", "explained", "quieter"),
 )
 FALLING = ("chi²", "left over", "crowd", "take crowd")
 MARKERS, LEAST_S = (12, 81), 6.0
