@@ -25,8 +25,10 @@ PLACE_MM, CURVED_MM = 25.0, 5.0
 TIME_MM, TIME_S = (2.0, 1.0, 1.0), (0.067, 0.5, 8.0)
 # Noise of the process, in standard deviations of the measurement's.
 NOISE = 3.0
-# Intervals shorter than this are judged by the frames near them, where every frame is used.
+# Intervals shorter than this are judged by the frames near them, which are the most like them.
 SHORT_S = 0.25
+# Power of its inverse variance by which a view counts, and a variance no view is surer than.
+SURENESS, LEAST_MM2 = 2.0, 1e-12
 # Length of a 90 % ball in standard deviations of one coordinate, in three dimensions.
 BALL_90 = 2.5003
 
@@ -82,7 +84,8 @@ def condition(
     ----------
     frames : (known + wanted,) frame numbers, the known ones first
     rate : frames per second
-    views : whose predictions are averaged
+    views : whose predictions are averaged, in each frame by the inverse square of the variance
+        that each expects there, scaled by how far off it was where known stretches were hidden
     noise_mm : least standard deviation of the measurement
     block : length of the stretches that are hidden to see how far off the process is, in frames
     near : (known,) frames near the interval, of which none is left out
@@ -99,12 +102,22 @@ def condition(
     blocks = frames[:known] // max(block, 1)
     said = [_predict(view, time, noise, blocks) for view in views]
     judged = near if block < SHORT_S * rate and near.any() else np.ones(known, dtype=bool)
-    miss = np.mean([p.miss for p in said], axis=0)[judged]
-    expected = np.mean([p.expected for p in said], axis=0)[judged]
-    ratio = np.linalg.norm(miss, axis=1) / np.sqrt(expected)
+    doubt = [np.mean(np.sum(p.miss[judged] ** 2, axis=1) / p.expected[judged]) for p in said]
+    expected = np.array([d * p.expected[judged] for d, p in zip(doubt, said, strict=True)])
+    variance = np.array([d * p.variance for d, p in zip(doubt, said, strict=True)])
+    # The hidden stretches are mixed as the interval is, so that their misses tell of its own.
+    miss = _mix(np.array([p.miss[judged] for p in said]), expected)
+    usual = _mix(expected[:, :, None], expected)[:, 0]
+    ratio = np.linalg.norm(miss, axis=1) / np.sqrt(usual)
     scale = float(np.quantile(ratio, 0.9)) / BALL_90
-    variance = np.mean([p.variance for p in said], axis=0)
-    return np.mean([p.mean for p in said], axis=0), scale * np.sqrt(variance)
+    spread = _mix(variance[:, :, None], variance)[:, 0]
+    return _mix(np.array([p.mean for p in said]), variance), scale * np.sqrt(spread)
+
+
+def _mix(values: FloatArray, variance: FloatArray) -> FloatArray:
+    """Average (views, frames, k) values by (views, frames) variance, the surer views the more."""
+    weight = np.maximum(variance, LEAST_MM2) ** -SURENESS
+    return np.asarray(np.einsum("vf,vfk->fk", weight / weight.sum(axis=0), values))
 
 
 def _predict(view: View, time: FloatArray, noise: float, blocks: IntArray) -> _Prediction:

@@ -1,10 +1,10 @@
 """Where the marker must have been, from the body around it and from its own way in and out.
 
-The marker is seen from two frames that move with its nearest references: one held by those that
-are rigid to it, one by the nearest four alike. In each its place is a Gaussian process of the
-references' pose and of time, conditioned on all frames near the interval and on an even sample of
-the rest of the take; the two are averaged. Over short intervals the marker's own movement, by the
-Kalman smoother, is averaged in.
+The marker is seen from three frames that move with its nearest references: one held by those that
+are rigid to it, two by the nearest three and four alike. In each its place is a Gaussian process of
+the references' pose and of time, conditioned on the frames near the interval and on an even sample
+of the rest of the take; the three are averaged, the surer ones the more. Over short intervals the
+marker's own movement, by the Kalman smoother, is averaged in.
 """
 
 from __future__ import annotations
@@ -34,8 +34,11 @@ from markermend.vertical import up_axis
 METHOD = "local_regression"
 # Fewer frames than this cannot tell how the marker follows its body.
 LEAST_FRAMES = 20
-# Markers that hold the second of the two frames from which the marker is seen.
-FRAME_MARKERS = 4
+# Markers that hold the second and the third of the frames from which the marker is seen.
+FRAME_MARKERS = (3, 4)
+# Within so many seconds of the interval every frame is learnt from, further away every second and
+# then every fourth: they tell nearly the same, and time grows with the cube of their number.
+DENSE_S, HALF_DENSE_S = 0.1, 0.25
 # How far around the interval the noise is estimated, and its limits.
 NOISE_S = 2.0
 # Up to here the marker's own movement has a say beside the body. Both err alike in part, so that
@@ -60,7 +63,7 @@ class LocalRegressionParams:
             "unit": "s",
             "min": 0.05,
             "max": 10.0,
-            "help": "Time on either side of which every frame is used",
+            "help": "Time on either side from which more frames are used",
         },
     )
     samples: int = field(
@@ -112,7 +115,7 @@ def repair_local_regression(evidence: Evidence, artifact: Artifact, params: Any)
     own, up = take.positions[known, marker], up_axis(take)
     views = [
         _view(cloud, force, own, spread, weight, up)
-        for weight in (holding(spread), nearest(spread, FRAME_MARKERS))
+        for weight in (holding(spread), *(nearest(spread, n) for n in FRAME_MARKERS))
     ]
     noise = _noise(take.positions[:, marker], seen[:, marker], artifact, take.rate)
     near = _near(known, artifact, take.rate, params)
@@ -176,18 +179,20 @@ def _too_few_references(artifact: Artifact, count: int) -> str:
 def _learn_from(
     usable: BoolArray, artifact: Artifact, rate: float, params: LocalRegressionParams
 ) -> IntArray:
-    """Frames to learn from: all near the interval, an even sample of the others."""
+    """Frames to learn from: most near the interval, an even sample of the others."""
     frames = np.flatnonzero(usable)
     near = _near(frames, artifact, rate, params)
+    away = np.maximum(artifact.start - frames, frames - artifact.stop + 1) / rate
+    every = np.where(away <= DENSE_S, 1, np.where(away <= HALF_DENSE_S, 2, 4))
     rest = frames[~near]
     step = max(1, len(rest) // params.samples)
-    return np.sort(np.concatenate([frames[near], rest[step // 2 :: step]]))
+    return np.sort(np.concatenate([frames[near & (frames % every == 0)], rest[step // 2 :: step]]))
 
 
 def _near(
     frames: IntArray, artifact: Artifact, rate: float, params: LocalRegressionParams
 ) -> BoolArray:
-    """Frames so near the interval that every one is used."""
+    """Frames so near the interval that more of them are used."""
     margin = params.near_s * rate
     return (frames >= artifact.start - margin) & (frames < artifact.stop + margin)
 
