@@ -130,3 +130,17 @@ def test_the_command_line_takes_joints_for_markers(broken, tmp_path, capsys):
     assert "left_elbow" in capsys.readouterr().out
     assert main(["clean", str(broken), "-o", str(tmp_path / "out.csv")]) == 0
     assert mm.read_pose(tmp_path / "out.csv").joints == JOINTS
+
+
+def test_the_command_line_writes_what_skeletons_are_written_as(
+    shared_data, broken, tmp_path, capsys
+):
+    source = str(shared_data / "poses" / "02_01.amc")
+    assert main(["convert", source, "-o", str(tmp_path / "out.bvh")]) == 0
+    assert mm.read(tmp_path / "out.bvh").skeleton
+    assert main(["fill", source, "-o", str(tmp_path / "out.amc")]) == 0
+    assert main(["convert", str(broken), "-o", str(tmp_path / "markers.c3d")]) == 0
+    assert not mm.read(tmp_path / "markers.c3d").skeleton
+    capsys.readouterr()
+    assert main(["convert", str(tmp_path / "markers.c3d"), "-o", str(tmp_path / "no.bvh")]) == 1
+    assert "should end in" in capsys.readouterr().err

@@ -34,7 +34,7 @@ def run(options: argparse.Namespace) -> int:
     """Clean one take."""
     outputs = [options.output, options.json, options.report]
     check_outputs(outputs, source=options.take, force=options.force)
-    check_take_output(options.output)
+    check_take_output(options.output, source=options.take)
     if options.method != "auto":
         find_method(options.method)
     options.detector, options.params = choose(options)

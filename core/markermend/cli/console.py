@@ -133,12 +133,17 @@ def check_outputs(paths: Sequence[str | None], *, source: str | None, force: boo
                 raise ExportError(f"“{path}” exists already; add --force to overwrite it.")
 
 
-def check_take_output(path: str) -> None:
-    """Refuse, before any work is done, a take's name that does not tell its format."""
-    from markermend.plugins.formats import writable, writable_in_words
+def check_take_output(path: str, *, source: str = "") -> None:
+    """Refuse, before any work is done, a take's name that does not tell its format.
 
-    if Path(path).suffix.lower() not in writable():
-        raise ExportError(f"“{path}” should end in {writable_in_words()}, to tell what to write.")
+    What a skeleton recording can be written as too, its source's ending tells; a CSV may be one.
+    """
+    from markermend.plugins.formats import SKELETONS, writable, writable_in_words
+
+    skeleton = Path(source).suffix.lower() in (*SKELETONS, ".csv")
+    if Path(path).suffix.lower() not in writable(skeleton=skeleton):
+        endings = writable_in_words(skeleton=skeleton)
+        raise ExportError(f"“{path}” should end in {endings}, to tell what to write.")
 
 
 def written(export: Export) -> list[str]:

@@ -12,7 +12,7 @@ from markermend.progress import part
 def run(options: argparse.Namespace) -> int:
     """Convert one take."""
     check_outputs([options.output], source=options.take, force=options.force)
-    check_take_output(options.output)
+    check_take_output(options.output, source=options.take)
     with Bar() as bar:
         take = mm.read(options.take, progress=part(bar, 0.0, 0.5))
         mm.write(take, options.output, as_float=options.float, progress=part(bar, 0.5, 1.0))

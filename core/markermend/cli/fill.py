@@ -15,7 +15,7 @@ from markermend.repairs import find_gaps, find_method, repair_all
 def run(options: argparse.Namespace) -> int:
     """Fill the gaps of one take."""
     check_outputs([options.output], source=options.take, force=options.force)
-    check_take_output(options.output)
+    check_take_output(options.output, source=options.take)
     if options.method != "auto":
         find_method(options.method)
     take = mm.read(options.take)

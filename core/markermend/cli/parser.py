@@ -37,7 +37,7 @@ COMMANDS = {
     "fill": "fill the gaps and change nothing else",
     "smooth": SMOOTH,
     "denoise": "make a skeleton recording clean: joints of a Kinect, a tracker of poses",
-    "convert": "write a take in another format: c3d, trc or csv",
+    "convert": "write a take in another format: c3d, trc, csv; of joints also amc, bvh",
     "diff": "what differs between two files: samples, parameters, bytes",
     "batch": "clean many takes alike, in several processes",
     "report": "what the review of a take came to, as one HTML file",

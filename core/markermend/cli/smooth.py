@@ -31,7 +31,7 @@ from markermend.take import AXES, Take
 def run(options: argparse.Namespace) -> int:
     """Smooth one take."""
     check_outputs([options.output, options.derivatives], source=options.take, force=options.force)
-    check_take_output(options.output)
+    check_take_output(options.output, source=options.take)
     smoother = find_smoother(options.method)
     if options.derivatives is not None and smoother.name != AUTO:
         raise MethodError(
