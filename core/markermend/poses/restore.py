@@ -17,6 +17,7 @@ from markermend.poses.normal import FEATURES, denormalise
 from markermend.poses.nuitrack import mirrored
 from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior, fitting, shipped_prior
+from markermend.poses.settling import settle
 from markermend.poses.smoothing import LEAST_NOISE, noise_level, smooth
 from markermend.progress import Progress, quiet
 
@@ -30,6 +31,8 @@ _NOISY = 2e-3
 # What is left of white noise after smoothing, about.
 _LEFT = 0.35
 _LEAST_FRAMES = 3
+# Poses that it takes to tell how a body bends.
+_SETTLES = 30
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,13 +128,15 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     whole[:, usable] = filled.values
     whole[:, ~usable] = np.nan
     tell(0.9, "Keeping bones")
-    features = _with_bones(whole, channels, pose, float(np.median(noise[usable])))
     variance = np.full(channels.values.shape, np.nan)
     variance[:, usable] = filled.variance + (_LEFT * noise[usable]) ** 2
+    features = _with_bones(whole, variance, channels, pose, float(np.median(noise[usable])))
     return _finished(pose, features, channels, noise, variance)
 
 
-def _with_bones(values: FloatArray, channels: Channels, pose: Pose, noise: float) -> FloatArray:
+def _with_bones(
+    values: FloatArray, variance: FloatArray, channels: Channels, pose: Pose, noise: float
+) -> FloatArray:
     """(frames, joints, 7) in which bones keep their length and rotations follow them."""
     features = to_features(values, channels)
     root, count = channels.normal.root, len(pose.joints)
@@ -140,7 +145,12 @@ def _with_bones(values: FloatArray, channels: Channels, pose: Pose, noise: float
     turned[:, channels.joints] = channels.known[:, FEATURES - 1 :: FEATURES]
     bones = find_bones(features, seen, turned, pose.parents, _LEFT * noise)
     if noise > _NOISY:
-        features = fuse(features, bones, root)
+        pilot = fuse(features, bones, root)
+        if pose.frames >= _SETTLES and not np.isnan(pilot).any():
+            unsure = np.ones(features.shape)
+            unsure[:, channels.joints] = variance.reshape(pose.frames, -1, FEATURES)
+            pilot = settle(features, unsure, pilot, pose.parents, pose.order)
+        features = pilot
     features[..., :3] = keep_lengths(features[..., :3], seen, bones)
     return swing(features, ~turned, bones)
 

@@ -1,0 +1,50 @@
+"""A body settles where its noisy joints and the way it is built agree."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.testing import assert_allclose
+
+from markermend.poses.quaternion import turn, unit
+from markermend.poses.settling import settle
+
+PARENTS = (-1, 0, 1, 2)
+
+
+def chain(frames=200):
+    """Three joints that turn about z alone, on bones of constant length."""
+    t = np.linspace(0, 6, frames)
+    angles = np.cumsum([np.sin(t + k) for k in range(3)], axis=0)
+    features = np.zeros((frames, 4, 7))
+    features[..., 6] = 1.0
+    for k in range(3):
+        half = 0.5 * angles[k]
+        features[:, k + 1, 5], features[:, k + 1, 6] = np.sin(half), np.cos(half)
+        bone = np.broadcast_to([0.0, 1.0, 0.2], (frames, 3))
+        features[:, k + 1, :3] = features[:, k, :3] + turn(features[:, k, 3:], bone)
+    return features
+
+
+def test_true_poses_stay_and_noisy_ones_come_nearer():
+    truth = chain()
+    variance = np.full(truth.shape, 0.01**2)
+    assert_allclose(settle(truth, variance, truth, PARENTS, range(4)), truth, atol=5e-4)
+    noisy = truth.copy()
+    noisy[:, 1:] += np.random.default_rng(0).normal(0, 0.01, noisy[:, 1:].shape)
+    noisy[..., 3:] = unit(noisy[..., 3:])
+    # The sign of a quaternion says nothing about the pose, and stays as it was given.
+    noisy[50:, 2, 3:] *= -1.0
+    settled = settle(noisy, variance, noisy, PARENTS, range(4))
+    assert (np.sum(settled[..., 3:] * noisy[..., 3:], axis=2) > 0.99).all()
+    settled[50:, 2, 3:] *= -1.0
+    noisy[50:, 2, 3:] *= -1.0
+    assert np.abs(settled - truth).mean() < 0.85 * np.abs(noisy - truth).mean()
+
+
+def test_what_is_hardly_known_follows_the_rest():
+    truth = chain()
+    features, variance = truth.copy(), np.full(truth.shape, 1e-6)
+    features[80:90, 3, :3] += 0.3
+    variance[80:90, 3, :3] = 0.1
+    settled = settle(features, variance, truth, PARENTS, range(4))
+    assert np.abs(settled - truth)[80:90, 3].max() < 0.01
