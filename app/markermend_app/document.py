@@ -242,13 +242,14 @@ class Document(Looking):
         following = self._following(artifact.id)
         if not proposal.patches and self.preview.best:
             self._leave(artifact, proposal.reason, following)
-        elif self.do(lambda s: s.repair([(artifact.id, proposal)])):
+        elif self.do(lambda s: s.repair([(artifact.id, proposal)]), moving=True):
             self._move_on(following)
 
     def _leave(self, artifact: Artifact, reason: str, following: str | None) -> None:
         """Accept what cannot be repaired, say why it stays as it is, and move on."""
         accepted = artifact.status is Status.ACCEPTED
-        if accepted or self.do(lambda s: s.set_status([artifact.id], Status.ACCEPTED)):
+        ids = [artifact.id]
+        if accepted or self.do(lambda s: s.set_status(ids, Status.ACCEPTED), moving=True):
             self._move_on(following)
             text = self.tr("The flag on {0} is accepted, the samples are left. {1}")
             self.said.emit(text.format(artifact.marker, reason))
@@ -257,7 +258,8 @@ class Document(Looking):
         """Apply many proposals as one step."""
         ids = [i for i, _ in repairs]
         following = self._following(self._current, besides=ids)
-        if self.do(lambda s: s.repair(repairs, label)) and self._current in ids:
+        moving = self._current in ids
+        if self.do(lambda s: s.repair(repairs, label), moving=moving) and moving:
             self._move_on(following)
 
     def add_detected(self, found: Iterable[Artifact], method: str) -> None:
@@ -320,7 +322,8 @@ class Document(Looking):
     def _decide(self, ids: Sequence[str], status: Status) -> None:
         """Set a status; when the current artifact is among them, move on."""
         following = self._following(self._current, besides=ids)
-        if self.do(lambda s: s.set_status(ids, status)) and self._current in ids:
+        moving = self._current in ids
+        if self.do(lambda s: s.set_status(ids, status), moving=moving) and moving:
             self._move_on(following)
 
     def _following(self, artifact_id: str | None, besides: Sequence[str] = ()) -> str | None:
@@ -337,8 +340,12 @@ class Document(Looking):
         else:
             self.select(artifact_id)
 
-    def do(self, verb: Callable[[Session], Change]) -> bool:
-        """Run a verb of the session and tell everyone what changed; whether it could be done."""
+    def do(self, verb: Callable[[Session], Change], *, moving: bool = False) -> bool:
+        """Run a verb of the session and tell everyone what changed; whether it could be done.
+
+        Who is moving on to another artifact tells of that one, so that nothing is shown of the
+        one that is left.
+        """
         session = self.session
         if session is None:
             return False
@@ -360,7 +367,7 @@ class Document(Looking):
                 change = Change(session.original.labels, 0, session.original.frames, True)
             if change.names:
                 self._rename(dict(zip(labels, session.original.labels, strict=True)))
-            self._announce(change)
+            self._announce(change, moving=moving and problem is None)
         if problem is not None:
             self.failed.emit(problem)
         return problem is None
@@ -380,7 +387,7 @@ class Document(Looking):
         if self.current is not None:
             self.frame_requested.emit(self.current.start, self.current.stop)
 
-    def _announce(self, change: Change) -> None:
+    def _announce(self, change: Change, moving: bool) -> None:
         """Emit the signals of a change."""
         self.proposals.invalidate(change.markers)
         if change.markers:
@@ -388,5 +395,6 @@ class Document(Looking):
         if change.artifacts:
             self.artifacts_changed.emit()
         self.history_changed.emit()
-        self.current_changed.emit()
-        self._propose()
+        if not moving:
+            self.current_changed.emit()
+            self._propose()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
@@ -60,6 +60,34 @@ def test_a_hundred_artifacts_take_one_key_each_and_no_mouse(hundred, qtbot):
         qtbot.keyClick(hundred, Qt.Key.Key_Z, CTRL)
     assert np.array_equal(document.session.positions, before)
     assert len(document.session.with_status(Status.PENDING)) == 100
+
+
+class Paints(QObject):
+    """Counts how often most of a widget is painted."""
+
+    def __init__(self, widget):
+        super().__init__(widget)
+        self.widget, self.count = widget, 0
+        widget.installEventFilter(self)
+
+    def eventFilter(self, watched, event):
+        if event.type() == QEvent.Type.Paint:
+            self.count += event.region().boundingRect().width() > 0.5 * self.widget.width()
+        return False
+
+
+def test_a_decision_is_told_and_painted_once(hundred, qtbot):
+    document = hundred.document
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    QApplication.processEvents()
+    paints = Paints(hundred.trajectories.canvas.viewport())
+    told = []
+    document.current_changed.connect(lambda: told.append(document.current))
+    following = document.queue[1]
+    qtbot.keyClick(hundred, Qt.Key.Key_R)
+    assert [a.id for a in told] == [following]
+    QApplication.processEvents()
+    assert paints.count == 1
 
 
 @pytest.fixture

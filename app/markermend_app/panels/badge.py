@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import cache
 
 from PySide6.QtCore import QByteArray, QPointF, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetrics, QIcon, QPainter, QPixmap
@@ -107,6 +108,13 @@ def kind_icon(kind: Kind, size: int = 16) -> QIcon:
 
 def dot_icon(color: QColor, filled: bool = True, size: int = 12) -> QIcon:
     """A marker as an icon: a disc in its colour, or a ring where it is not shown."""
+    return _dot_icon(color.rgba(), filled, size)
+
+
+@cache
+def _dot_icon(rgba: int, filled: bool, size: int) -> QIcon:
+    """One icon for each look there is: lists ask for them with every row they paint."""
+    color = QColor.fromRgba(rgba)
 
     def draw(painter: QPainter) -> None:
         painter.setPen(color)

@@ -242,9 +242,10 @@ class MarkerModel(QAbstractItemModel):
         return COLUMNS
 
     def index(self, row: int, column: int, parent: Index = QModelIndex()) -> QModelIndex:  # noqa: B008, D102
-        if not self.hasIndex(row, column, parent):
+        rows = self.node(parent).rows if parent.column() <= 0 else ()
+        if not (0 <= row < len(rows) and 0 <= column < COLUMNS):
             return QModelIndex()
-        return self.createIndex(row, column, self.node(parent).rows[row])
+        return self.createIndex(row, column, rows[row])
 
     def parent(self, index: Index) -> QModelIndex:  # type: ignore[override]  # noqa: D102
         above = self.node(index).parent

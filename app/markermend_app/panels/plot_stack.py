@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 import pyqtgraph as pg
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt
 
 from markermend_app.panels.plot_beside import BesideRow, Channel
 from markermend_app.panels.plot_frame import TIME_HEIGHT, PlotFrame
@@ -14,6 +14,26 @@ from markermend_app.panels.plot_row import PlotRow
 
 _SPACING = 6
 _MARGIN = 4
+
+
+class _Ready(QObject):
+    """Brings a scene's views and the window's layouts up to date before the scene is painted.
+
+    A scene that changed has its whole window painted at once, ahead of layouts that wait, and its
+    views take a new range over only then; all that either moves would be painted a second time.
+    """
+
+    def __init__(self, scene: pg.GraphicsScene) -> None:
+        super().__init__(scene)
+        self._scene = scene
+        scene.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Go before the scene's own turn."""
+        if event.type() == QEvent.Type.MetaCall:
+            QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
+            self._scene.prepareForPaint()
+        return False
 
 
 class PlotStack(pg.GraphicsLayoutWidget):
@@ -36,6 +56,7 @@ class PlotStack(pg.GraphicsLayoutWidget):
         self.rows: tuple[PlotRow, ...] = ()
         self.beside: tuple[BesideRow, ...] = ()
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        _Ready(self.scene())
         self.ci.layout.setSpacing(_SPACING)
         self.ci.layout.setContentsMargins(0, _MARGIN, 12, _MARGIN)
         self.sigDeviceRangeChanged.connect(self.share_height)
