@@ -206,7 +206,7 @@ class AlikeDialog(QDialog):
         from markermend.repairs import REPAIRS
 
         label = tr(REPAIRS[repair.method].label)
-        return label if repair.error_mm is None else f"{label}, ± {units.length(repair.error_mm)}"
+        return f"{label}, ± {units.length(repair.error_mm)}" if repair.error_mm else label
 
     def _count(self) -> None:
         """Say how many it will be."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import Any
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, QTimer, Signal
@@ -136,14 +137,17 @@ class Comparison(QObject):
 
         def work(progress: Progress) -> Any:
             from markermend.repairs import COMPARED, advise, evidence_for
+            from markermend.repairs.look_again import looked_at
 
             progress(0.0, artifact.marker)
             others = (a for a in everything if a.id != artifact.id)
             evidence = evidence_for(take, (*others, artifact), mesh)
-            return advise(evidence, artifact, methods=COMPARED)
+            found = advise(evidence, artifact, methods=COMPARED)
+            return tuple(replace(a, repair=looked_at(take, a.repair)) for a in found)
 
         def done(advice: Any) -> None:
             self._known[artifact] = advice
+            self._share(artifact, advice)
             self._follow()
 
         def failed(error: Exception) -> None:
@@ -152,6 +156,17 @@ class Comparison(QObject):
 
         self._lane.cancel()
         self._lane.submit("Compare", work, done, failed)
+
+    def _share(self, artifact: Artifact, advice: tuple[Any, ...]) -> None:
+        """Let the details tell the errors that were measured here, not others."""
+        measured = {a.method: a.repair for a in advice if a.trials}
+        proposals = self._document.proposals
+        proposals.keep({(artifact, name, ()): repair for name, repair in measured.items()})
+        best = proposals.get(artifact, "auto")
+        if best is not None and best.method in measured:
+            told = replace(best, error_mm=measured[best.method].error_mm)
+            proposals.keep({(artifact, "auto", ()): told})
+        self._document.proposal_changed.emit()
 
     def _take(self, advice: tuple[Any, ...]) -> None:
         able = tuple(a for a in advice if a.repair.patches)

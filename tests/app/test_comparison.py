@@ -38,6 +38,9 @@ def test_hold_walk_let_go_and_repair(window, qtbot):
     errors = [c.error_mm for c in comparison.candidates if c.error_mm is not None]
     assert len(errors) >= 3
     assert "±" in panel.rows[0][2].text()
+    # The details tell the same error as the list.
+    shown = panel.rows[comparison.place][2].text().removeprefix("± ")
+    assert f"expected error {shown}" in window.inspector.artifact.methods.outcome.text()
     # It hides none of the curves that are compared.
     lowest = window.trajectories.mapTo(window, window.trajectories.rect().bottomLeft())
     assert lowest.y() < panel.y() < window.height() - panel.height()

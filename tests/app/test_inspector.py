@@ -163,6 +163,15 @@ def test_a_method_without_answer_says_why_and_cannot_be_applied(inspector, docum
     assert inspector.decisions.accept.isEnabled()
 
 
+def test_a_swap_promises_no_error(inspector, document, monkeypatch):
+    step = document.session.artifact(select(document, Kind.STEP))
+    patch = Patch(step.marker, "xyz", step.start, step.stop, np.zeros((step.length, 3)))
+    swap = Repair("swap", (patch,), error_mm=0.0)
+    monkeypatch.setattr(Document, "proposal", property(lambda self: swap))
+    document.proposal_changed.emit()
+    assert inspector.artifact.methods.outcome.text() == "Swap markers"
+
+
 def test_what_a_repair_leaves_is_told_before_and_after(inspector, document, monkeypatch):
     gap = select(document, Kind.GAP)
     a = document.session.artifact(gap)

@@ -12,6 +12,7 @@ import markermend as mm
 from markermend.artifact import Artifact, Kind
 from markermend.bench.gaps import BAND_90
 from markermend.repairs import evidence_for, propose_from
+from markermend.repairs.body_frame import rank_references
 from markermend.take import Take, is_unlabelled
 
 BENCH = Path(__file__).resolve().parents[3] / "shared" / "bench" / "gaps-dev.json"
@@ -84,3 +85,28 @@ def test_filling_leaves_every_measured_sample_alone(shared_data: Path, name: str
     kept = take.present
     assert np.array_equal(clean.positions[kept], take.positions[kept])
     assert clean.present.sum() >= take.present.sum()
+
+
+@pytest.mark.parametrize(("marker", "start", "stop"), [("LELB", 900, 1020), ("RKNE", 3000, 3060)])
+def test_value_and_velocity_go_on_at_both_borders_and_lengths_stay(
+    shared_data: Path, marker: str, start: int, stop: int
+) -> None:
+    take = labelled(shared_data / "bodies" / "85_12.c3d")
+    column = take.index(f"Male:{marker}")
+    positions = take.positions.copy()
+    positions[start:stop, column] = np.nan
+    evidence = evidence_for(Take(positions.copy(), take.labels, take.rate))
+    gap = Artifact(take.labels[column], "xyz", start, stop, Kind.GAP)
+    positions[start:stop, column] = propose_from(evidence, gap).patches[0].values
+    # A jump of value or velocity is a second difference of its own size.
+    usual = np.abs(np.diff(take.positions[start - 120 : stop + 120, column], n=2, axis=0)).max()
+    for edge in (start, stop):
+        bend = np.abs(np.diff(positions[edge - 3 : edge + 3, column], n=2, axis=0)).max()
+        assert bend < 1.25 * usual + 0.3
+    nearest, _ = rank_references(take, take.present, column, slice(0, take.frames))
+    for other in nearest[:3]:
+        length = np.linalg.norm(positions[:, column] - positions[:, other], axis=1)
+        outside = np.delete(length, np.arange(start, stop))
+        low, high = outside.min(), outside.max()
+        assert low - 2.0 < length[start:stop].min()
+        assert length[start:stop].max() < high + 2.0

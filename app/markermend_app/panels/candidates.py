@@ -63,7 +63,7 @@ class Candidates(QFrame):
             error = found[i].error_mm
             labels[0].setPixmap(_stroke(color))
             labels[1].setText(tr(REPAIRS[found[i].method].label))
-            labels[2].setText("–" if error is None else f"± {units.length(error)}")
+            labels[2].setText(f"± {units.length(error)}" if error else "–")
             for label in labels[1:]:
                 font = label.font()
                 font.setBold(chosen)

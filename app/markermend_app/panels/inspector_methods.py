@@ -149,7 +149,8 @@ class MethodList(QWidget):
 
         method = proposal.method
         text = tr(REPAIRS[method].label) if method in REPAIRS else method
-        if proposal.error_mm is not None:
+        # A swap invents nothing, so that there is nothing to be off by.
+        if proposal.error_mm:
             text += self.tr(", expected error {0}").format(units.length(proposal.error_mm))
         followed = self._document.preview.references
         if followed:
