@@ -206,7 +206,9 @@ class AlikeDialog(QDialog):
         from markermend.repairs import REPAIRS
 
         label = tr(REPAIRS[repair.method].label)
-        return f"{label}, ± {units.length(repair.error_mm)}" if repair.error_mm else label
+        text = f"{label}, ± {units.length(repair.error_mm)}" if repair.error_mm else label
+        # Alone it may be refused: here it can follow what is repaired along with it.
+        return f"{text}. {repair.reason}" if repair.reason else text
 
     def _count(self) -> None:
         """Say how many it will be."""
