@@ -319,13 +319,47 @@ def test_a_clear_edge_finds_its_faint_partner():
     signal[553:577, 1] += 0.5 * np.sin(np.arange(24) * 1.1) * np.hanning(24)
     one = Jumps(np.array([1]), np.array([520]), np.array([0]), np.array([4.0]), np.array([30.0]))
     seen = np.ones(signal.shape, dtype=bool)
-    ((i, frame, score),) = find_partners(one, [0], signal, seen, 100.0, [])
+    nobody = np.zeros((1, 0), dtype=np.int64)
+
+    def partners(taken):
+        return find_partners(one, [0], signal, signal, seen, nobody, 100.0, taken)
+
+    ((i, frame, score),) = partners([])
     assert i == 0
     assert abs(frame - 565) <= 2
     assert 8.0 < score <= 30.0
-    assert find_partners(one, [0], signal, seen, 100.0, [(1, 530, 600)]) == []
+    assert partners([(1, 530, 600)]) == []
     signal[565:, 1] += 4.0
-    assert find_partners(one, [0], signal, seen, 100.0, []) == []
+    assert partners([]) == []
+
+
+def test_an_edge_lost_in_a_kick_stands_out_beside_the_neighbours():
+    rng = np.random.default_rng(1)
+    frames = np.arange(600)
+    kick = 60.0 * np.exp(-(((frames - 565) / 2.5) ** 2))
+    motion = 100.0 * np.sin(frames[:, None] / [40.0, 55.0, 70.0])
+    motion[:, 0] += kick
+    rest = np.tile(motion, 5) + 0.03 * rng.standard_normal((600, 15))
+    signal = rest.copy()
+    signal[520:565, 0] += 4.0
+    one = Jumps(np.array([0]), np.array([520]), np.array([0]), np.array([4.0]), np.array([30.0]))
+    seen = np.ones(signal.shape, dtype=bool)
+    neighbours = np.array([[1, 2, 3, 4]] * 5)
+    alone = find_partners(one, [0], signal, rest, seen, neighbours[:, :0], 100.0, [])
+    ((_, frame, score),) = find_partners(one, [0], signal, rest, seen, neighbours, 100.0, [])
+    assert [f for _, f, _ in alone] != [565]
+    assert frame == 565
+    assert score > 8.0
+
+
+@pytest.mark.parametrize(("start", "stop"), [(0, 50), (1150, 1200)])
+def test_a_small_step_that_an_end_of_the_take_cuts_off_is_found(performer, start, stop):
+    assert performer.frames >= 1200
+    take = Take(performer.positions[:1200], performer.labels, performer.rate)
+    damaged = hurt(take, "C7", 1, start, np.full(stop - start, 4.0))
+    assert [(a.marker, a.axes, a.start, a.stop, a.kind) for a in sudden(damaged)] == [
+        ("C7", "y", start, stop, Kind.STEP)
+    ]
 
 
 def test_confidence_grows_with_score_and_falls_with_moving_neighbours():

@@ -21,10 +21,14 @@ from markermend.detectors.joint.steps import LONGEST_S, pair_jumps
 LEAST_SCORE = 4.5
 """Standard errors from which a shape is written down; confidence decides what is flagged."""
 CUT_OFF_SCORE, CUT_OFF_MM = 10.0, 5.0
-"""What a lone jump must be to count as a step whose other edge is hidden."""
+"""What a lone jump must be to count as a step whose other edge is hidden by a gap or an end."""
+AT_END_MM, AT_END_S = 1.0, 1.0
+"""So near an end of the take smaller ones count: no gap has left a trajectory a little off."""
 MOSTLY = 0.5
 SHARED = 0.4
 """A jump of which the neighbours do so much is a blow to the body."""
+LEVEL_MISMATCH = 0.1
+"""Two slides that differ no more are the edges of one step."""
 SHORT_STEP = 2
 """Blocks are looked for up to so many times the longest peak; beyond, edges are jumps."""
 
@@ -102,6 +106,7 @@ def find_sudden(
     beside = _beside(signal, seen, neighbours, jumps, rate)
     own = beside <= SHARED * np.abs(jumps.size)
     slides = find_slides(jumps, own, signal, seen, rate)
+    slides = _unmatched(slides, pair_jumps(jumps, rate), jumps)
     pairs = pair_jumps(jumps, rate, {s.jump for s in slides})
     paired = {i for first, last, _ in pairs for i in (first, last)} | {s.jump for s in slides}
     alone = [int(i) for i in np.flatnonzero(jumps.length == 0) if int(i) not in paired]
@@ -109,7 +114,7 @@ def find_sudden(
     for n in noise:
         calm[n.start : n.stop, n.channel] = False
     steps = [(int(jumps.channel[i]), int(jumps.frame[i]), int(jumps.frame[j])) for i, j, _ in pairs]
-    partners = find_partners(jumps, alone, signal, calm, rate, steps)
+    partners = find_partners(jumps, alone, signal, rest, calm, neighbours, rate, steps)
     found = [
         Sudden(n.channel, n.start, n.stop, Kind.NOISE, n.sigma_mm, n.ratio, 0.0) for n in noise
     ]
@@ -128,6 +133,21 @@ def find_sudden(
     paired |= {i for i, _, _ in partners}
     found += _cut_off(jumps, paired, beside, signal, seen, neighbours, rate)
     return sorted(_once(found), key=lambda s: (s.channel, s.start, s.stop))
+
+
+def _unmatched(
+    slides: list[Slide], pairs: list[tuple[int, int, float]], jumps: Jumps
+) -> list[Slide]:
+    """Slides without those whose jumps take each other back: level ground looks bent in motion."""
+    sliding = {s.jump for s in slides}
+    edges = {
+        i
+        for first, last, _ in pairs
+        if {first, last} <= sliding
+        and abs(jumps.size[first] + jumps.size[last]) <= LEVEL_MISMATCH * abs(jumps.size[first])
+        for i in (first, last)
+    }
+    return [s for s in slides if s.jump not in edges]
 
 
 def _once(found: list[Sudden]) -> list[Sudden]:
@@ -176,7 +196,7 @@ def _cut_off(
     begin, end = segments(seen)
     found = []
     for i in np.flatnonzero(
-        (jumps.length == 0) & (jumps.score >= CUT_OFF_SCORE) & (np.abs(jumps.size) >= CUT_OFF_MM)
+        (jumps.length == 0) & (jumps.score >= CUT_OFF_SCORE) & (np.abs(jumps.size) >= AT_END_MM)
     ):
         if int(i) in paired:
             continue
@@ -185,9 +205,12 @@ def _cut_off(
         # The shorter piece is the one that went wrong.
         start, stop = (first, frame) if frame - first < last - frame else (frame, last)
         size, score = abs(float(jumps.size[i])), float(jumps.score[i])
-        course = Course.CUT_OFF
-        if stop - start > LONGEST_S * rate:
-            at_end = start == 0 or stop == len(seen)
+        at_end = start == 0 or stop == len(seen)
+        course, long = Course.CUT_OFF, stop - start > LONGEST_S * rate
+        short = at_end and reach_at(rate) <= stop - start <= AT_END_S * rate
+        if size < CUT_OFF_MM and not short:
+            continue
+        if long:
             shared = beside[i] > SHARED * size
             if (
                 not at_end
