@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from markermend.cli.bench_blind import run_blind
 from markermend.cli.bench_e2 import run_e2
 from markermend.cli.bench_e3 import run_e3
 from markermend.cli.bench_gaps import run_gaps
@@ -70,6 +71,7 @@ def _run_e1(options: argparse.Namespace) -> int:
 
 
 RUN = {
+    "blind": run_blind,
     "e1": _run_e1,
     "e2": run_e2,
     "e3": run_e3,

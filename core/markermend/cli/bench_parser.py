@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import argparse
 
+from markermend.cli.bench_blind import SUMMARY as BLIND
+from markermend.cli.bench_blind import add_blind
 from markermend.cli.bench_e2 import SUMMARY as E2
 from markermend.cli.bench_e2 import add_e2
 from markermend.cli.bench_e3 import SUMMARY as E3
@@ -20,6 +22,7 @@ from markermend.cli.bench_training import SUMMARY as TRAINING
 from markermend.cli.bench_training import add_training
 
 EXPERIMENTS = {
+    "blind": BLIND,
     "e1": "contaminate clean takes, detect, compare by sample and by event",
     "e2": E2,
     "e3": E3,
@@ -34,6 +37,7 @@ EXPERIMENTS = {
 def add_experiments(parser: argparse.ArgumentParser) -> None:
     """Give ``bench`` a command for each experiment."""
     adders = {
+        "blind": add_blind,
         "e1": _add_e1,
         "e2": add_e2,
         "e3": add_e3,

@@ -1,0 +1,193 @@
+"""Which version of a movement looks most natural: a page that asks people, and their votes.
+
+Versions stand side by side under letters drawn anew for every movement; which letter hides which
+version only the key tells. The questions are those of Goncalves and others (2024), section 4.3 and
+Table 6: the most natural version, and the second most natural.
+"""
+
+from __future__ import annotations
+
+import base64
+import csv
+import hashlib
+import io
+import json
+import string
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from importlib.resources import files
+from typing import Any
+
+import numpy as np
+from scipy.ndimage import uniform_filter1d
+
+from markermend.arrays import FloatArray
+from markermend.errors import DataError
+from markermend.poses.pose import Pose
+from markermend.vertical import vertical_axis
+
+QUESTIONS = ("most natural", "second most natural")
+MOST_VERSIONS = 6
+COLUMNS = ("study", "rater", "movement", "question", "answer")
+_UNSEEN, _FARTHEST = -32768, 32767
+_PLACE = "/*STUDY*/null"
+
+
+@dataclass(frozen=True)
+class Version:
+    """One version of one movement.
+
+    Attributes
+    ----------
+    name : what its votes are counted under, the same in every movement
+    file : where it was read from
+    pose : the recording
+    """
+
+    name: str
+    file: str
+    pose: Pose
+
+
+def blind_page(movements: Sequence[Sequence[Version]], *, seed: int) -> tuple[str, dict[str, Any]]:
+    """Make the page that asks, and the key to it.
+
+    Parameters
+    ----------
+    movements : the versions of each movement, with the same names in every one
+    seed : same seed, same letters
+
+    Returns
+    -------
+    HTML that needs no other file and names none, and the key: for every movement the version and
+    the file behind each letter
+
+    Raises
+    ------
+    DataError
+        when versions of a movement differ in joints, frames or rate, or are too few or too many
+    """
+    random = np.random.default_rng(seed)
+    shown, hidden = [], []
+    for versions in movements:
+        _check(versions)
+        order = [versions[i] for i in random.permutation(len(versions))]
+        shown.append(_movement([version.pose for version in order], versions[0].pose.parents))
+        hidden.append(
+            {
+                letter: {"version": version.name, "file": version.file}
+                for letter, version in zip(string.ascii_uppercase, order, strict=False)
+            }
+        )
+    names = [version.name for version in movements[0]]
+    questions = QUESTIONS[: len(names) - 1]
+    study = hashlib.sha256(json.dumps(shown).encode()).hexdigest()[:12]
+    content = {"study": study, "columns": COLUMNS, "questions": questions, "movements": shown}
+    template = files("markermend_resources").joinpath("blind.html").read_text("utf-8")
+    key = {"study": study, "seed": seed, "versions": names, "movements": hidden}
+    return template.replace(_PLACE, json.dumps(content)), key
+
+
+def tally(key: dict[str, Any], answers: Sequence[str]) -> tuple[int, dict[str, list[int]]]:
+    """Count the votes, as Table 6 of the paper has them.
+
+    Parameters
+    ----------
+    key : of :func:`blind_page`
+    answers : text of the CSV files that the page saved
+
+    Returns
+    -------
+    Number of people, and for every version its votes by question (:data:`QUESTIONS`)
+
+    Raises
+    ------
+    DataError
+        when answers belong to another page, are no answers, or somebody answers twice
+    """
+    votes: Counter[tuple[str, str]] = Counter()
+    given: set[tuple[str, str, str]] = set()
+    for text in answers:
+        rows = csv.DictReader(io.StringIO(text.removeprefix("\ufeff")))
+        if tuple(rows.fieldnames or ()) != COLUMNS:
+            raise DataError(f"Answers begin with the line {','.join(COLUMNS)}; these do not.")
+        for row in rows:
+            if row["study"] != key["study"]:
+                raise DataError("The answers belong to another page; use the key written with it.")
+            who = (row["rater"], row["movement"], row["question"])
+            if who in given:
+                raise DataError(f"“{row['rater']}” answers twice; leave one of the files out.")
+            given.add(who)
+            try:
+                hidden = key["movements"][int(row["movement"]) - 1][row["answer"]]
+            except (ValueError, IndexError, KeyError):
+                raise DataError(
+                    f"The page has no version {row['answer']} of movement {row['movement']}."
+                ) from None
+            votes[hidden["version"], row["question"]] += 1
+    table = {name: [votes[name, question] for question in QUESTIONS] for name in key["versions"]}
+    return len({rater for rater, _, _ in given}), table
+
+
+def _check(versions: Sequence[Version]) -> None:
+    """Refuse what cannot stand side by side."""
+    if not 2 <= len(versions) <= MOST_VERSIONS:
+        raise DataError(f"Give 2 to {MOST_VERSIONS} versions of a movement, not {len(versions)}.")
+    first = versions[0]
+    for other in versions[1:]:
+        for what, ours, theirs in (
+            ("joints", first.pose.joints, other.pose.joints),
+            ("number of poses", first.pose.frames, other.pose.frames),
+            ("rate", first.pose.rate, other.pose.rate),
+        ):
+            if ours != theirs:
+                raise DataError(
+                    f"“{first.file}” and “{other.file}” differ in their {what};"
+                    " give versions of the same recording."
+                )
+
+
+def _movement(poses: Sequence[Pose], parents: Sequence[int]) -> dict[str, Any]:
+    """What the page needs to draw versions side by side: mm, z up, 0 on the floor."""
+    together = np.stack([pose.positions for pose in poses])
+    up = vertical_axis(together[0])
+    # Cyclic, so that left stays left.
+    together = np.roll(together, 2 - up, axis=3)
+    if np.isnan(together).all():
+        raise DataError("No version has a single joint that was seen.")
+    flat = together.reshape(-1, 3)
+    middle = np.nanmedian(flat, axis=0)
+    # What was thrown below the floor must not lower it.
+    middle[2] = np.nanpercentile(np.nanmin(together[:, :, :, 2], axis=2), 10)
+    together = together - middle
+    centre = _centre(together, poses[0].rate)
+    reach = np.nanpercentile(np.linalg.norm(together - centre[None, :, None], axis=3), 95)
+    return {
+        "rate": poses[0].rate,
+        "parents": list(parents),
+        "frames": poses[0].frames,
+        "reach": round(float(reach)),
+        "centre": _packed(centre),
+        "versions": [_packed(version) for version in together],
+    }
+
+
+def _centre(together: FloatArray, rate: float) -> FloatArray:
+    """(frames, 3) what every camera follows alike, slowly, so that no version's trembling hides."""
+    versions, frames, joints, _ = together.shape
+    points = together.transpose(1, 0, 2, 3).reshape(frames, versions * joints, 3)
+    known = np.isfinite(points[:, :, 0]).any(axis=1)
+    centre = np.empty((frames, 3))
+    middles = np.nanmedian(points[known], axis=1)
+    for axis in range(3):
+        centre[:, axis] = np.interp(np.arange(frames), np.flatnonzero(known), middles[:, axis])
+    centre[:, 2] = np.median(centre[:, 2])
+    return np.asarray(uniform_filter1d(centre, max(1, round(rate)), axis=0, mode="nearest"))
+
+
+def _packed(points: FloatArray) -> str:
+    """Whole millimetres as little-endian 16-bit integers in base64."""
+    near = np.clip(np.round(np.nan_to_num(points)), -_FARTHEST, _FARTHEST)
+    whole = np.where(np.isnan(points), _UNSEEN, near).astype("<i2")
+    return base64.b64encode(whole.tobytes()).decode("ascii")
