@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 import markermend as mm
+from markermend.bench.blind import Version, blind_page
 from markermend.cli import main
 from markermend.poses.pose import Pose
 
@@ -95,6 +96,19 @@ def test_joint_not_seen_is_told_from_one_at_zero(folders: Path) -> None:
     unseen = (points == -32768).all(axis=2)
     assert unseen[5:9, 2].all()
     assert unseen.sum() == 4
+
+
+@pytest.mark.filterwarnings("error")
+def test_pose_in_which_nothing_was_seen_is_left_empty() -> None:
+    lost = recording(0.0)
+    positions = lost.positions.copy()
+    positions[20:22] = np.nan
+    lost = lost.with_samples(positions, lost.rotations)
+    versions = [Version(name, f"{name}.csv", lost) for name in ("one", "two")]
+    played = content(blind_page([versions], seed=1)[0])["movements"][0]
+    points = np.frombuffer(base64.b64decode(played["versions"][0]), "<i2").reshape(FRAMES, 3, 3)
+    assert (points[20:22] == -32768).all()
+    assert (points[19] != -32768).all()
 
 
 def test_same_seed_draws_the_same_letters_and_seeds_differ(folders: Path) -> None:

@@ -151,15 +151,16 @@ def _check(versions: Sequence[Version]) -> None:
 def _movement(poses: Sequence[Pose], parents: Sequence[int]) -> dict[str, Any]:
     """What the page needs to draw versions side by side: mm, z up, 0 on the floor."""
     together = np.stack([pose.positions for pose in poses])
-    up = vertical_axis(together[0])
-    # Cyclic, so that left stays left.
-    together = np.roll(together, 2 - up, axis=3)
     if np.isnan(together).all():
         raise DataError("No version has a single joint that was seen.")
+    up = vertical_axis(np.concatenate(list(together), axis=1))
+    # Cyclic, so that left stays left.
+    together = np.roll(together, 2 - up, axis=3)
     flat = together.reshape(-1, 3)
     middle = np.nanmedian(flat, axis=0)
+    lowest = np.where(np.isnan(together), np.inf, together)[:, :, :, 2].min(axis=2)
     # What was thrown below the floor must not lower it.
-    middle[2] = np.nanpercentile(np.nanmin(together[:, :, :, 2], axis=2), 10)
+    middle[2] = np.percentile(lowest[np.isfinite(lowest)], 10)
     together = together - middle
     centre = _centre(together, poses[0].rate)
     reach = np.nanpercentile(np.linalg.norm(together - centre[None, :, None], axis=3), 95)
