@@ -64,6 +64,7 @@ def find_partners(
         last = min(int(end[frame, channel]), frame + longest)
         at = np.arange(first, last, dtype=np.int64)
         at = at[np.abs(at - frame) >= SHORTEST]
+        at = at[~np.isin(at, _edges_of_spikes(jumps, channel))]
         if not len(at):
             continue
         rows = slice(max(int(begin[frame, channel]), first - reach), last + reach)
@@ -93,6 +94,13 @@ def find_partners(
         steps.append((channel, start, stop))
         found.append((i, int(at[best]), float(both[best])))
     return found
+
+
+def _edges_of_spikes(jumps: Jumps, channel: int) -> IntArray:
+    """Where single wrong frames begin and end: what came back at once takes no other jump back."""
+    spike = (jumps.channel == channel) & (jumps.length == 1) & (jumps.score >= CLEAR_SCORE)
+    frames = jumps.frame[spike]
+    return np.concatenate([frames, frames + 1])
 
 
 def _jump_at(
