@@ -98,7 +98,7 @@ def test_a_take_full_of_small_jumps_has_a_texture():
 @pytest.mark.parametrize(
     ("name", "approved", "rejected", "missed"),
     [
-        ("bodies/03_rolling", 240, 35, 100),
+        ("bodies/03_rolling", 275, 40, 75),
         ("gait/test_walking", 40, 15, 40),
         ("props/walkingOptiTrack", 27, 3, 6),
     ],

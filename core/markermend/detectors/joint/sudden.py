@@ -27,6 +27,8 @@ AT_END_MM, AT_END_S = 1.0, 1.0
 MOSTLY = 0.5
 SHARED = 0.4
 """A jump of which the neighbours do so much is a blow to the body."""
+OWN = 0.2
+"""A small jump near an end must be the marker's own: its neighbours do no more than this of it."""
 LEVEL_MISMATCH = 0.1
 """Two slides that differ no more are the edges of one step."""
 SHORT_STEP = 2
@@ -208,7 +210,7 @@ def _cut_off(
         at_end = start == 0 or stop == len(seen)
         course, long = Course.CUT_OFF, stop - start > LONGEST_S * rate
         short = at_end and reach_at(rate) <= stop - start <= AT_END_S * rate
-        if size < CUT_OFF_MM and not short:
+        if size < CUT_OFF_MM and not (short and beside[i] <= OWN * size):
             continue
         if long:
             shared = beside[i] > SHARED * size
