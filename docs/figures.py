@@ -37,7 +37,7 @@ def take_pictures(folder: Path) -> int:
     from PySide6.QtWidgets import QApplication
 
     from markermend.artifact import Kind
-    from markermend_app import theme
+    from markermend_app.style import theme
     from markermend_app.window import MainWindow
     from markermend_resources import demo_take
 

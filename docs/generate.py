@@ -8,7 +8,7 @@ from dataclasses import fields
 from markermend.detectors import DETECTORS, Detector
 from markermend.repairs import REPAIRS, Method
 from markermend.smoothers import SMOOTHERS, Smoother
-from markermend_app.actions import ACTIONS
+from markermend_app.actions.table import ACTIONS
 from markermend_resources import manual_folder
 
 PAGE, KEYS = manual_folder() / "methods.md", manual_folder() / "keys.md"

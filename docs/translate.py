@@ -24,8 +24,12 @@ def table_strings() -> list[str]:
     """What is translated from tables rather than where it is written."""
     from markermend.repairs import REPAIRS
     from markermend.smoothers import SMOOTHERS
-    from markermend_app import actions, detection, params_form, telling, theme
-    from markermend_app.panels import artifact_text, plot_quantity
+    from markermend_app import detection, telling
+    from markermend_app.actions import table as actions
+    from markermend_app.dialogs import params_form
+    from markermend_app.panels.inspector import artifact_text
+    from markermend_app.panels.plots import quantity as plot_quantity
+    from markermend_app.style import theme
 
     found = list(theme.KIND_NAME.values())
     found += [name.lower() for name in theme.KIND_NAME.values()]

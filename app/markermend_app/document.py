@@ -14,14 +14,14 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 from markermend.artifact import Artifact, Kind, Status
-from markermend.edits import Change, extent
 from markermend.errors import DataError, MarkermendError
 from markermend.mesh import Mesh
-from markermend.session import Session
-from markermend.session_file import SessionFile
-from markermend.step import Step
+from markermend.review.edits import Change, extent
+from markermend.review.file import SessionFile
+from markermend.review.session import Session
+from markermend.review.step import Step
+from markermend_app.background.preview import Preview
 from markermend_app.looking import Looking
-from markermend_app.preview import Preview
 from markermend_app.walk import about, open_after
 
 AHEAD = 3

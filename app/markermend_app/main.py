@@ -54,8 +54,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
     from PySide6.QtWidgets import QApplication
 
-    from markermend_app import languages, settings, theme
+    from markermend_app import languages, settings
     from markermend_app.file_open import FileOpener
+    from markermend_app.style import theme
     from markermend_app.window import MainWindow
 
     app = QApplication.instance() or QApplication(sys.argv[:1])
@@ -102,7 +103,7 @@ def take_screenshot(window: MainWindow, take: Path | None, target: Path) -> int:
     from markermend.errors import MarkermendError
     from markermend.mesh import infer_mesh
     from markermend.progress import quiet
-    from markermend_app.loading import load
+    from markermend_app.background.loading import load
     from markermend_app.window import ROOMY
 
     window.lay_out(ROOMY)
@@ -142,7 +143,7 @@ def take_screenshot(window: MainWindow, take: Path | None, target: Path) -> int:
 
 def _report_crashes(window: MainWindow) -> None:
     """Show what nobody caught as one sentence with details, and keep running."""
-    from markermend_app.dialogs import show_problem
+    from markermend_app.dialogs.ask import show_problem
 
     def hook(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         log.error("unexpected", exc_info=(kind, error, trace))

@@ -8,9 +8,10 @@ from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QWidget
 
 from markermend.take import AXES
-from markermend_app import settings, theme, units
+from markermend_app import settings, units
+from markermend_app.dialogs.preferences import AUTOSAVE, AUTOSAVE_MIN, VERTICAL, Preferences
 from markermend_app.document import Document
-from markermend_app.preferences import AUTOSAVE, AUTOSAVE_MIN, VERTICAL, Preferences
+from markermend_app.style import theme
 
 
 class Preferred(QObject):

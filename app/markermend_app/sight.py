@@ -5,8 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import QObject, Signal
 
 from markermend.artifact import Artifact
-from markermend_app import theme
 from markermend_app.document import Document
+from markermend_app.style import theme
 
 
 class Sight(QObject):

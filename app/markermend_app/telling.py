@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from functools import cache
 
 from markermend.artifact import Kind
-from markermend_app import theme
+from markermend_app.style import theme
 from markermend_app.words import tr
 
 _SAME = (

@@ -10,7 +10,8 @@ from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QDockWidget, QScrollArea, QWidget
 
 from markermend.artifact import Status
-from markermend_app import settings, shortcuts
+from markermend_app import settings
+from markermend_app.actions import shortcuts
 from markermend_app.panels.tour_card import TourCard
 from markermend_app.words import tr
 

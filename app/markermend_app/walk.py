@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from markermend.artifact import Status
-from markermend.session import Session
-from markermend.step import Step, artifacts_of
+from markermend.review.session import Session
+from markermend.review.step import Step, artifacts_of
 
 
 def open_after(

@@ -23,36 +23,38 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from markermend_app import menus, settings, shortcuts, theme
+from markermend_app import settings
+from markermend_app.actions import menus, shortcuts
+from markermend_app.actions.recent_menu import fill_when_shown
 from markermend_app.attention import Attention
-from markermend_app.batch_review import BatchReview
-from markermend_app.bulk import Bulk
-from markermend_app.commands import Commands
-from markermend_app.comparison import Comparison
+from markermend_app.background.batch_review import BatchReview
+from markermend_app.background.jobs import Lane
 from markermend_app.document import Document
-from markermend_app.handwork import HandWork
-from markermend_app.jobs import Lane
-from markermend_app.panels.candidates import Candidates
 from markermend_app.panels.history import HistoryPanel
-from markermend_app.panels.inspector import Inspector
-from markermend_app.panels.marker_tree import MarkerTree
+from markermend_app.panels.inspector.candidates import Candidates
+from markermend_app.panels.inspector.inspector import Inspector
+from markermend_app.panels.markers.marker_tree import MarkerTree
 from markermend_app.panels.notice import Notice
-from markermend_app.panels.overview import Overview
+from markermend_app.panels.overview.overview import Overview
+from markermend_app.panels.plots.trajectories import TrajectoryPanel
 from markermend_app.panels.quality import QualityPanel
-from markermend_app.panels.review_queue import ReviewQueue
-from markermend_app.panels.scene import Scene
+from markermend_app.panels.queue.review_queue import ReviewQueue
+from markermend_app.panels.scene.scene import Scene
 from markermend_app.panels.status import StatusLine
 from markermend_app.panels.take_list import TakeList
-from markermend_app.panels.trajectories import TrajectoryPanel
 from markermend_app.panels.transport import Transport
 from markermend_app.panels.welcome import Welcome
 from markermend_app.preferred import Preferred
-from markermend_app.recent_menu import fill_when_shown
-from markermend_app.references import References
-from markermend_app.reporting import Reporting
 from markermend_app.sight import Sight
-from markermend_app.smoothing import Smoothing
-from markermend_app.view_verbs import THEMES, view_verbs, wear
+from markermend_app.style import theme
+from markermend_app.verbs.bulk import Bulk
+from markermend_app.verbs.commands import Commands
+from markermend_app.verbs.comparison import Comparison
+from markermend_app.verbs.handwork import HandWork
+from markermend_app.verbs.references import References
+from markermend_app.verbs.reporting import Reporting
+from markermend_app.verbs.smoothing import Smoothing
+from markermend_app.verbs.view import THEMES, view_verbs, wear
 
 LAYOUT_VERSION = 2
 ROOMY = QSize(1500, 940)

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from markermend.poses import Pose
     from markermend.poses.restore import denoise
     from markermend.repairs import fill, repair
-    from markermend.session import Session
+    from markermend.review.session import Session
     from markermend.simulation import simulate
     from markermend.smoothers import smooth
     from markermend.take import Origin, Take
@@ -50,7 +50,7 @@ _HOME = {
     "MethodError": "errors",
     "Origin": "take",
     "Pose": "poses",
-    "Session": "session",
+    "Session": "review.session",
     "Status": "artifact",
     "Take": "take",
     "denoise": "poses.restore",

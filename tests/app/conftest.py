@@ -72,7 +72,7 @@ def damaged():
 def review(qtbot, tmp_path):
     """Open the real window on a take with these artifacts, the first one under review."""
     from markermend.mesh import infer_mesh
-    from markermend.session_file import open_session
+    from markermend.review.file import open_session
     from markermend_app.window import MainWindow
 
     def let_close(window):

@@ -9,8 +9,9 @@ from PySide6.QtCore import Qt
 import markermend as mm
 from markermend.artifact import Status
 from markermend.batch import Recipe, find_takes, run_batch
-from markermend.session_file import open_session
-from markermend_app import export_dialog, settings
+from markermend.review.file import open_session
+from markermend_app import settings
+from markermend_app.dialogs import export as export_dialog
 
 WAIT = 60_000
 

@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from markermend.artifact import Kind, Status
-from markermend_app.panels.plot_quantity import QUANTITIES, way_of
+from markermend_app.panels.plots.quantity import QUANTITIES, way_of
 
 WAIT = 20_000
 

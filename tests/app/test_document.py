@@ -6,7 +6,7 @@ import pytest
 
 from markermend.artifact import Kind, Status
 from markermend.mesh import infer_mesh
-from markermend.session_file import open_session
+from markermend.review.file import open_session
 from markermend_app.document import Document
 
 WAIT = 20_000
@@ -175,7 +175,7 @@ def test_undo_and_redo_go_to_the_artifact_they_are_about(document, qtbot):
 
 
 def test_undoing_a_step_on_samples_alone_shows_them(document):
-    from markermend import hand
+    from markermend.review import hand
 
     peak = of(document, Kind.PEAK)
     document.select(peak.id)

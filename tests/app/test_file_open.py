@@ -8,8 +8,8 @@ from PySide6.QtCore import QUrl
 from PySide6.QtGui import QFileOpenEvent
 from PySide6.QtWidgets import QApplication
 
+from markermend_app.background.loading import proposed_place
 from markermend_app.file_open import FileOpener
-from markermend_app.loading import proposed_place
 from markermend_resources import demo_take
 
 

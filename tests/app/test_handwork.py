@@ -12,8 +12,8 @@ from PySide6.QtWidgets import QInputDialog
 import markermend as mm
 from markermend.artifact import Artifact, Kind, Status
 from markermend.take import Origin, Take
-from markermend_app import export_dialog
-from markermend_app.palette import Palette
+from markermend_app.actions.palette import Palette
+from markermend_app.dialogs import export as export_dialog
 
 WAIT = 20_000
 ACCESSIBLE = Qt.ItemDataRole.AccessibleTextRole

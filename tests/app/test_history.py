@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QFont
 
 from markermend.mesh import Mesh
-from markermend.session_file import open_session
+from markermend.review.file import open_session
 from markermend_app.document import Document
 from markermend_app.panels.history import HistoryPanel
 

@@ -11,11 +11,11 @@ from markermend.artifact import Artifact, Kind, Status
 from markermend.mesh import Mesh
 from markermend.patch import Patch
 from markermend.repairs.registry import REPAIRS, Repair
-from markermend.session_file import open_session
+from markermend.review.file import open_session
 from markermend.take import Take
 from markermend_app.document import Document
 from markermend_app.looking import Selection
-from markermend_app.panels.inspector import Inspector
+from markermend_app.panels.inspector.inspector import Inspector
 
 
 @pytest.fixture

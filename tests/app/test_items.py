@@ -12,11 +12,11 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor
 
 from markermend.artifact import Artifact, Kind, Status
-from markermend_app import theme
 from markermend_app.items.band import Band
 from markermend_app.items.curve import curve, lone_samples, pieces, prepare_plot, wear
 from markermend_app.items.intervals import LANE_HEIGHT, Intervals
 from markermend_app.items.time_axis import TimeAxis
+from markermend_app.style import theme
 
 
 @given(arrays(bool, st.integers(1, 60)))

@@ -7,7 +7,7 @@ import threading
 import pytest
 
 from markermend.errors import DataError
-from markermend_app.jobs import Lane
+from markermend_app.background.jobs import Lane
 
 
 @pytest.fixture

@@ -15,10 +15,12 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QComboBox, QWidget
 
 from markermend.mesh import infer_mesh
-from markermend.session_file import open_session
-from markermend_app import languages, settings, shortcuts, theme
-from markermend_app.preferences import Preferences
-from markermend_app.shortcut_sheet import ShortcutSheet
+from markermend.review.file import open_session
+from markermend_app import languages, settings
+from markermend_app.actions import shortcuts
+from markermend_app.actions.shortcut_sheet import ShortcutSheet
+from markermend_app.dialogs.preferences import Preferences
+from markermend_app.style import theme
 from markermend_app.window import MainWindow
 
 ROOT = Path(__file__).resolve().parents[2]

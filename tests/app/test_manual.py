@@ -10,10 +10,10 @@ from PySide6.QtCore import Qt, QUrl
 from PySide6.QtWidgets import QScrollArea, QWidget
 
 import markermend_app
-from markermend_app import theme
-from markermend_app.manual import FRONT, PAGES, Manual, page_about
-from markermend_app.preferences import Preferences
-from markermend_app.shortcut_sheet import ShortcutSheet
+from markermend_app.actions.shortcut_sheet import ShortcutSheet
+from markermend_app.dialogs.manual import FRONT, PAGES, Manual, page_about
+from markermend_app.dialogs.preferences import Preferences
+from markermend_app.style import theme
 
 
 @pytest.fixture
@@ -96,7 +96,7 @@ def test_every_dialog_of_the_window_has_a_page() -> None:
     folder = Path(markermend_app.__file__).parent
     found = {
         name
-        for path in folder.glob("*.py")
+        for path in folder.rglob("*.py")
         for name in re.findall(r"^class (\w+)\(QDialog\)", path.read_text("utf-8"), re.MULTILINE)
     }
     assert found - set(PAGES) == {"Palette"}, "the palette closes as soon as another window is used"

@@ -9,11 +9,11 @@ from PySide6.QtWidgets import QStyle, QStyleOptionViewItem
 
 from markermend.artifact import Kind
 from markermend.mesh import Group, Mesh
-from markermend.session_file import open_session
+from markermend.review.file import open_session
 from markermend.take import Analog, Points, Take
 from markermend_app.document import Document
-from markermend_app.panels.marker_model import COUNTS, MISSING, NAME, OPEN
-from markermend_app.panels.marker_tree import MarkerTree
+from markermend_app.panels.markers.marker_model import COUNTS, MISSING, NAME, OPEN
+from markermend_app.panels.markers.marker_tree import MarkerTree
 
 MESH = Mesh(
     ("CLAV", "STRN", "C7", "T10", "LSHO", "LELB", "LWRA", "LWRB"),

@@ -11,12 +11,12 @@ from PySide6.QtWidgets import QApplication
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend.mesh import Group, Mesh
-from markermend.session_file import open_session
+from markermend.review.file import open_session
 from markermend.take import Take
-from markermend_app import theme
 from markermend_app.document import Document
-from markermend_app.panels.overview import Overview
-from markermend_app.panels.overview_picture import arrange, heat, residual_levels, row_edges
+from markermend_app.panels.overview.overview import Overview
+from markermend_app.panels.overview.picture import arrange, heat, residual_levels, row_edges
+from markermend_app.style import theme
 
 LEFT = Qt.MouseButton.LeftButton
 

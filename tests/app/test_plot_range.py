@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from markermend_app.panels.plot_range import time_range, value_range, whole_frames
+from markermend_app.panels.plots.range import time_range, value_range, whole_frames
 
 number = st.floats(-1e6, 1e6)
 

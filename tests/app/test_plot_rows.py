@@ -13,13 +13,13 @@ from PySide6.QtTest import QTest
 from markermend.artifact import Kind, Status
 from markermend.measures import acceleration, distance, speed
 from markermend.mesh import infer_mesh
-from markermend.session_file import open_session
+from markermend.review.file import open_session
 from markermend.take import Analog, Event, Points, Take
-from markermend_app import theme
 from markermend_app.document import Document
-from markermend_app.panels.plot_quantity import QUANTITIES, can_show
-from markermend_app.panels.plot_range import value_range
-from markermend_app.panels.trajectories import TrajectoryPanel
+from markermend_app.panels.plots.quantity import QUANTITIES, can_show
+from markermend_app.panels.plots.range import value_range
+from markermend_app.panels.plots.trajectories import TrajectoryPanel
+from markermend_app.style import theme
 
 LEFT = Qt.MouseButton.LeftButton
 

@@ -15,10 +15,11 @@ from markermend.artifact import Kind
 from markermend.detectors.joint import JointParams
 from markermend.mesh import infer_mesh
 from markermend.presets import save_preset
-from markermend.session_file import open_session
-from markermend_app import detection, languages, settings, theme, units
-from markermend_app.panels.inspector_artifact import ArtifactPage
-from markermend_app.preferences import OFFERED, Preferences
+from markermend.review.file import open_session
+from markermend_app import detection, languages, settings, units
+from markermend_app.dialogs.preferences import OFFERED, Preferences
+from markermend_app.panels.inspector.artifact import ArtifactPage
+from markermend_app.style import theme
 from markermend_app.window import MainWindow
 
 
@@ -150,7 +151,7 @@ def test_a_preset_that_is_gone_is_told_in_a_sentence(page):
 
 def test_reviews_are_saved_as_often_as_was_chosen(page, window, monkeypatch):
     saved = []
-    monkeypatch.setattr("markermend.session_file.SessionFile.save", lambda self: saved.append(1))
+    monkeypatch.setattr("markermend.review.file.SessionFile.save", lambda self: saved.append(1))
     assert window.preferred.saving.interval() == 5 * 60_000
     page.autosave.setValue(2)
     assert window.preferred.saving.interval() == 2 * 60_000

@@ -8,8 +8,8 @@ import pytest
 
 from markermend.mesh import infer_mesh
 from markermend.repairs.registry import Repair
-from markermend.session import Session
-from markermend_app.proposals import Proposals
+from markermend.review.session import Session
+from markermend_app.background.proposals import Proposals
 
 WAIT = 10_000
 

@@ -12,7 +12,7 @@ from markermend.artifact import Artifact, Kind
 from markermend.mesh import Mesh
 from markermend.patch import Patch
 from markermend.repairs import Repair
-from markermend.session_file import open_session
+from markermend.review.file import open_session
 from markermend.take import Take
 from markermend_app import settings
 from markermend_app.document import Document

@@ -19,11 +19,11 @@ from PySide6.QtWidgets import (
 )
 
 from markermend.mesh import infer_mesh
-from markermend.session_file import open_session
-from markermend_app import theme
-from markermend_app.looks import LOOKS
-from markermend_app.preferences import Preferences
-from markermend_app.shortcut_sheet import ShortcutSheet
+from markermend.review.file import open_session
+from markermend_app.actions.shortcut_sheet import ShortcutSheet
+from markermend_app.dialogs.preferences import Preferences
+from markermend_app.style import theme
+from markermend_app.style.looks import LOOKS
 from markermend_app.window import MainWindow
 
 USED = (

@@ -34,7 +34,7 @@ def test_the_open_review_is_reported_and_shown(review, damaged, qtbot, tmp_path,
 def test_a_folder_that_refuses_is_named(review, damaged, qtbot, tmp_path, monkeypatch):
     told = []
     monkeypatch.setattr(
-        "markermend_app.dialogs.show_problem", lambda _, error: told.append(str(error))
+        "markermend_app.dialogs.ask.show_problem", lambda _, error: told.append(str(error))
     )
     window = review(*damaged)
     window.reporting.report_to(tmp_path / "nowhere" / "page.html")

@@ -10,12 +10,12 @@ from PySide6.QtCore import Qt
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend.mesh import Mesh
-from markermend.priority import badness
-from markermend.session_file import open_session
+from markermend.review.file import open_session
+from markermend.review.priority import badness
 from markermend.take import Take
 from markermend_app.document import Document
-from markermend_app.panels.queue_model import FRAMES, KIND, MARKER, REPAIR, STATUS, WHY
-from markermend_app.panels.review_queue import ReviewQueue
+from markermend_app.panels.queue.model import FRAMES, KIND, MARKER, REPAIR, STATUS, WHY
+from markermend_app.panels.queue.review_queue import ReviewQueue
 
 
 @pytest.fixture

@@ -15,16 +15,16 @@ from markermend.artifact import Kind, Status
 from markermend.mesh import Group, Mesh
 from markermend.patch import Patch
 from markermend.repairs.registry import Repair
-from markermend.session_file import open_session
+from markermend.review.file import open_session
 from markermend.take import Take
 from markermend.vertical import vertical_axis
-from markermend_app import theme
 from markermend_app.document import Document
-from markermend_app.panels.scene import Scene
-from markermend_app.panels.scene_camera import Camera
-from markermend_app.panels.scene_looks import marker_colours
-from markermend_app.panels.scene_select import Outline
-from markermend_app.panels.scene_stage import set_stage
+from markermend_app.panels.scene.camera import Camera
+from markermend_app.panels.scene.looks import marker_colours
+from markermend_app.panels.scene.scene import Scene
+from markermend_app.panels.scene.select import Outline
+from markermend_app.panels.scene.stage import set_stage
+from markermend_app.style import theme
 
 
 @pytest.fixture

@@ -9,10 +9,10 @@ from PySide6.QtWidgets import QMenu
 
 from markermend.artifact import Status
 from markermend.mesh import infer_mesh
-from markermend.session_file import open_session
-from markermend_app import palette, shortcuts
-from markermend_app.actions import ACTIONS
-from markermend_app.shortcut_sheet import ShortcutSheet
+from markermend.review.file import open_session
+from markermend_app.actions import palette, shortcuts
+from markermend_app.actions.shortcut_sheet import ShortcutSheet
+from markermend_app.actions.table import ACTIONS
 from markermend_app.window import MainWindow
 
 

@@ -11,9 +11,9 @@ import markermend as mm
 from markermend.artifact import Status
 from markermend.poses.breaking import break_pose
 from markermend.poses.nuitrack import JOINTS, to_nuitrack
-from markermend_app.export_dialog import ExportChoice
-from markermend_app.file_filters import export_filter, open_filter
-from markermend_app.panels.marker_model import NAME
+from markermend_app.dialogs.export import ExportChoice
+from markermend_app.dialogs.file_filters import export_filter, open_filter
+from markermend_app.panels.markers.marker_model import NAME
 from markermend_app.window import MainWindow
 
 WAIT = 60_000
@@ -129,7 +129,7 @@ def test_a_dropped_recording_opens(window, shared_data, qtbot, tmp_path):
 def test_a_damaged_recording_is_told_in_one_sentence(window, tmp_path, qtbot, monkeypatch):
     told = []
     monkeypatch.setattr(
-        "markermend_app.dialogs.show_problem", lambda _, error: told.append(str(error))
+        "markermend_app.dialogs.ask.show_problem", lambda _, error: told.append(str(error))
     )
     path = tmp_path / "alone.amc"
     path.write_text("1\nroot 0 0 0 0 0 0\n")

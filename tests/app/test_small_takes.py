@@ -8,15 +8,15 @@ from PySide6.QtCore import QCoreApplication, QPoint, QPointF
 
 from markermend.artifact import Artifact, Kind
 from markermend.mesh import Mesh
-from markermend.session_file import open_session
+from markermend.review.file import open_session
 from markermend.take import Take
 from markermend_app.document import Document
-from markermend_app.panels.overview import Overview
-from markermend_app.panels.overview_mode import MODES
-from markermend_app.panels.plot_quantity import QUANTITIES
+from markermend_app.panels.overview.mode import MODES
+from markermend_app.panels.overview.overview import Overview
+from markermend_app.panels.plots.quantity import QUANTITIES
+from markermend_app.panels.plots.trajectories import TrajectoryPanel
 from markermend_app.panels.quality import QualityPanel
-from markermend_app.panels.scene import Scene
-from markermend_app.panels.trajectories import TrajectoryPanel
+from markermend_app.panels.scene.scene import Scene
 
 LABELS = ("A", "B", "C")
 

@@ -8,7 +8,7 @@ from plots import SHIFT, Bench
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from markermend import hand
+from markermend.review import hand
 from markermend.smoothers import percent_sm1, smooth
 from markermend.take import Origin, Take
 

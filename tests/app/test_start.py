@@ -15,7 +15,7 @@ from PySide6.QtCore import QSettings, QTimer
 from markermend_app import settings
 
 settings.store = lambda: QSettings({ini!r}, QSettings.Format.IniFormat)
-from markermend_app.panels.overview import Overview
+from markermend_app.panels.overview.overview import Overview
 
 paint = Overview.paintEvent
 

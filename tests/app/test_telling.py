@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 from PySide6.QtCore import QCoreApplication, QTranslator
 
-from markermend import hand
 from markermend.artifact import Kind, Status
 from markermend.detectors import detect
 from markermend.mesh.names import _FROM_THE_TOP
-from markermend.session import Session
+from markermend.review import hand
+from markermend.review.session import Session
 from markermend_app.telling import _PARTS, told, told_group
 
 

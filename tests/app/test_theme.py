@@ -10,8 +10,9 @@ from PySide6.QtGui import QColor, QIcon
 from PySide6.QtWidgets import QApplication
 
 from markermend.artifact import Kind
-from markermend_app import settings, theme
-from markermend_app.looks import LOOKS, colour_blind
+from markermend_app import settings
+from markermend_app.style import theme
+from markermend_app.style.looks import LOOKS, colour_blind
 
 
 def _luminance(color: QColor) -> float:

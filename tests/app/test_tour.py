@@ -9,9 +9,10 @@ from PySide6.QtWidgets import QApplication
 
 from markermend.artifact import Status
 from markermend.mesh import infer_mesh
-from markermend.session_file import open_session
+from markermend.review.file import open_session
 from markermend.take import Take
-from markermend_app import settings, shortcuts
+from markermend_app import settings
+from markermend_app.actions import shortcuts
 from markermend_app.tour import SEEN, Tour
 from markermend_app.window import MainWindow
 

@@ -11,13 +11,13 @@ from PySide6.QtWidgets import QMenu
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend.mesh import infer_mesh
-from markermend.session_file import open_session
+from markermend.review.file import open_session
 from markermend.take import Take
-from markermend_app import theme
 from markermend_app.document import Document
 from markermend_app.looking import Selection
-from markermend_app.panels.plot_prediction import SETTLED_MS
-from markermend_app.panels.trajectories import TrajectoryPanel
+from markermend_app.panels.plots.prediction import SETTLED_MS
+from markermend_app.panels.plots.trajectories import TrajectoryPanel
+from markermend_app.style import theme
 
 
 @pytest.fixture

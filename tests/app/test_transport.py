@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from PySide6.QtCore import Qt
 
-from markermend.session_file import open_session
+from markermend.review.file import open_session
 from markermend_app.document import Document
 from markermend_app.panels.transport import SPEEDS, Transport
 

@@ -13,11 +13,13 @@ from PySide6.QtWidgets import QFileDialog, QLabel, QMessageBox, QPlainTextEdit
 import markermend as mm
 from markermend import files
 from markermend.artifact import Artifact, Kind, Status
-from markermend.edits import SetSamples
 from markermend.errors import MarkermendError
 from markermend.patch import Patch
-from markermend_app import dialogs, export_dialog, settings
-from markermend_app.actions import ACTIONS
+from markermend.review.edits import SetSamples
+from markermend_app import settings
+from markermend_app.actions.table import ACTIONS
+from markermend_app.dialogs import ask as dialogs
+from markermend_app.dialogs import export as export_dialog
 from markermend_app.looking import Selection
 from markermend_app.main import take_screenshot
 from markermend_app.window import MainWindow
@@ -447,7 +449,7 @@ def test_an_export_whose_review_cannot_be_saved_still_ends(reviewed, monkeypatch
     def full(self):
         raise MarkermendError("The disk is full.")
 
-    monkeypatch.setattr("markermend.session_file.SessionFile.save", full)
+    monkeypatch.setattr("markermend.review.file.SessionFile.save", full)
     target = tmp_path / "out.c3d"
     choice = export_dialog.ExportChoice(False, False)
     assert reviewed.commands._exporter.export_to(target, choice, wait=True)
@@ -473,7 +475,7 @@ def test_a_review_that_cannot_be_saved_keeps_the_window_open(reviewed, monkeypat
         raise MarkermendError("The disk is full.")
 
     with monkeypatch.context() as patched:
-        patched.setattr("markermend.session_file.SessionFile.save", full)
+        patched.setattr("markermend.review.file.SessionFile.save", full)
         assert not reviewed.close()
     assert reviewed.document.session is not None
 

@@ -31,7 +31,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 from markermend.artifact import Artifact, Kind
 from markermend.mesh import Mesh
-from markermend.session_file import open_session
+from markermend.review.file import open_session
 from markermend.take import Take
 from markermend_app import settings
 from markermend_app.document import Document
@@ -104,8 +104,8 @@ def per_frame(widget: QWidget, move: Callable[[int], None]) -> float:
 
 def bench_plots(options: argparse.Namespace, folder: Path) -> None:
     """Pan, zoom and move the cursor, with the overview following."""
-    from markermend_app.panels.overview import Overview
-    from markermend_app.panels.trajectories import TrajectoryPanel
+    from markermend_app.panels.overview.overview import Overview
+    from markermend_app.panels.plots.trajectories import TrajectoryPanel
 
     take = make_take(round(options.minutes * 60 * options.rate), options.rate, options.markers)
     document = open_document(take, folder)
@@ -152,7 +152,7 @@ def bench_plots(options: argparse.Namespace, folder: Path) -> None:
 
 def bench_scene(options: argparse.Namespace, folder: Path) -> None:
     """Play through a take in space."""
-    from markermend_app.panels.scene import Scene
+    from markermend_app.panels.scene.scene import Scene
 
     take = make_take(4800, options.rate, options.markers)
     pairs = tuple((i, i + 1) for i in range(options.markers - 1))

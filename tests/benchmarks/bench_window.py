@@ -254,8 +254,8 @@ def main() -> int:
 
         store = QSettings(str(folder / "settings.ini"), QSettings.Format.IniFormat)
         settings.store = lambda: store  # type: ignore[assignment]
-        from markermend_app import theme
         from markermend_app.main import SWITCH_S
+        from markermend_app.style import theme
         from markermend_app.window import MainWindow
 
         app = QApplication([])

@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 from reviews import artifact, make_take
 
-from markermend.alike import alike, doubts, lower
 from markermend.artifact import Kind, Status
-from markermend.pace import Stopwatch
-from markermend.session import Session
-from markermend.session_file import open_session
+from markermend.review.alike import alike, doubts, lower
+from markermend.review.file import open_session
+from markermend.review.pace import Stopwatch
+from markermend.review.session import Session
 
 
 def several(session, count, marker="A", kind=Kind.PEAK):

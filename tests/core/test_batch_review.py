@@ -13,8 +13,8 @@ from markermend.artifact import Status
 from markermend.batch import Recipe, find_takes, run_batch, take_over, takes_to_review
 from markermend.detectors import find_detector
 from markermend.errors import DataError, FileFormatError, MarkermendError
-from markermend.session import Session
-from markermend.session_file import open_session, read_review
+from markermend.review.file import open_session, read_review
+from markermend.review.session import Session
 
 SLOWLESS = find_detector("paper").params(slow=False)
 RECIPE = Recipe(detector="paper", detector_params=SLOWLESS, min_confidence=0.99)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from markermend.fitting import donors, exchangers, receivers
+from markermend.review.fitting import donors, exchangers, receivers
 from markermend.take import Take
 
 

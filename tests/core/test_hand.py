@@ -7,12 +7,12 @@ import pytest
 from reviews import artifact, make_take, proposal, state_of
 
 import markermend as mm
-from markermend import hand
 from markermend.artifact import Kind, Status
 from markermend.errors import DataError
 from markermend.files import read, write
-from markermend.session import Session
-from markermend.session_file import open_session
+from markermend.review import hand
+from markermend.review.file import open_session
+from markermend.review.session import Session
 from markermend.take import Origin, Take
 
 

@@ -11,7 +11,7 @@ from markermend.patch import Patch
 from markermend.repairs import propose, repair_all
 from markermend.repairs.look_again import in_words, looked_at
 from markermend.repairs.registry import Repair
-from markermend.session import Session
+from markermend.review.session import Session
 from markermend.simulation import simulate_clean
 from markermend.take import Take
 

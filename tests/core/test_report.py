@@ -17,15 +17,15 @@ from hypothesis import strategies as st
 import markermend as mm
 from markermend.artifact import Artifact, Kind, Status
 from markermend.cli import main
-from markermend.hand import cut
 from markermend.outcome import Outcome, cleaned_document, outcomes
-from markermend.pace import Stopwatch
 from markermend.patch import patched
 from markermend.repairs import REPAIRS, repair_all
 from markermend.report import batch_parts, quality, take_report
 from markermend.report.svg import damage_map, decimate, path, ticks, worst
-from markermend.session import Session
-from markermend.session_file import open_session
+from markermend.review.file import open_session
+from markermend.review.hand import cut
+from markermend.review.pace import Stopwatch
+from markermend.review.session import Session
 
 EMPTY = {"meta", "link", "br", "hr", "img", "input"}
 HOSTILE = "</script><b>&\"LFHD'"

@@ -11,7 +11,7 @@ from markermend.artifact import Kind, Status
 from markermend.errors import DataError
 from markermend.patch import Patch
 from markermend.repairs.registry import Repair
-from markermend.session import Session
+from markermend.review.session import Session
 from markermend.take import Origin, Take
 
 

@@ -17,12 +17,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from reviews import artifact, drive, make_take, proposal, state_of, verbs
 
-from markermend import session_file
 from markermend.artifact import Artifact, Kind, Status
 from markermend.errors import FileFormatError, MarkermendError
 from markermend.files import read, write
 from markermend.repairs import propose
-from markermend.session_file import open_session
+from markermend.review import file as session_file
+from markermend.review.file import open_session
 from markermend.simulation import simulate_clean
 from markermend.take import Take
 
@@ -171,7 +171,7 @@ KILLED = """
     from pathlib import Path
     from tests_session_take import make_take
     from markermend.artifact import Artifact, Kind
-    from markermend.session_file import open_session
+    from markermend.review.file import open_session
 
     kept = open_session(make_take(), folder=Path(sys.argv[1]))
     i = len(kept.session.history)

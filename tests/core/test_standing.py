@@ -7,8 +7,8 @@ import numpy as np
 from markermend.artifact import Artifact, Kind, Status
 from markermend.patch import Patch
 from markermend.repairs import Repair
-from markermend.session import Session
-from markermend.standing import standings
+from markermend.review.session import Session
+from markermend.review.standing import standings
 from markermend.take import Take
 
 

@@ -7,12 +7,12 @@ import contextlib
 import numpy as np
 from hypothesis import strategies as st
 
-from markermend import hand
 from markermend.artifact import Artifact, Kind, Status
 from markermend.errors import DataError
 from markermend.patch import Patch
 from markermend.repairs.registry import Repair
-from markermend.session import Session
+from markermend.review import hand
+from markermend.review.session import Session
 from markermend.take import Origin, Take
 
 FRAMES, LABELS = 60, ("A", "B", "C")

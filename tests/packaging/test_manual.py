@@ -11,9 +11,9 @@ import pytest
 
 import markermend as mm
 from markermend.cli import main
-from markermend.session_place import session_path
-from markermend_app.actions import ACTIONS
-from markermend_app.manual import PAGES, slug_of
+from markermend.review.place import session_path
+from markermend_app.actions.table import ACTIONS
+from markermend_app.dialogs.manual import PAGES, slug_of
 from markermend_resources import manual_folder
 
 PAGE_FILES = sorted(manual_folder().glob("*.md"))

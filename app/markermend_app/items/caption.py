@@ -8,7 +8,7 @@ import pyqtgraph as pg
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
-from markermend_app import theme
+from markermend_app.style import theme
 
 _PAD, _GAP = 4.0, 10.0
 

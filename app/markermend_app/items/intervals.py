@@ -15,7 +15,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPen, QTransform
 
 from markermend.artifact import Artifact, Kind, Status
-from markermend_app import theme
+from markermend_app.style import theme
 
 LANE_HEIGHT = 12
 THIN_LANE_HEIGHT = 6

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
-from markermend_app import theme
+from markermend_app.style import theme
 
 _ICON_PX = 48
 

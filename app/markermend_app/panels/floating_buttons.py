@@ -6,9 +6,9 @@ from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QToolButton, QWidget
 
 from markermend.artifact import Status
-from markermend_app import theme
+from markermend_app.actions.shortcuts import KeyTip
 from markermend_app.document import Document
-from markermend_app.shortcuts import KeyTip
+from markermend_app.style import theme
 
 _GAP = 8
 

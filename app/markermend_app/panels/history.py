@@ -15,9 +15,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from markermend_app import theme
 from markermend_app.document import Document
-from markermend_app.panels.badge import hint
+from markermend_app.panels.markers.badge import hint
+from markermend_app.style import theme
 from markermend_app.telling import told
 
 Index = QModelIndex | QPersistentModelIndex

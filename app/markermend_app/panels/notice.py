@@ -5,8 +5,9 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QWidget
 
-from markermend_app import shortcuts, theme
-from markermend_app.bulk import Bulk
+from markermend_app.actions import shortcuts
+from markermend_app.style import theme
+from markermend_app.verbs.bulk import Bulk
 
 
 class Notice(QFrame):

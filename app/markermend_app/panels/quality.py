@@ -17,13 +17,13 @@ from PySide6.QtWidgets import (
 )
 
 from markermend.artifact import Status
-from markermend.priority import badness
-from markermend.standing import Standing, standings
+from markermend.review.priority import badness
+from markermend.review.standing import Standing, standings
 from markermend.take import is_unlabelled
-from markermend_app import theme
 from markermend_app.document import Document
-from markermend_app.panels.badge import hint, paint_counts
+from markermend_app.panels.markers.badge import hint, paint_counts
 from markermend_app.panels.quality_model import COUNTS, DECIDED, OPEN, QualityModel
+from markermend_app.style import theme
 
 Index = QModelIndex | QPersistentModelIndex
 _SETTLED_MS = 60

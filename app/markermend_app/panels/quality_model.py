@@ -15,8 +15,9 @@ from PySide6.QtCore import (
 )
 from PySide6.QtGui import QFont
 
-from markermend.standing import Standing
-from markermend_app import theme, units
+from markermend.review.standing import Standing
+from markermend_app import units
+from markermend_app.style import theme
 from markermend_app.words import tr
 
 Index = QModelIndex | QPersistentModelIndex

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QLabel, QProgressBar, QSizePolicy, QStatusBar, QToolButton, QWidget
 
-from markermend_app import theme
+from markermend_app.background.jobs import Lane
 from markermend_app.document import Document
-from markermend_app.jobs import Lane
+from markermend_app.style import theme
 
 
 class StatusLine(QStatusBar):

@@ -24,11 +24,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from markermend_app import shortcuts, theme, units
-from markermend_app.batch_review import BatchReview
-from markermend_app.loading import Glance
-from markermend_app.panels.badge import dot_icon, paint_share
-from markermend_app.panels.queue_view import PlainDelegate
+from markermend_app import units
+from markermend_app.actions import shortcuts
+from markermend_app.background.batch_review import BatchReview
+from markermend_app.background.loading import Glance
+from markermend_app.panels.markers.badge import dot_icon, paint_share
+from markermend_app.panels.queue.view import PlainDelegate
+from markermend_app.style import theme
 from markermend_app.words import tr
 
 if TYPE_CHECKING:

@@ -16,9 +16,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from markermend_app import shortcuts, theme
+from markermend_app.actions import shortcuts
+from markermend_app.actions.shortcuts import KeyTip
 from markermend_app.document import Document
-from markermend_app.shortcuts import KeyTip
+from markermend_app.style import theme
 
 SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
 TICK_MS = 15

@@ -8,9 +8,10 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
-from markermend_app import settings, theme
+from markermend_app import settings
+from markermend_app.actions.shortcuts import KeyTip
 from markermend_app.document import Document
-from markermend_app.shortcuts import KeyTip
+from markermend_app.style import theme
 
 SHOWN_RECENT = 5
 

@@ -19,8 +19,8 @@ from markermend.batch.sources import find_takes
 from markermend.errors import DataError, FileFormatError
 from markermend.files import read
 from markermend.patch import Patch
-from markermend.session import Session
-from markermend.session_file import source_hash
+from markermend.review.file import source_hash
+from markermend.review.session import Session
 from markermend.take import Take
 
 

@@ -10,7 +10,7 @@ from markermend.cli.console import STDOUT, check_outputs, count, say, write_json
 from markermend.errors import MarkermendError
 from markermend.outcome import cleaned_document
 from markermend.report import review_report, reviewed
-from markermend.session_file import read_review
+from markermend.review.file import read_review
 
 
 def run(options: argparse.Namespace) -> int:

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 from markermend.artifact import Artifact, Status
 from markermend.outcome import Outcome
-from markermend.pace import Pace
 from markermend.report.sections import take_report
-from markermend.session import Session
+from markermend.review.pace import Pace
+from markermend.review.session import Session
 from markermend.take import Take
 
 _LEFT = {

@@ -10,11 +10,11 @@ from statistics import median
 import markermend as mm
 from markermend.artifact import Kind
 from markermend.outcome import Outcome, cleaned_document
-from markermend.pace import Pace
 from markermend.report import page
 from markermend.report.index import error, index_section, percent, tiles
 from markermend.report.quality import Quality, quality
 from markermend.report.svg import curves, damage_map, worst
+from markermend.review.pace import Pace
 from markermend.take import Take
 
 # Longer lists are cut on the page, worst first; the JSON has them whole.

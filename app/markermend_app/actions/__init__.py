@@ -1,0 +1,1 @@
+"""Every action, declared once; menus, palette and shortcuts are made from them."""

@@ -1,0 +1,85 @@
+"""What an action is, and when it can be used."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from markermend_app.document import Document
+
+
+def anything(document: Document) -> bool:
+    """Always."""
+    return True
+
+
+def opened(document: Document) -> bool:
+    """A take is open."""
+    return document.session is not None
+
+
+def editable(document: Document) -> bool:
+    """Decisions can be made."""
+    return document.editable
+
+
+def current(document: Document) -> bool:
+    """An artifact is under review, to be decided."""
+    return document.editable and document.current is not None
+
+
+def artifacts(document: Document) -> bool:
+    """There are artifacts."""
+    return document.session is not None and bool(document.session.artifacts)
+
+
+def undoable(document: Document) -> bool:
+    """A step can be taken back."""
+    return document.editable and document.session is not None and bool(document.session.history)
+
+
+def redoable(document: Document) -> bool:
+    """An undone step can be brought back."""
+    return document.editable and document.session is not None and bool(document.session.undone)
+
+
+def swept(document: Document) -> bool:
+    """A range is swept."""
+    return document.editable and document.selection is not None
+
+
+def marker(document: Document) -> bool:
+    """A marker is shown, to be worked on."""
+    return document.editable and bool(document.shown)
+
+
+@dataclass(frozen=True)
+class Action:
+    """One action.
+
+    Attributes
+    ----------
+    name : also the name of the verb that does it, one of
+        :class:`markermend_app.verbs.commands.Commands`,
+        :class:`markermend_app.verbs.handwork.HandWork`, :class:`markermend_app.verbs.bulk.Bulk` or
+        :class:`markermend_app.verbs.smoothing.Smoothing`
+    text : as menus show it
+    menu : the menu it stands in, ``Menu/Submenu`` for one below; a leading ``|`` puts a separator
+        before it
+    keys : shortcuts unless the operator chose others, the first one is shown
+    icon : name in ``resources/markermend_resources/icons``; empty for none
+    tip : one sentence for the tooltip; the text when empty
+    enabled : whether it can be used, given the document
+    checkable : it switches something on and off
+    toolbar : not empty when it also stands in the toolbar; ``|`` after a separator
+    """
+
+    name: str
+    text: str
+    menu: str
+    keys: tuple[str, ...] = ()
+    icon: str = ""
+    tip: str = ""
+    enabled: Callable[[Document], bool] = opened
+    checkable: bool = False
+    toolbar: str = ""

@@ -1,0 +1,114 @@
+"""Makes menus, toolbar and context menus from the table of actions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QWidget
+
+from markermend_app.actions import shortcuts
+from markermend_app.actions.action import current
+from markermend_app.actions.table import ACTIONS
+from markermend_app.document import Document
+from markermend_app.style import theme
+from markermend_app.words import tr
+
+_SPEC = {spec.name: spec for spec in ACTIONS}
+
+
+def is_about_current(name: str) -> bool:
+    """Whether an action does something to the artifact under review."""
+    return _SPEC[name].enabled is current
+
+
+def build(owner: QWidget, document: Document, run: Callable[[str], None]) -> dict[str, QAction]:
+    """Make a QAction for each entry; ``run`` gets the name of the one that was triggered."""
+    made: dict[str, QAction] = {}
+    for spec in ACTIONS:
+        action = QAction(tr(spec.text), owner)
+        action.setObjectName(spec.name)
+        action.setCheckable(spec.checkable)
+        action.triggered.connect(lambda _checked=False, name=spec.name: run(name))
+        owner.addAction(action)
+        made[spec.name] = action
+
+    def refresh() -> None:
+        for spec in ACTIONS:
+            made[spec.name].setEnabled(spec.enabled(document))
+
+    for signal in (
+        document.opened,
+        document.history_changed,
+        document.current_changed,
+        document.selection_changed,
+        document.shown_changed,
+        document.artifacts_changed,
+    ):
+        signal.connect(refresh)
+    refresh()
+    give_icons(made)
+    give_keys(made)
+    return made
+
+
+def give_icons(made: dict[str, QAction]) -> None:
+    """Draw the actions' icons in the theme's colour."""
+    for spec in ACTIONS:
+        if spec.icon:
+            made[spec.name].setIcon(theme.icon(spec.icon))
+
+
+def give_keys(made: dict[str, QAction]) -> None:
+    """Give the actions the keys in effect, and name them in their tooltips."""
+    keys = shortcuts.table()
+    for spec in ACTIONS:
+        action = made[spec.name]
+        action.setShortcuts([QKeySequence(key) for key in keys[spec.name]])
+        action.setToolTip(hint_of(spec.name))
+
+
+def hint_of(name: str) -> str:
+    """What an action does, in one sentence, and its key."""
+    spec, key = _SPEC[name], shortcuts.first(name)
+    tip = tr(spec.tip or spec.text.rstrip("…"))
+    return f"{tip}  ({key})" if key else tip
+
+
+def fill_menus(bar: QMenuBar, made: dict[str, QAction]) -> dict[str, QMenu]:
+    """Put the actions into menus; returns the menus by the path of their names."""
+    menus: dict[str, QMenu] = {}
+    for spec in ACTIONS:
+        path = spec.menu.lstrip("|")
+        if path not in menus:
+            above, _, name = path.rpartition("/")
+            title = tr(name)
+            menus[path] = menus[above].addMenu(title) if above else bar.addMenu("&" + title)
+            menus[path].setToolTipsVisible(True)
+        if spec.menu.startswith("|"):
+            menus[path].addSeparator()
+        menus[path].addAction(made[spec.name])
+    return menus
+
+
+def fill_toolbar(bar: QToolBar, made: dict[str, QAction]) -> None:
+    """Put those meant for it into the toolbar."""
+    for spec in ACTIONS:
+        if spec.toolbar:
+            if spec.toolbar == "|":
+                bar.addSeparator()
+            bar.addAction(made[spec.name])
+
+
+def entry(menu: QMenu, name: str, do: Callable[[], object], text: str = "") -> QAction:
+    """Put an action into a context menu, done to what the menu was opened on.
+
+    Text, icon and key are those of the table; the key itself belongs to the window's action.
+    """
+    spec = _SPEC[name]
+    key = shortcuts.first(name)
+    words = text or tr(spec.text)
+    action = menu.addAction(theme.icon(spec.icon), f"{words}\t{key}" if key else words)
+    action.setObjectName(name)
+    action.triggered.connect(lambda _checked=False: do())
+    return action

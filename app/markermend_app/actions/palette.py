@@ -1,0 +1,212 @@
+"""The command palette: a few letters find any action, marker or artifact, or one of a few."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QAction, QIcon, QKeyEvent
+from PySide6.QtWidgets import (
+    QDialog,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QListWidget,
+    QListWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from markermend_app.actions import shortcuts
+from markermend_app.actions.table import ACTIONS
+from markermend_app.document import Document
+from markermend_app.style import theme
+from markermend_app.words import tr
+
+SHOWN = 60
+_WIDTH, _HEIGHT = 560, 420
+
+
+@dataclass(frozen=True)
+class Entry:
+    """Something that can be found.
+
+    Attributes
+    ----------
+    text : what it is called
+    aside : its key, or where it lies
+    icon : beside the text
+    usable : whether it can be done now
+    do : does it
+    """
+
+    text: str
+    aside: str
+    icon: QIcon
+    usable: bool
+    do: Callable[[], object]
+
+
+def entries(made: Mapping[str, QAction], document: Document) -> list[Entry]:
+    """Everything that can be done or gone to: actions, markers, artifacts."""
+    found = []
+    for spec in ACTIONS:
+        if spec.name == "palette":
+            continue
+        action = made[spec.name]
+        menu = tr(spec.menu.lstrip("|").rpartition("/")[0] or spec.menu.lstrip("|"))
+        words = f"{menu}: {action.text()}"
+        key = shortcuts.first(spec.name)
+        found.append(Entry(words, key, action.icon(), action.isEnabled(), action.trigger))
+    session = document.session
+    if session is None:
+        return found
+    take = session.original
+    marker = theme.icon("marker")
+    for label in take.labels:
+        do = partial(document.show, (label,))
+        found.append(Entry(label, tr("marker"), marker, True, do))
+    place = {artifact_id: i for i, artifact_id in enumerate(document.queue)}
+    order = sorted(session.artifacts, key=lambda a: place.get(a.id, len(place)))
+    for a in order:
+        text = tr("{0} on {1}, frames {2}–{3}").format(
+            theme.kind_name(a.kind),
+            a.marker,
+            take.frame_number(a.start),
+            take.frame_number(a.stop - 1),
+        )
+        do = partial(document.select, a.id)
+        found.append(Entry(text, f"{100 * a.confidence:.0f} %", theme.icon(a.kind), True, do))
+    return found
+
+
+def score(wanted: str, text: str) -> float | None:
+    """How well a search fits a text, higher is better; None when it does not.
+
+    Every word of the search has to be found, in any order: best where it begins a word of the
+    text, else within one, else as letters in this order. Short texts go before long ones.
+    """
+    text = text.casefold()
+    total = -0.01 * len(text)
+    for word in wanted.casefold().split():
+        fit = _fit(word, text)
+        if fit is None:
+            return None
+        total += fit
+    return total
+
+
+def _fit(word: str, text: str) -> float | None:
+    """How well one word fits."""
+    place = text.find(word)
+    if place >= 0:
+        heads = any(h == 0 or not text[h - 1].isalnum() for h in _places(word, text))
+        return 3.0 if heads else 2.0
+    at = first = -1
+    for letter in word:
+        at = text.find(letter, at + 1)
+        if at < 0:
+            return None
+        first = at if first < 0 else first
+    return len(word) / (at - first + 1)
+
+
+def _places(word: str, text: str) -> list[int]:
+    """Where a word stands in a text."""
+    return [i for i in range(len(text)) if text.startswith(word, i)]
+
+
+def ranked(wanted: str, found: Sequence[Entry]) -> list[Entry]:
+    """Entries that fit a search, best first; of equals those that can be done now. Else all."""
+    if not wanted.strip():
+        return list(found)
+    fits = [(score(wanted, entry.text), entry) for entry in found]
+    good = [(fit + 0.4 * entry.usable, entry) for fit, entry in fits if fit is not None]
+    good.sort(key=lambda pair: -pair[0])
+    return [entry for _, entry in good]
+
+
+class Palette(QDialog):
+    """A line to type in and what fits below it; Return does the first or the chosen one.
+
+    With a question it stands above, and the entries are its answers, the likeliest first.
+    """
+
+    def __init__(self, found: Sequence[Entry], parent: QWidget, question: str = "") -> None:
+        super().__init__(parent, Qt.WindowType.Popup)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setObjectName("palette")
+        finds = self.tr("Type a few letters") if question else ""
+        finds = finds or self.tr("Find a command, marker or artifact")
+        self.setAccessibleName(question or finds)
+        self._found = found
+        self._shown: list[Entry] = []
+        self.line = QLineEdit()
+        self.line.setPlaceholderText(finds)
+        self.line.setAccessibleName(question or finds)
+        self.line.textChanged.connect(self._search)
+        self.list = QListWidget()
+        self.list.setAccessibleName(self.tr("Found"))
+        self.list.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.list.setUniformItemSizes(True)
+        self.list.itemClicked.connect(lambda _: self._go())
+        column = QVBoxLayout(self)
+        column.setContentsMargins(8, 8, 8, 8)
+        column.setSpacing(8)
+        if question:
+            asked = QLabel(question)
+            asked.setProperty("role", "heading")
+            asked.setWordWrap(True)
+            column.addWidget(asked)
+        column.addWidget(self.line)
+        column.addWidget(self.list)
+        self.resize(min(_WIDTH, parent.width() - 40), min(_HEIGHT, parent.height() - 80))
+        corner = QPoint((parent.width() - self.width()) // 2, 56)
+        self.move(parent.mapToGlobal(corner))
+        self._search("")
+        self.line.setFocus()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Walk the list, do what is chosen, or leave."""
+        key = event.key()
+        steps = {Qt.Key.Key_Down: 1, Qt.Key.Key_Up: -1, Qt.Key.Key_PageDown: 10}
+        steps[Qt.Key.Key_PageUp] = -10
+        if key in steps:
+            row = self.list.currentRow() + steps[Qt.Key(key)]
+            self.list.setCurrentRow(max(0, min(row, self.list.count() - 1)))
+        elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self._go()
+        else:
+            super().keyPressEvent(event)
+
+    def _search(self, wanted: str) -> None:
+        """List what fits."""
+        self._shown = ranked(wanted, self._found)[:SHOWN]
+        self.list.clear()
+        muted = theme.current().muted
+        for entry in self._shown:
+            icon = theme.blank_icon() if entry.icon.isNull() else entry.icon
+            item = QListWidgetItem(icon, "", self.list)
+            item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{entry.text} {entry.aside}")
+            row = QWidget()
+            line = QHBoxLayout(row)
+            line.setContentsMargins(28, 0, 8, 0)
+            text, aside = QLabel(entry.text), QLabel(entry.aside)
+            text.setEnabled(entry.usable)
+            aside.setProperty("role", "muted")
+            line.addWidget(text, 1)
+            line.addWidget(aside)
+            self.list.setItemWidget(item, row)
+            if not entry.usable:
+                item.setForeground(muted)
+        if self._shown:
+            self.list.setCurrentRow(0)
+
+    def _go(self) -> None:
+        """Leave, and do what was chosen."""
+        row = self.list.currentRow()
+        if 0 <= row < len(self._shown) and self._shown[row].usable:
+            self.close()
+            self._shown[row].do()

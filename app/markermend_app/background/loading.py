@@ -1,0 +1,234 @@
+"""Opening a take, on a worker: what holds its review, and what can be made before.
+
+A take of a batch is prepared while the one before is under review: read, searched, and its first
+repairs proposed. Nothing is locked or written meanwhile, so that anybody else can open it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from markermend.artifact import Artifact, Status
+from markermend.errors import DataError
+from markermend.mesh import Mesh
+from markermend.progress import Progress, part
+from markermend.review.file import SessionFile, open_session, read_review
+from markermend.review.priority import badness
+from markermend.review.session import Session
+from markermend.review.standing import Standing, standings
+from markermend.take import Take
+from markermend_app import detection, settings
+from markermend_app.background.preview import AUTO
+from markermend_app.background.proposals import Key
+from markermend_app.document import AHEAD
+
+if TYPE_CHECKING:
+    # Batches bring the repair methods along, which take longer to load than a take to show.
+    from markermend.batch.review import ToReview
+
+SEARCHED = "sudden"
+
+
+@dataclass(frozen=True)
+class Opened:
+    """A review that is open, with what was made ahead.
+
+    Attributes
+    ----------
+    file : the review, locked
+    mesh : the body's structure, or None where it is still to be looked at
+    proposals : repairs
+    """
+
+    file: SessionFile
+    mesh: Mesh | None = None
+    proposals: Mapping[Key, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Glance:
+    """How the review of a take stands.
+
+    Attributes
+    ----------
+    standing : of the whole take
+    begun : it was searched, or something was done in it
+    exported : what was decided is in a file
+    """
+
+    standing: Standing
+    begun: bool
+    exported: bool = False
+
+    @property
+    def left(self) -> int:
+        """Artifacts that are open."""
+        return sum(self.standing.open.values())
+
+    @property
+    def decided(self) -> int:
+        """Artifacts that are decided."""
+        return sum(self.standing.decided.values())
+
+    @property
+    def done(self) -> bool:
+        """Nothing waits for the operator."""
+        return self.begun and not self.left
+
+
+@dataclass(frozen=True, eq=False)
+class Prepared:
+    """What was made ahead for a take that is not open.
+
+    Attributes
+    ----------
+    item : the take
+    stamp : size and time of its file when it was read
+    take : as read
+    mesh : the body's structure
+    found : artifacts, or None where it was not searched
+    history : of the review that the proposals rest on
+    proposals : repairs of the artifacts that come first
+    glance : how it stands
+    """
+
+    item: ToReview
+    stamp: tuple[int, int]
+    take: Take
+    mesh: Mesh
+    found: tuple[Artifact, ...] | None
+    history: tuple[str, ...]
+    proposals: Mapping[Key, Any]
+    glance: Glance
+
+
+def load(path: Path, progress: Progress) -> SessionFile:
+    """Read a take and open its review."""
+    take = _read(path, part(progress, 0.0, 0.9))
+    progress(0.9, "Opening the review")
+    return open_session(take, folder=review_folder(path))
+
+
+def load_item(item: ToReview, progress: Progress) -> Opened:
+    """Read a take of a batch and open its review, with what the batch left."""
+    file = load(item.path, progress)
+    try:
+        _begin(file, item, None)
+    except BaseException:
+        file.close()
+        raise
+    return Opened(file)
+
+
+def glance_at(session: Session) -> Glance:
+    """Sum a review up."""
+    whole = standings(session.original, session.take, session.artifacts, session.notes)[0]
+    exported = session.exported and session.exported_at is not None
+    return Glance(whole, bool(session.history), exported)
+
+
+def glance(item: ToReview, progress: Progress) -> Glance:
+    """See how the review of a take stands, without opening it."""
+    from markermend.batch.review import take_over
+
+    session = read_review(_read(item.path, progress), folder=review_folder(item.path))
+    if not session.history:
+        take_over(session, item)
+    return glance_at(session)
+
+
+def prepare(item: ToReview, progress: Progress) -> Prepared:
+    """Make ahead what opening a take would wait for."""
+    from markermend.batch.review import take_over
+    from markermend.detectors import detect
+    from markermend.mesh import infer_mesh
+    from markermend.repairs import propose
+
+    stamp = _stamp(item.path)
+    take = _read(item.path, part(progress, 0.0, 0.1))
+    session = read_review(take, folder=review_folder(item.path))
+    mesh = infer_mesh(session.original, progress=part(progress, 0.1, 0.2))
+    found = None
+    new = not session.history and not take_over(session, item)
+    if new and settings.flag("detect_on_open", True):
+        params = detection.chosen_params(slow=False)
+        searched = detect(take, params=params, mesh=mesh, progress=part(progress, 0.2, 0.8))
+        found = tuple(searched)
+        session.add_detected(found, SEARCHED)
+    first = sorted(
+        session.with_status(Status.PENDING), key=lambda a: -badness(a, take.rate, take.frames)
+    )[: AHEAD + 1]
+    proposals: dict[Key, Any] = {}
+    for i, artifact in enumerate(first):
+        progress(0.8 + 0.2 * i / len(first), "Proposing repairs")
+        repair = propose(session.take, artifact, session.artifacts, mesh=mesh)
+        proposals[artifact, AUTO, ()] = repair
+    return Prepared(item, stamp, take, mesh, found, session.history, proposals, glance_at(session))
+
+
+def open_prepared(ahead: Prepared, progress: Progress) -> Opened:
+    """Open the review of a take that was prepared; what no longer holds is made anew."""
+    if _stamp(ahead.item.path) != ahead.stamp:
+        return load_item(ahead.item, progress)
+    file = open_session(ahead.take, folder=review_folder(ahead.item.path))
+    try:
+        _begin(file, ahead.item, ahead.found)
+    except BaseException:
+        file.close()
+        raise
+    if file.session.history != ahead.history:
+        return Opened(file)
+    return Opened(file, ahead.mesh, ahead.proposals)
+
+
+def review_folder(path: Path) -> Path | None:
+    """Where the review of a take is kept: beside it, but the demo's with the user's own files."""
+    from markermend_resources import demo_take
+
+    if path != demo_take():
+        return None
+    from platformdirs import user_data_path
+
+    folder = user_data_path("markermend", appauthor=False) / "sessions"
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+def _begin(file: SessionFile, item: ToReview, found: tuple[Artifact, ...] | None) -> None:
+    """Take what a batch or the search left into a review in which nothing was done."""
+    from markermend.batch.review import take_over
+
+    if file.read_only or file.session.history or take_over(file.session, item):
+        return
+    if found is not None:
+        file.session.add_detected(found, SEARCHED)
+
+
+def _read(path: Path, progress: Progress) -> Take:
+    """Read a take that can be reviewed."""
+    from markermend.files import read
+
+    take: Take = read(path, progress=progress)
+    if take.frames == 0:
+        raise DataError(f"“{path.name}” has no frames, so that there is nothing to review in it.")
+    return take
+
+
+def _stamp(path: Path) -> tuple[int, int]:
+    """What changes with a file: its size and time."""
+    try:
+        told = path.stat()
+    except OSError:
+        return 0, 0
+    return told.st_size, told.st_mtime_ns
+
+
+def proposed_place(path: Path, ending: str) -> Path:
+    """Where a file made from a take is proposed: beside it, but the demo's in the user's home."""
+    from markermend_resources import demo_take
+
+    folder = Path.home() if path == demo_take() else path.parent
+    return folder / f"{path.stem}{ending}"

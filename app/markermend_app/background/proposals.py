@@ -1,0 +1,162 @@
+"""Repairs proposed ahead of the operator, made on a worker thread of their own.
+
+A proposal that is there holds while its artifact and the samples of its marker are what they
+were; changes of other markers do not spoil it. One under way reads the working samples, so that
+any change of them spoils it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
+from typing import Any
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from markermend.artifact import Artifact
+from markermend.errors import Cancelled
+from markermend.mesh import Mesh
+from markermend.progress import Progress
+from markermend.review.session import Session
+from markermend.take import Take
+from markermend_app.background.jobs import Lane
+
+Key = tuple[Artifact, str, tuple[str, ...]]
+"""Artifact, method, and the markers to follow where they were chosen by hand."""
+
+PAINTED_MS = 40
+
+
+class Proposals(QObject):
+    """A cache of proposed repairs, filled in the background.
+
+    Signals
+    -------
+    ready(str) : the proposal asked for an artifact (its id) is there
+    failed(object) : one could not be made; an exception
+    progressed(str) : what a method that takes seconds is doing
+    """
+
+    ready = Signal(str)
+    failed = Signal(object)
+    progressed = Signal(str)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._lane = Lane("proposals", self)
+        self._lane.progressed.connect(lambda _share, doing: self.progressed.emit(doing))
+        self._known: dict[Key, Any] = {}
+        # The object that marks one request; a request made anew after a change gets another, so
+        # that the answer to the old one is not taken for the new.
+        self._asked: dict[Key, object] = {}
+        self._begin: Callable[[], None] = _nothing
+        self._later = QTimer(self)
+        self._later.setSingleShot(True)
+        self._later.timeout.connect(lambda: self._begin())
+
+    def get(self, artifact: Artifact, method: str, references: tuple[str, ...] = ()) -> Any:
+        """The proposal, or None while it is not there."""
+        return self._known.get((artifact, method, references))
+
+    def keep(self, made: Mapping[Key, Any]) -> None:
+        """Take over proposals that were made elsewhere."""
+        self._known.update(made)
+
+    def want(self, session: Session, mesh: Mesh, wanted: Sequence[Key]) -> None:
+        """Make these proposals, in this order, unless they are there or under way.
+
+        Those asked for earlier that have not begun are let go, so that who walks fast through
+        the artifacts does not wait for all that were passed by. When the first is there already,
+        the others wait until the window has painted it.
+        """
+        for key in self._asked.keys() - set(wanted):
+            del self._asked[key]
+        self._begin = partial(self._submit, session, mesh, tuple(wanted))
+        if wanted and wanted[0] in self._known:
+            self._later.start(PAINTED_MS)
+        else:
+            self._later.stop()
+            self._begin()
+
+    def _submit(self, session: Session, mesh: Mesh, wanted: Sequence[Key]) -> None:
+        """Hand to the worker what is not there or under way."""
+        take, artifacts = session.take, session.artifacts
+        for key in wanted:
+            if key in self._known or key in self._asked:
+                continue
+            token = object()
+            self._asked[key] = token
+            self._lane.submit(
+                "Propose",
+                partial(self._work, take, key, token, artifacts, mesh),
+                partial(self._came, key, token),
+                partial(self._broke, key, token),
+            )
+
+    def invalidate(self, markers: Iterable[str]) -> None:
+        """Forget proposals that rest on changed samples of these markers, and all under way."""
+        touched = set(markers)
+        if touched:
+            self._asked.clear()
+        for key in [k for k in self._known if touched & {*k[0].markers, *k[2]}]:
+            del self._known[key]
+
+    def forget(self) -> None:
+        """Forget everything and stop what is under way."""
+        self._later.stop()
+        self._begin = _nothing
+        self._lane.cancel()
+        self._known.clear()
+        self._asked.clear()
+
+    def close(self) -> None:
+        """End the worker."""
+        self._lane.close()
+
+    def _came(self, key: Key, token: object, repair: Any) -> None:
+        """Keep a proposal unless it was invalidated meanwhile."""
+        if self._asked.get(key) is token:
+            del self._asked[key]
+            self._known[key] = repair
+            self.ready.emit(key[0].id)
+
+    def _broke(self, key: Key, token: object, error: Exception) -> None:
+        """Tell of a proposal that could not be made."""
+        if self._asked.get(key) is token:
+            del self._asked[key]
+            self.failed.emit(error)
+
+    def _work(
+        self,
+        take: Take,
+        key: Key,
+        token: object,
+        artifacts: tuple[Artifact, ...],
+        mesh: Mesh,
+        progress: Progress,
+    ) -> Any:
+        """The engine's part, on the worker; nothing when the request was let go meanwhile."""
+
+        def report(share: float, doing: str) -> None:
+            if self._asked.get(key) is not token:
+                raise Cancelled
+            progress(share, doing)
+
+        if self._asked.get(key) is not token:
+            raise Cancelled
+        from markermend.repairs import propose
+
+        artifact, method, references = key
+        return propose(
+            take,
+            artifact,
+            artifacts,
+            method=method,
+            mesh=mesh,
+            references=references,
+            progress=report,
+        )
+
+
+def _nothing() -> None:
+    """Begin nothing."""

@@ -1,0 +1,155 @@
+"""Before a take is exported: what stays as it is, what will no longer match, what to write down."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QDialog,
+    QDialogButtonBox,
+    QLabel,
+    QPlainTextEdit,
+    QVBoxLayout,
+    QWidget,
+)
+
+from markermend.artifact import Artifact
+from markermend_app.dialogs.help_key import help_in
+
+
+@dataclass(frozen=True)
+class ExportChoice:
+    """What the operator wants written besides the samples.
+
+    Attributes
+    ----------
+    record : what was repaired, and how, in a MARKERMEND group of the file
+    mark_outputs : the names of model outputs that no longer match, in the same group
+    """
+
+    record: bool
+    mark_outputs: bool
+
+
+class ExportDialog(QDialog):
+    """Asks once, with the whole list folded away.
+
+    Parameters
+    ----------
+    pending, accepted : artifacts whose samples export leaves as they are
+    outputs : model outputs that no longer match the repaired markers
+    first_frame : the file's number of frame index 0
+    record : whether writing down the repairs is proposed
+    """
+
+    def __init__(
+        self,
+        parent: QWidget,
+        pending: Sequence[Artifact],
+        accepted: Sequence[Artifact],
+        outputs: Sequence[str],
+        first_frame: int,
+        record: bool,
+    ) -> None:
+        super().__init__(parent)
+        help_in(self)
+        self.setWindowTitle(self.tr("Export"))
+        title = QLabel(self._title(pending, accepted))
+        title.setProperty("role", "heading")
+        box = QVBoxLayout(self)
+        box.setContentsMargins(20, 16, 20, 16)
+        box.setSpacing(12)
+        box.addWidget(title)
+        box.addWidget(
+            self._text(self.tr("Export repairs nothing by itself: only what you repaired differs."))
+        )
+        if outputs:
+            text = self.tr(
+                "Model outputs in this file (angles, forces, moments…) were computed from the "
+                "markers before their repair and no longer match: {0}."
+            )
+            box.addWidget(self._text(text.format(len(outputs))))
+        self._record = QCheckBox(self.tr("Write into the file what was repaired, and how"))
+        self._record.setChecked(record)
+        self._mark = QCheckBox(self.tr("Name in the file the model outputs that no longer match"))
+        self._mark.setChecked(bool(outputs))
+        self._mark.setVisible(bool(outputs))
+        box.addWidget(self._record)
+        box.addWidget(self._mark)
+
+        self._details = QPlainTextEdit("\n".join(_lines(accepted, pending, outputs, first_frame)))
+        self._details.setReadOnly(True)
+        self._details.setMinimumHeight(220)
+        self._details.hide()
+        buttons = QDialogButtonBox()
+        go = buttons.addButton(self.tr("Export…"), QDialogButtonBox.ButtonRole.AcceptRole)
+        go.setDefault(True)
+        buttons.addButton(QDialogButtonBox.StandardButton.Cancel)
+        if self._details.toPlainText():
+            show = buttons.addButton(self.tr("Show list"), QDialogButtonBox.ButtonRole.ActionRole)
+            show.clicked.connect(self._toggle)
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        box.addWidget(self._details, 1)
+        box.addWidget(buttons)
+        go.setFocus()
+        self.setMinimumWidth(480)
+
+    @property
+    def choice(self) -> ExportChoice:
+        """What is checked."""
+        return ExportChoice(
+            self._record.isChecked(), not self._mark.isHidden() and self._mark.isChecked()
+        )
+
+    def _title(self, pending: Sequence[Artifact], accepted: Sequence[Artifact]) -> str:
+        """Say what is left as it is, or that nothing is."""
+        left = []
+        if pending:
+            left.append(self.tr("{0} not decided").format(len(pending)))
+        if accepted:
+            left.append(self.tr("{0} accepted but not repaired").format(len(accepted)))
+        if not left:
+            return self.tr("Every artifact is decided. Export?")
+        return self.tr("Export with artifacts left as they are: {0}?").format(", ".join(left))
+
+    def _text(self, text: str) -> QLabel:
+        """A paragraph."""
+        label = QLabel(text)
+        label.setWordWrap(True)
+        return label
+
+    def _toggle(self) -> None:
+        """Fold the list out or away."""
+        self._details.setVisible(self._details.isHidden())
+        self.adjustSize()
+
+
+def _lines(
+    accepted: Sequence[Artifact],
+    pending: Sequence[Artifact],
+    outputs: Sequence[str],
+    first_frame: int,
+) -> list[str]:
+    """One line for each artifact left, and the outputs by name."""
+    lines = [
+        f"{a.marker}  {a.kind.value} {a.axes}  {a.start + first_frame}–{a.stop - 1 + first_frame}"
+        f"  {a.status.value}"
+        for a in (*accepted, *pending)
+    ]
+    return lines + ([", ".join(outputs)] if outputs else [])
+
+
+def ask_export(
+    parent: QWidget,
+    pending: Sequence[Artifact],
+    accepted: Sequence[Artifact],
+    outputs: Sequence[str],
+    first_frame: int,
+    record: bool,
+) -> ExportChoice | None:
+    """Ask; None to stay."""
+    dialog = ExportDialog(parent, pending, accepted, outputs, first_frame, record)
+    return dialog.choice if dialog.exec() == QDialog.DialogCode.Accepted else None

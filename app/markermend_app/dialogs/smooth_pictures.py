@@ -1,0 +1,169 @@
+"""What smoothing does, drawn: the curve, its spectrum, and Winter's residual analysis."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pyqtgraph as pg
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QWidget
+
+from markermend.arrays import FloatArray
+from markermend_app import units
+from markermend_app.items.curve import curve, prepare_plot
+from markermend_app.items.time_axis import TimeAxis
+from markermend_app.panels.plots.frame import TIME_HEIGHT
+from markermend_app.style import theme
+
+_FLOOR = 1e-12
+"""Least power drawn, mm²/Hz; the logarithm of nothing is nowhere."""
+
+
+class SmoothPictures(pg.GraphicsLayoutWidget):
+    """Three plots: over time above, over frequency below.
+
+    Attributes
+    ----------
+    way, spectrum, residual : the plots
+    raw, smooth : curves over time
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setAccessibleName(self.tr("Curve, spectrum and residuals before and after"))
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self._time = TimeAxis()
+        self.way = pg.PlotItem(axisItems={"bottom": self._time})
+        self.spectrum, self.residual = pg.PlotItem(), pg.PlotItem()
+        self.addItem(self.way, 0, 0, 1, 2)
+        self.addItem(self.spectrum, 1, 0)
+        self.addItem(self.residual, 1, 1)
+        self.ci.layout.setRowStretchFactor(0, 3)
+        self.ci.layout.setRowStretchFactor(1, 2)
+        for column in (0, 1):
+            self.ci.layout.setColumnPreferredWidth(column, 100)
+            self.ci.layout.setColumnStretchFactor(column, 1)
+        self.ci.layout.setContentsMargins(8, 8, 12, 8)
+        self._time.setHeight(TIME_HEIGHT)
+        prepare_plot(self.way)
+        self._say(self.spectrum, self.tr("Spectrum"))
+        self._say(self.residual, self.tr("Residuals"))
+        for plot in (self.spectrum, self.residual):
+            plot.setMouseEnabled(False, False)
+            plot.setLabel("bottom", self.tr("Hz"))
+        self.spectrum.setLogMode(y=True)
+        for plot in (self.way, self.spectrum, self.residual):
+            plot.hideButtons()
+            plot.setMenuEnabled(False)
+            plot.showGrid(x=True, y=True, alpha=1.0)
+            plot.getAxis("left").setWidth(72)
+        self.way.getViewBox().setAutoVisible(y=True)
+        look = theme.current()
+        # Where both agree, what was there before shows on either side of what comes.
+        self.raw, self.smooth = curve(look.original, width=3), curve(look.accent)
+        self._power = {True: curve(look.original, width=3), False: curve(look.accent)}
+        self._taken, self._noise = curve(look.text), curve(look.muted)
+        self._chosen = pg.InfiniteLine(angle=90, movable=False)
+        self.way.addItem(self.raw)
+        self.way.addItem(self.smooth)
+        for item in self._power.values():
+            self.spectrum.addItem(item)
+        for item in (self._taken, self._noise, self._chosen):
+            self.residual.addItem(item)
+        self.restyle()
+
+    def set_clock(self, first_frame: int, rate: float, frames: int) -> None:
+        """Say how the file counts frames, and how many there are."""
+        self._time.set_clock(first_frame, rate, frames)
+        self.way.setLimits(xMin=-1, xMax=frames, minXRange=5)
+
+    def show_frames(self, start: int, stop: int) -> None:
+        """Bring frames into view."""
+        self.way.setXRange(start, stop, padding=0)
+
+    def show_way(
+        self, raw: FloatArray, smooth: FloatArray | None, name: str, unit: str, color: QColor
+    ) -> None:
+        """Draw (frames,) values before and after; without the latter only those before."""
+        text, factor, _ = units.scaled(unit)
+        self.raw.setData(raw * factor)
+        self.smooth.setVisible(smooth is not None)
+        self.smooth.setPen(pg.mkPen(color, width=1, cosmetic=True))
+        if smooth is not None:
+            self.smooth.setData(smooth * factor)
+        label = {"color": color.name(), "font-size": f"{theme.SMALL_PT}pt"}
+        self.way.setLabel("left", f"{name} ({text})", **label)
+        self.way.enableAutoRange(axis="y")
+
+    def show_inspection(self, found: Any, axis: int, color: QColor) -> None:
+        """Draw the spectra and the residuals of one axis.
+
+        Parameters
+        ----------
+        found : :class:`markermend.smoothers.Inspection`, or None when there is none
+        axis : 0, 1, 2
+        color : of what is smoothed
+        """
+        label = {"color": theme.current().muted.name(), "font-size": f"{theme.SMALL_PT}pt"}
+        self._power[False].setPen(pg.mkPen(color, width=1, cosmetic=True))
+        items = (*self._power.values(), self._taken, self._noise, self._chosen)
+        for item in items:
+            item.setVisible(found is not None)
+        if found is None:
+            self._say(self.residual, self.tr("Residuals: too few frames without a gap"))
+            return
+        # At 0 Hz stands what was taken away with the trend.
+        for before, power in ((True, found.before), (False, found.after)):
+            self._power[before].setData(
+                found.frequencies_hz[1:], np.maximum(power[1:, axis], _FLOOR)
+            )
+        top = found.before[1:, axis].max()
+        high = np.log10(max(top, _FLOOR))
+        low = np.log10(max(found.before[1:, axis].min(), _FLOOR)) - 3
+        self.spectrum.setXRange(0, found.frequencies_hz[-1], padding=0)
+        self.spectrum.setYRange(low, high, padding=0.05)
+        self.spectrum.setLabel("left", self.tr("mm²/Hz"), **label)
+        found = found.residuals
+        text, factor, _ = units.scaled("mm")
+        residual, noise = found.residual_mm[:, axis] * factor, found.noise_mm[axis] * factor
+        self._taken.setData(found.cutoffs_hz, residual)
+        self._noise.setData([0.0, found.cutoffs_hz[-1]], [noise, noise])
+        self._chosen.setValue(found.chosen_hz[axis])
+        self.residual.setXRange(0, found.cutoffs_hz[-1], padding=0)
+        # The knee is what is looked for, not how much a filter that stops all motion takes.
+        self.residual.setYRange(0, min(residual[0], 8 * max(noise, residual[-1])), padding=0.05)
+        self.residual.setLabel("left", text, **label)
+        self._say(
+            self.residual,
+            self.tr("Residuals: cut at {0:.1f} Hz, noise {1}").format(
+                found.chosen_hz[axis], units.length(found.noise_mm[axis], 2)
+            ),
+        )
+
+    def restyle(self) -> None:
+        """Take over the theme's colours."""
+        look = theme.current()
+        self.setBackground(look.plot)
+        for plot in (self.way, self.spectrum, self.residual):
+            for side in ("left", "bottom"):
+                axis = plot.getAxis(side)
+                axis.setZValue(-1000)
+                axis.enableAutoSIPrefix(False)
+                axis.setStyle(maxTickLevel=0)
+                axis.setPen(pg.mkPen(look.border))
+                axis.setTickPen(pg.mkPen(look.grid))
+                axis.setTextPen(pg.mkPen(look.muted))
+                font = axis.font()
+                font.setPointSize(theme.SMALL_PT)
+                axis.setTickFont(font)
+        for item in (self.raw, self._power[True]):
+            item.setPen(pg.mkPen(look.original, width=3, cosmetic=True))
+        self._taken.setPen(pg.mkPen(look.text, cosmetic=True))
+        self._noise.setPen(pg.mkPen(look.muted, style=Qt.PenStyle.DashLine, cosmetic=True))
+        self._chosen.setPen(pg.mkPen(look.accent, width=1, style=Qt.PenStyle.DashLine))
+
+    def _say(self, plot: pg.PlotItem, text: str) -> None:
+        """Write above a plot."""
+        plot.setTitle(text, size=f"{theme.SMALL_PT}pt", color=theme.current().muted)

@@ -1,0 +1,292 @@
+"""The inspector's page for the current artifact, and the buttons that decide about it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+from PySide6.QtCore import QSignalBlocker, QSize, Qt
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFormLayout,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QSpinBox,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from markermend.artifact import Artifact, Kind, Status
+from markermend_app import units
+from markermend_app.actions.shortcuts import KeyTip
+from markermend_app.document import Document
+from markermend_app.panels.inspector.methods import MethodList
+from markermend_app.panels.inspector.note_line import NoteLine
+from markermend_app.panels.inspector.take import heading, plain
+from markermend_app.panels.markers.badge import kind_icon, tinted_icon
+from markermend_app.style import theme
+from markermend_app.telling import told
+from markermend_app.words import tr
+
+
+class ArtifactPage(QWidget):
+    """Class, axes and edges of the current artifact, why it is one, and how to repair it."""
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self.title = heading()
+        self.status = plain("muted")
+        self.kind = QComboBox()
+        self.kind.setAccessibleName(self.tr("Class"))
+        self.kind.setToolTip(self.tr("Class of the artifact"))
+        for kind in Kind:
+            self.kind.addItem(theme.kind_name(kind))
+        self.kind.setSizeAdjustPolicy(
+            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
+        self.kind.setMinimumContentsLength(6)
+        self.kind.activated.connect(self._kind_chosen)
+        self.axes: dict[str, QToolButton] = {}
+        axes = QHBoxLayout()
+        axes.setSpacing(4)
+        axes.addWidget(self.kind, 1)
+        axes.addSpacing(8)
+        for axis in "xyz":
+            button = QToolButton()
+            button.setText(axis.upper())
+            button.setCheckable(True)
+            button.setMinimumWidth(26)
+            button.setToolTip(self.tr("Whether {0} is wrong").format(axis.upper()))
+            button.setAccessibleName(self.tr("Axis {0}").format(axis.upper()))
+            button.clicked.connect(lambda _=False: self._axes_chosen())
+            self.axes[axis] = button
+            axes.addWidget(button)
+        self.first, self.last = QSpinBox(), QSpinBox()
+        edges = QHBoxLayout()
+        edges.setSpacing(4)
+        for field, name in (
+            (self.first, self.tr("First frame")),
+            (self.last, self.tr("Last frame")),
+        ):
+            field.setAccessibleName(name)
+            field.setToolTip(self.tr("{0}, as numbered in the file").format(name))
+            field.setKeyboardTracking(False)
+            field.setAlignment(Qt.AlignmentFlag.AlignCenter)
+            field.setMinimumWidth(68)
+            field.valueChanged.connect(self._edges_chosen)
+            edges.addWidget(field, 1)
+        edges.insertWidget(1, QLabel("–"))
+        self.extent = plain()
+        self.confidence = QProgressBar()
+        self.confidence.setRange(0, 100)
+        self.confidence.setTextVisible(False)
+        self.confidence.setFixedWidth(64)
+        self.confidence.setAccessibleName(self.tr("Confidence"))
+        self.sureness = QLabel()
+        sure = QHBoxLayout()
+        sure.setSpacing(8)
+        sure.addWidget(self.confidence)
+        sure.addWidget(self.sureness)
+        sure.addStretch(1)
+        self.why = plain()
+        self.note = NoteLine(document)
+        self.methods = MethodList(document)
+
+        form = QFormLayout()
+        form.setHorizontalSpacing(12)
+        form.setVerticalSpacing(8)
+        form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
+        form.addRow(self.tr("Class"), axes)
+        form.addRow(self.tr("Frames"), edges)
+        form.addRow(self.tr("Note"), self.note)
+        # From the top what is read before every decision; what is seldom changed comes last.
+        column = QVBoxLayout(self)
+        column.setContentsMargins(12, 8, 12, 8)
+        column.setSpacing(4)
+        for widget in (self.title, self.status, self.why, self.extent):
+            column.addWidget(widget)
+        column.addLayout(sure)
+        column.addWidget(self.methods)
+        column.addSpacing(8)
+        column.addLayout(form)
+        column.addStretch(1)
+        document.current_changed.connect(self._refresh)
+        theme.watcher.changed.connect(self._recolour)
+        self._recolour()
+        self._refresh()
+
+    def _refresh(self) -> None:
+        """Show the artifact as it stands."""
+        a, session = self._document.current, self._document.session
+        if a is None or session is None:
+            return
+        take = session.original
+        self.title.setText(" ↔ ".join(a.markers))
+        self.status.setText(self._status_text(a))
+        editable = self._document.editable
+        with QSignalBlocker(self.kind):
+            self.kind.setCurrentIndex(list(Kind).index(a.kind))
+        self.kind.setEnabled(editable)
+        for axis, button in self.axes.items():
+            button.setChecked(axis in a.axes)
+            button.setEnabled(editable)
+        first, end = take.first_frame, take.frame_number(take.frames - 1)
+        for field, value, low, high in (
+            (self.first, a.start + first, first, a.stop - 1 + first),
+            (self.last, a.stop - 1 + first, a.start + first, end),
+        ):
+            with QSignalBlocker(field):
+                field.setRange(low, high)
+                field.setValue(value)
+            field.setEnabled(editable)
+        span = f"{a.start + first}–{a.stop - 1 + first}" if a.length > 1 else f"{a.start + first}"
+        extent = self.tr("Frames {0}") if a.length > 1 else self.tr("Frame {0}")
+        size = f", {units.length(a.amplitude_mm)}" if math.isfinite(a.amplitude_mm) else ""
+        self.extent.setText(extent.format(span) + size)
+        # A bar paints itself, and all behind it, at once unless it is kept from it.
+        self.confidence.setUpdatesEnabled(False)
+        self.confidence.setValue(round(100 * a.confidence))
+        self.confidence.setUpdatesEnabled(True)
+        self.sureness.setText(f"{100 * a.confidence:.0f} %, {self._words(a.confidence)}")
+        self.why.setText(told(a.why) or self.tr("No reason was given."))
+
+    def _words(self, confidence: float) -> str:
+        """Confidence for people."""
+        if confidence >= 0.9:
+            return self.tr("nearly certain")
+        if confidence >= 0.7:
+            return self.tr("likely")
+        return self.tr("possible") if confidence >= 0.4 else self.tr("doubtful")
+
+    def _status_text(self, a: Artifact) -> str:
+        """What was decided, and by which method."""
+        note = self._document.session.notes.get(a.id) if self._document.session else None
+        if a.status is Status.REPAIRED and note is not None:
+            from markermend.repairs.registry import REPAIRS
+
+            known = note.method in REPAIRS
+            label = tr(REPAIRS[note.method].label) if known else note.method
+            return self.tr("Repaired: {0}").format(label)
+        return {
+            Status.PENDING: self.tr("Open: not decided yet"),
+            Status.ACCEPTED: self.tr("Accepted: to be repaired"),
+            Status.REJECTED: self.tr("Rejected: a false alarm"),
+            Status.REPAIRED: self.tr("Repaired"),
+        }[a.status]
+
+    def _kind_chosen(self, place: int) -> None:
+        if self._document.current is not None:
+            self._document.change(self._document.current.id, kind=list(Kind)[place])
+
+    def _axes_chosen(self) -> None:
+        """Change the axes; the last one stays."""
+        axes = "".join(axis for axis, button in self.axes.items() if button.isChecked())
+        if self._document.current is not None and axes:
+            self._document.change(self._document.current.id, axes=axes)
+        self._refresh()
+
+    def _edges_chosen(self) -> None:
+        a, session = self._document.current, self._document.session
+        if a is not None and session is not None:
+            first = session.original.first_frame
+            start, stop = self.first.value() - first, self.last.value() - first + 1
+            self._document.change(a.id, start=start, stop=stop)
+
+    def _recolour(self) -> None:
+        t = theme.current()
+        for i, kind in enumerate(Kind):
+            self.kind.setItemIcon(i, kind_icon(kind))
+        for axis, button in self.axes.items():
+            button.setStyleSheet(
+                f"QToolButton {{ color: {t.axes[axis].name()}; font-weight: 600; }}"
+            )
+
+
+class Decisions(QWidget):
+    """Accept, Reject and Repair, or Reopen, for the current artifact."""
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self.accept = self._button(
+            self.tr("Accept"),
+            self.tr("The flag is right; the samples stay for now"),
+            "accept",
+            document.accept_current,
+        )
+        self.reject = self._button(
+            self.tr("Reject"),
+            self.tr("A false alarm, never touched"),
+            "reject",
+            document.reject_current,
+        )
+        self.repair = self._button(
+            self.tr("Repair"),
+            self.tr("Replace the samples by the repair shown"),
+            "repair",
+            document.repair_current,
+        )
+        self.repair.setProperty("role", "primary")
+        self.reopen = self._button(
+            self.tr("Reopen"), self.tr("Take the decision back"), "reopen", self._reopen
+        )
+        grid = QGridLayout(self)
+        grid.setContentsMargins(12, 8, 12, 12)
+        grid.setSpacing(4)
+        for i, button in enumerate((self.accept, self.reject, self.repair)):
+            grid.addWidget(button, 0, i)
+        grid.addWidget(self.reopen, 1, 0, 1, 3)
+        document.current_changed.connect(self._refresh)
+        document.proposal_changed.connect(self._refresh)
+        theme.watcher.changed.connect(self._recolour)
+        self._recolour()
+        self._refresh()
+
+    def _button(self, text: str, tip: str, name: str, do: Callable[[], None]) -> QPushButton:
+        """A button that does what an action does, and names its key."""
+        button = QPushButton(text)
+        KeyTip(button, tip, name)
+        button.setAccessibleName(text)
+        button.setObjectName("decision")
+        button.setMinimumSize(76, 32)
+        button.clicked.connect(lambda _=False: do())
+        return button
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Do without icons where there is hardly room for the words."""
+        super().resizeEvent(event)
+        size = 16 if self.width() >= self.sizeHint().width() else 0
+        for button in (self.accept, self.reject, self.repair):
+            button.setIconSize(QSize(size, size))
+
+    def _reopen(self) -> None:
+        if self._document.current is not None:
+            self._document.reopen([self._document.current.id])
+
+    def _refresh(self) -> None:
+        """Offer what can be decided."""
+        a = self._document.current
+        editable = self._document.editable
+        proposal = self._document.proposal
+        status = None if a is None else a.status
+        self.accept.setEnabled(editable and status is not Status.ACCEPTED)
+        self.reject.setEnabled(editable and status is not Status.REJECTED)
+        hopeless = proposal is not None and not proposal.patches
+        self.repair.setEnabled(editable and status is not Status.REPAIRED and not hopeless)
+        self.reopen.setVisible(status is not Status.PENDING)
+        self.reopen.setEnabled(editable)
+
+    def _recolour(self) -> None:
+        for button, name in (
+            (self.accept, "accept"),
+            (self.reject, "reject"),
+            (self.reopen, "undo"),
+        ):
+            button.setIcon(theme.icon(name))
+        self.repair.setIcon(tinted_icon("repair", theme.current().on_accent))

@@ -1,0 +1,29 @@
+"""An artifact in words, for tooltips."""
+
+from __future__ import annotations
+
+from markermend.artifact import Artifact, Status
+from markermend.take import Take
+from markermend_app.style import theme
+from markermend_app.telling import told
+from markermend_app.words import tr as _tr
+
+STATUS_NAME = {
+    Status.PENDING: "open",
+    Status.ACCEPTED: "accepted",
+    Status.REJECTED: "rejected",
+    Status.REPAIRED: "repaired",
+}
+
+
+def describe(take: Take, artifact: Artifact) -> str:
+    """Marker, class, frames as the file counts them, confidence, decision; and why, below."""
+    text = _tr("{marker} · {kind} · frames {first}–{last} · {sure:.0%} sure · {status}").format(
+        marker=artifact.marker,
+        kind=theme.kind_name(artifact.kind),
+        first=take.frame_number(artifact.start),
+        last=take.frame_number(artifact.stop - 1),
+        sure=artifact.confidence,
+        status=_tr(STATUS_NAME[artifact.status]),
+    )
+    return f"{text}\n{told(artifact.why)}" if artifact.why else text

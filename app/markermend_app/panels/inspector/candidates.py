@@ -1,0 +1,114 @@
+"""Draws compared repairs over the plots: a thin line each, and a list that names them."""
+
+from __future__ import annotations
+
+import pyqtgraph as pg
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QColor, QPainter, QPixmap
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
+
+from markermend_app import units
+from markermend_app.items.curve import curve
+from markermend_app.panels.plots.row import PlotRow
+from markermend_app.panels.plots.trajectories import TrajectoryPanel
+from markermend_app.style import theme
+from markermend_app.verbs.comparison import MOST, Comparison
+from markermend_app.words import tr
+
+_MARGIN = 8
+
+
+class Candidates(QFrame):
+    """The list, below the plots so that it hides none of them, and the lines in the rows."""
+
+    def __init__(self, comparison: Comparison, panel: TrajectoryPanel, window: QWidget) -> None:
+        super().__init__(window)
+        self._comparison, self._panel, self._window = comparison, panel, window
+        self._lines: list[tuple[PlotRow, pg.PlotDataItem]] = []
+        self.setObjectName("floatingButtons")
+        self.setAccessibleName(self.tr("Repairs compared"))
+        grid = QGridLayout(self)
+        grid.setContentsMargins(8, 6, 12, 6)
+        grid.setHorizontalSpacing(8)
+        grid.setVerticalSpacing(2)
+        grid.setColumnStretch(1, 1)
+        self.rows = tuple((QLabel(), QLabel(), QLabel()) for _ in range(MOST))
+        for i, row in enumerate(self.rows):
+            for column, label in enumerate(row):
+                grid.addWidget(label, i, column)
+            row[2].setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self.said = QLabel()
+        self.said.setProperty("role", "small")
+        grid.addWidget(self.said, MOST, 0, 1, 3)
+        comparison.changed.connect(self._refresh)
+        self.hide()
+
+    def _refresh(self) -> None:
+        """Show what is compared now."""
+        for row, line in self._lines:
+            row.plot.removeItem(line)
+        self._lines.clear()
+        c = self._comparison
+        self.setVisible(c.shown)
+        if not c.shown:
+            return
+        found, place = c.candidates or (), c.place
+        from markermend.repairs import REPAIRS
+
+        for i, labels in enumerate(self.rows):
+            for label in labels:
+                label.setVisible(i < len(found))
+            if i >= len(found):
+                continue
+            color, chosen = theme.marker_color(i + 1), i == place
+            error = found[i].error_mm
+            labels[0].setPixmap(_stroke(color))
+            labels[1].setText(tr(REPAIRS[found[i].method].label))
+            labels[2].setText(f"± {units.length(error)}" if error else "–")
+            for label in labels[1:]:
+                font = label.font()
+                font.setBold(chosen)
+                label.setFont(font)
+            self._draw(found[i].repair, color, chosen)
+        if c.candidates is None:
+            self.said.setText(self.tr("Working out what every method would do…"))
+        elif not found:
+            self.said.setText(self.tr("No method has an answer here."))
+        else:
+            text = self.tr("↑ ↓ choose, F repairs.")
+            if c.hopeless:
+                text += " " + self.tr("Without an answer here: {0}.").format(c.hopeless)
+            self.said.setText(text)
+        self.adjustSize()
+        self._place()
+
+    def _place(self) -> None:
+        """Stand over the overview, or as low as the window allows."""
+        window, panel = self._window, self._panel
+        left = int(panel.rows[0].values.width()) + _MARGIN
+        corner = panel.mapTo(window, QPoint(left, panel.height() + _MARGIN))
+        lowest = window.height() - self.height() - _MARGIN
+        self.move(corner.x(), min(corner.y(), lowest))
+        self.raise_()
+
+    def _draw(self, repair: object, color: QColor, chosen: bool) -> None:
+        """Draw one candidate in every row that it concerns."""
+        for row in self._panel.rows:
+            for patch in getattr(repair, "patches", ()):
+                joined = row.joined(patch)
+                if joined is not None:
+                    line = curve(color, width=2 if chosen else 1)
+                    line.setZValue(17 if chosen else 16)
+                    line.setData(*joined)
+                    row.plot.addItem(line, ignoreBounds=True)
+                    self._lines.append((row, line))
+
+
+def _stroke(color: QColor) -> QPixmap:
+    """A stroke in a colour, as the line has it."""
+    pixmap = QPixmap(18, 10)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    painter.fillRect(0, 4, 18, 2, color)
+    painter.end()
+    return pixmap

@@ -1,0 +1,102 @@
+"""What is under review, in full: the current artifact, a swept range, or the take itself."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QFrame, QScrollArea, QStackedWidget, QVBoxLayout, QWidget
+
+from markermend_app.document import Document
+from markermend_app.panels.inspector.artifact import ArtifactPage, Decisions
+from markermend_app.panels.inspector.take import SelectionPage, TakePage
+from markermend_app.panels.markers.badge import hint
+
+
+class Inspector(QWidget):
+    """Shows what can be said and done about what is selected.
+
+    Signals
+    -------
+    mark_requested(Kind) : make an artifact of this class of the swept range
+    verb_requested(str) : name of the action to be done to the swept range
+    """
+
+    mark_requested = Signal(object)
+    verb_requested = Signal(str)
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self.artifact = ArtifactPage(document)
+        self.selection = SelectionPage(document)
+        self.take = TakePage(document)
+        self.decisions = Decisions(document)
+        self.selection.mark_requested.connect(self.mark_requested)
+        self.selection.verb_requested.connect(self.verb_requested)
+        self._pages = QStackedWidget()
+        self._nothing = hint(self.tr("Open a take to see its details here."))
+        self._holders = {page: _scrolled(page) for page in self._all()}
+        self._pages.addWidget(self._nothing)
+        for holder in self._holders.values():
+            self._pages.addWidget(holder)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(0)
+        whole.addWidget(self._pages, 1)
+        # What is decided about stays in sight beside the decision, however small the panel.
+        whole.addWidget(self.artifact.methods.outcome)
+        whole.addWidget(self.decisions)
+        self._seen: str | None = None
+        self._swept = False
+        document.opened.connect(self._choose)
+        document.current_changed.connect(self._current_changed)
+        document.selection_changed.connect(self._selection_changed)
+        self._choose()
+
+    @property
+    def page(self) -> QWidget | None:
+        """The page that is seen, or None when nothing is open."""
+        holder = self._pages.currentWidget()
+        return holder.widget() if isinstance(holder, QScrollArea) else None
+
+    def _all(self) -> tuple[QWidget, ...]:
+        return (self.artifact, self.selection, self.take)
+
+    def _current_changed(self) -> None:
+        """See another artifact, even while a range is swept."""
+        current = self._document.current
+        now = None if current is None else current.id
+        if now != self._seen:
+            self._swept = False
+        self._seen = now
+        self._choose()
+
+    def _selection_changed(self) -> None:
+        """See the range that was swept."""
+        self._swept = self._document.selection is not None
+        self._choose()
+
+    def _choose(self) -> None:
+        """See what was chosen last, and the take when nothing is."""
+        document = self._document
+        swept = document.selection is not None and (self._swept or document.current is None)
+        deciding = document.current is not None and not swept
+        self.decisions.setVisible(deciding)
+        self.artifact.methods.outcome.setVisible(deciding)
+        if document.session is None:
+            self._pages.setCurrentWidget(self._nothing)
+        elif swept:
+            self._pages.setCurrentWidget(self._holders[self.selection])
+        elif document.current is not None:
+            self._pages.setCurrentWidget(self._holders[self.artifact])
+        else:
+            self._pages.setCurrentWidget(self._holders[self.take])
+
+
+def _scrolled(page: QWidget) -> QScrollArea:
+    """A page that can be scrolled when the dock is small."""
+    area = QScrollArea()
+    area.setWidgetResizable(True)
+    area.setFrameShape(QFrame.Shape.NoFrame)
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    area.setWidget(page)
+    return area

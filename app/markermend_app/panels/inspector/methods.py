@@ -1,0 +1,162 @@
+"""The repair methods for the current artifact, and what the previewed one promises."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QComboBox,
+    QGridLayout,
+    QRadioButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from markermend.artifact import Status
+from markermend_app import units
+from markermend_app.actions import shortcuts
+from markermend_app.document import Document
+from markermend_app.panels.inspector.take import heading, plain
+from markermend_app.words import tr
+
+# A repair expected to be off by more than a marker is wide is worth a second look.
+DOUBTFUL_MM = 20.0
+
+
+class MethodList(QWidget):
+    """Radio buttons for the methods that have a key, and one drop-down list of all others.
+
+    Attributes
+    ----------
+    outcome : what the previewed repair promises; whoever has the list puts it where it stays in
+        sight
+    """
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self.buttons: dict[str, QRadioButton] = {}
+        self._group = QButtonGroup(self)
+        self.more = QComboBox()
+        self.more.setPlaceholderText(self.tr("More methods…"))
+        self.more.setAccessibleName(self.tr("More methods"))
+        self.more.setToolTip(self.tr("Repair methods without a key of their own"))
+        # Long names must not keep the dock wide.
+        self.more.setSizeAdjustPolicy(
+            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
+        self.more.setMinimumContentsLength(8)
+        self.more.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.more.activated.connect(
+            lambda row: document.choose_method(str(self.more.itemData(row)))
+        )
+        self._grid = QGridLayout()
+        self._grid.setHorizontalSpacing(4)
+        self._grid.setVerticalSpacing(4)
+        self.outcome = plain("muted")
+        self.outcome.setContentsMargins(12, 8, 12, 0)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 4, 0, 0)
+        column.setSpacing(4)
+        column.addWidget(heading(self.tr("Repair")))
+        column.addLayout(self._grid)
+        column.addSpacing(4)
+        column.addWidget(self.more)
+        document.current_changed.connect(self._refresh)
+        document.proposal_changed.connect(self._refresh)
+        document.proposals.progressed.connect(self._tell)
+
+    def _fill(self) -> None:
+        """List the methods, once an artifact is looked at: the engine's repairs load late."""
+        from markermend.repairs import REPAIRS
+
+        tip = self.tr("The method that is expected to err least here")
+        self._grid.addWidget(self._made("auto", self.tr("Best for this artifact"), tip), 0, 0, 1, 2)
+        keyed = [method for method in REPAIRS.values() if method.key is not None]
+        half = (len(keyed) + 1) // 2
+        for i, method in enumerate(keyed):
+            tip = self.tr("{0} (key {1})").format(tr(method.summary), method.key)
+            button = self._made(method.name, f"{method.key} {tr(method.label)}", tip)
+            self._grid.addWidget(button, 1 + i % half, i // half)
+        others = (method for method in REPAIRS.values() if method.key is None)
+        for row, method in enumerate(sorted(others, key=lambda m: tr(m.label).lower())):
+            self.more.addItem(tr(method.label), method.name)
+            self.more.setItemData(row, tr(method.summary), Qt.ItemDataRole.ToolTipRole)
+
+    def _made(self, name: str, label: str, tip: str) -> QRadioButton:
+        """Make the button of a method."""
+        button = QRadioButton(label)
+        button.setToolTip(f"{label}\n{tip}")
+        # A long name is cut off in a narrow dock, rather than push what stands beside it out.
+        button.setMinimumWidth(60)
+        button.clicked.connect(lambda _=False: self._document.choose_method(name))
+        self._group.addButton(button)
+        self.buttons[name] = button
+        return button
+
+    def _refresh(self) -> None:
+        """Show the chosen method and what it promises."""
+        a = self._document.current
+        if a is None:
+            return
+        if not self.buttons:
+            self._fill()
+        offered = a.status is not Status.REPAIRED and self._document.editable
+        chosen = self._document.method
+        # An exclusive group keeps one checked, but none is while one of the list is chosen.
+        self._group.setExclusive(False)
+        for name, button in self.buttons.items():
+            button.setEnabled(offered)
+            with QSignalBlocker(button):
+                button.setChecked(name == chosen)
+        self._group.setExclusive(True)
+        self.more.setEnabled(offered)
+        self.more.setCurrentIndex(self.more.findData(chosen))
+        self.outcome.setText(self._promise())
+        proposal = self._document.proposal
+        doubtful = (
+            offered
+            and proposal is not None
+            and ((proposal.error_mm or 0.0) > DOUBTFUL_MM or bool(proposal.leaves))
+        )
+        role = "warning" if doubtful else "muted"
+        if self.outcome.property("role") != role:
+            self.outcome.setProperty("role", role)
+            self.outcome.style().polish(self.outcome)
+
+    def _tell(self, doing: str) -> None:
+        """Say how far a method is that takes seconds."""
+        if self._document.current is not None and self._document.proposal is None:
+            self.outcome.setText(self.tr("Working out the repair… {0}").format(doing))
+
+    def _promise(self) -> str:
+        """What the preview is expected to achieve, or why there is none."""
+        a, proposal = self._document.current, self._document.proposal
+        if a is not None and a.status is Status.REPAIRED:
+            session = self._document.session
+            note = None if session is None else session.notes.get(a.id)
+            text = self.tr("Repaired. Reopen it to try another method.")
+            return f"{text} {note.leaves}" if note is not None and note.leaves else text
+        if proposal is None:
+            return self.tr("Working out the repair…")
+        if not proposal.patches:
+            why = proposal.reason or self.tr("no answer here")
+            text = self.tr("No repair: {0}").format(why)
+            if self._document.preview.best:
+                goes_on = self.tr("{0} accepts the flag, leaves the samples and goes on.")
+                text += "\n" + goes_on.format(shortcuts.first("repair"))
+            return text
+        from markermend.repairs import REPAIRS
+
+        method = proposal.method
+        text = tr(REPAIRS[method].label) if method in REPAIRS else method
+        # A swap invents nothing, so that there is nothing to be off by.
+        if proposal.error_mm:
+            text += self.tr(", expected error {0}").format(units.length(proposal.error_mm))
+        followed = self._document.preview.references
+        if followed:
+            text += self.tr(", following {0}").format(", ".join(followed))
+        from markermend.repairs.look_again import in_words
+
+        said = " ".join(filter(None, (proposal.reason, in_words(proposal.leaves or ()))))
+        return f"{text}. {said}" if said else text

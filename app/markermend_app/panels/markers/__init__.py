@@ -1,0 +1,1 @@
+"""The tree of markers in the order of the body."""

@@ -1,0 +1,353 @@
+"""The markers of a take as a tree model: bodies, groups, markers, and what else the file holds."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from itertools import zip_longest
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import QAbstractItemModel, QModelIndex, QObject, QPersistentModelIndex, Qt
+from PySide6.QtGui import QFont
+
+from markermend.artifact import Artifact, Kind, Status
+from markermend.mesh import Mesh
+from markermend.take import Take, is_unlabelled
+from markermend_app.panels.markers.badge import dot_icon
+from markermend_app.panels.plots.beside import analog_key, point_key
+from markermend_app.style import theme
+from markermend_app.telling import told_group
+from markermend_app.words import tr
+
+Index = QModelIndex | QPersistentModelIndex
+NAME, OPEN, MISSING = range(3)
+COLUMNS = 3
+COUNTS = Qt.ItemDataRole.UserRole
+LABEL = Qt.ItemDataRole.UserRole + 1
+SORT = Qt.ItemDataRole.UserRole + 2
+
+
+@dataclass(eq=False)
+class Node:
+    """A row: a marker when it has a label, a channel when it has a key, else it holds rows."""
+
+    name: str
+    icon: str = ""
+    label: str = ""
+    key: str = ""
+    selects: bool = False
+    note: str = ""
+    parent: Node | None = None
+    rows: list[Node] = field(default_factory=list)
+    counts: Counter[Kind] = field(default_factory=Counter)
+    missing: float | None = None
+
+    def add(self, node: Node) -> Node:
+        """Put a row under this one."""
+        node.parent = self
+        self.rows.append(node)
+        return node
+
+    def markers(self) -> list[Node]:
+        """Markers directly under this row, or itself."""
+        return [self] if self.label else [n for n in self.rows if n.label]
+
+    def all_markers(self) -> list[Node]:
+        """Itself where it is a marker, and every marker under this row, however deep."""
+        own = [self] if self.label else []
+        return own + [m for n in self.rows for m in n.all_markers()]
+
+
+def grow(take: Take, mesh: Mesh | None) -> Node:
+    """Arrange a take's trajectories by body and group; the rest stands apart."""
+    root = Node("")
+    placed: set[int] = set()
+    subjects = take.subjects
+    bodies = {
+        s: root.add(Node(s or tr("Without subject"), "body"))
+        for s in subjects
+        if len(subjects) > 1 or s
+    }
+    groups: list[Node] = []
+    for group in mesh.groups if mesh is not None else ():
+        if group.parent is not None:
+            above = groups[group.parent]
+        else:
+            above = bodies.get(group.subject, root)
+        if take.skeleton:
+            # A joint holds those that hang on it.
+            (joint,) = group.markers
+            groups.append(above.add(_marker(take, joint)))
+            placed.add(joint)
+            continue
+        node = above.add(Node(told_group(group.name), "group", selects=True))
+        groups.append(node)
+        for column in group.markers:
+            node.add(_marker(take, column))
+            placed.add(column)
+    for node in groups if not take.skeleton else ():
+        node.rows.sort(key=lambda n: not n.label)
+    rest = [i for i in range(take.markers) if i not in placed]
+    for i in (i for i in rest if not is_unlabelled(take.labels[i])):
+        bodies.get(take.subject(take.labels[i]), root).add(_marker(take, i))
+    unlabelled = [i for i in rest if is_unlabelled(take.labels[i])]
+    if unlabelled:
+        section = root.add(Node(f"{tr('Unlabelled')} ({len(unlabelled)})", "unlabelled"))
+        for i in unlabelled:
+            section.add(_marker(take, i))
+    _add_others(root, take)
+    return root
+
+
+def _marker(take: Take, column: int) -> Node:
+    """Row of a marker; the body's name is not repeated."""
+    label = take.labels[column]
+    return Node(label.rpartition(":")[2] or label, label=label)
+
+
+def _add_others(root: Node, take: Take) -> None:
+    """Add points that are not markers and analog channels: to be seen, not to be reviewed."""
+    if take.points is not None and take.points.labels:
+        section = root.add(Node(f"{tr('Other points')} ({len(take.points.labels)})", "point"))
+        by_kind: dict[str, Node] = {}
+        for i, (label, kind) in enumerate(zip(take.points.labels, take.points.kinds, strict=True)):
+            if kind not in by_kind:
+                by_kind[kind] = section.add(Node(kind.capitalize()))
+            note = tr("Kept as it is; not a marker")
+            by_kind[kind].add(Node(label, key=point_key(i), note=note))
+    if take.analog is not None and take.analog.labels:
+        section = root.add(Node(f"{tr('Analog channels')} ({len(take.analog.labels)})", "curves"))
+        channels = zip(take.analog.labels, take.analog.units, strict=True)
+        for i, (label, unit) in enumerate(channels):
+            name = f"{label} ({unit})" if unit else label
+            section.add(Node(name, key=analog_key(i), note=tr("Kept as it is")))
+
+
+def flatten(root: Node) -> Node:
+    """The same markers without their tree."""
+    flat = Node("")
+    for node in root.all_markers():
+        flat.add(Node(node.label, label=node.label, counts=node.counts, missing=node.missing))
+    return flat
+
+
+class MarkerModel(QAbstractItemModel):
+    """Rows of :class:`Node`; check marks say what is shown in the plots, and beside them.
+
+    Parameters
+    ----------
+    show : called with the labels to show when a check mark was set or taken away
+    show_beside : the same for the keys of channels that are no markers
+    """
+
+    def __init__(
+        self,
+        show: Callable[[Iterable[str]], None],
+        show_beside: Callable[[Iterable[str]], None],
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._show, self._show_beside = show, show_beside
+        self._beside: tuple[str, ...] = ()
+        self._root = Node("")
+        self._by_label: dict[str, Node] = {}
+        self._shown: tuple[str, ...] = ()
+        self._headers = (self.tr("Marker"), self.tr("Open"), "%")
+        self._header_tips = (
+            "",
+            self.tr("Artifacts that are not decided yet, by class"),
+            self.tr("Share of the frames in which the marker is missing"),
+        )
+
+    def set_root(self, root: Node) -> None:
+        """Show other rows."""
+        self.beginResetModel()
+        self._root = root
+        self._by_label = {n.label: n for n in root.all_markers()}
+        self.endResetModel()
+
+    def set_counts(self, artifacts: Iterable[Artifact]) -> None:
+        """Count open artifacts, for markers and for everything above them."""
+        counts: dict[str, Counter[Kind]] = {}
+        for a in artifacts:
+            if a.status is Status.PENDING:
+                counts.setdefault(a.marker, Counter())[a.kind] += 1
+        before = {id(row): dict(row.counts) for row in _walk(self._root)}
+        for row in _walk(self._root):
+            row.counts = Counter()
+        for label, count in counts.items():
+            node: Node | None = self._by_label.get(label)
+            while node is not None:
+                node.counts.update(count)
+                node = node.parent
+        self._announce(OPEN, (r for r in _walk(self._root) if dict(r.counts) != before[id(r)]))
+
+    def open_counts(self) -> list[Counter[Kind]]:
+        """Counts of the markers that have open artifacts."""
+        return [node.counts for node in self._by_label.values() if node.counts]
+
+    def set_missing(self, take: Take, labels: Iterable[str]) -> None:
+        """Work out the share of frames without these markers."""
+        nodes = [self._by_label[label] for label in labels if label in self._by_label]
+        for node in nodes:
+            x = take.positions[:, take.index(node.label), 0]
+            node.missing = float(np.isnan(x).mean()) if len(x) else 0.0
+        self._announce(MISSING, nodes)
+
+    def set_shown(self, shown: tuple[str, ...]) -> None:
+        """Set the check marks and colours."""
+        changed = {a for a, b in zip_longest(self._shown, shown) if a != b}
+        changed |= {b for a, b in zip_longest(self._shown, shown) if a != b}
+        self._shown = shown
+        self._announce(NAME, (self._by_label[c] for c in changed if c in self._by_label))
+
+    def set_beside(self, keys: tuple[str, ...]) -> None:
+        """Set the check marks of channels."""
+        changed = set(self._beside) ^ set(keys)
+        self._beside = keys
+        self._announce(NAME, (n for n in _walk(self._root) if n.key in changed))
+
+    def recolour(self) -> None:
+        """Draw icons and colours anew."""
+        self._announce(NAME, _walk(self._root))
+
+    def index_of(self, label: str) -> QModelIndex:
+        """Where a marker stands, or an invalid index."""
+        node = self._by_label.get(label)
+        return QModelIndex() if node is None else self._index(node, NAME)
+
+    def node(self, index: Index) -> Node:
+        """Row behind an index."""
+        return index.internalPointer() if index.isValid() else self._root
+
+    def _index(self, node: Node, column: int) -> QModelIndex:
+        if node.parent is None:
+            return QModelIndex()
+        return self.createIndex(node.parent.rows.index(node), column, node)
+
+    def _announce(self, column: int, nodes: Iterable[Node]) -> None:
+        """Say that a column of some rows has other contents; each costs the views a while."""
+        for node in nodes:
+            index = self._index(node, column)
+            self.dataChanged.emit(index, index)
+
+    # What Qt asks
+
+    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008, D102
+        return 0 if parent.column() > 0 else len(self.node(parent).rows)
+
+    def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008, D102
+        return COLUMNS
+
+    def index(self, row: int, column: int, parent: Index = QModelIndex()) -> QModelIndex:  # noqa: B008, D102
+        rows = self.node(parent).rows if parent.column() <= 0 else ()
+        if not (0 <= row < len(rows) and 0 <= column < COLUMNS):
+            return QModelIndex()
+        return self.createIndex(row, column, rows[row])
+
+    def parent(self, index: Index) -> QModelIndex:  # type: ignore[override]  # noqa: D102
+        above = self.node(index).parent
+        return QModelIndex() if above is None else self._index(above, NAME)
+
+    def headerData(  # noqa: D102
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
+        if orientation is not Qt.Orientation.Horizontal:
+            return None
+        if role == Qt.ItemDataRole.DisplayRole:
+            return self._headers[section]
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return self._header_tips[section]
+        if role == Qt.ItemDataRole.TextAlignmentRole and section == MISSING:
+            return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        return None
+
+    def flags(self, index: Index) -> Qt.ItemFlag:  # noqa: D102
+        node = self.node(index)
+        flags = Qt.ItemFlag.ItemIsEnabled
+        if node.label or node.selects:
+            flags |= Qt.ItemFlag.ItemIsSelectable
+        if index.column() == NAME and (node.label or node.key):
+            flags |= Qt.ItemFlag.ItemIsUserCheckable
+        return flags
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:  # noqa: D102
+        node = self.node(index)
+        if role == LABEL:
+            return node.label
+        if role == SORT:
+            return (sum(node.counts.values()), node.missing or 0.0)
+        column = index.column()
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return self._tip(node)
+        if column == NAME:
+            return self._name_data(node, role)
+        if column == OPEN:
+            return node.counts if role == COUNTS else None
+        return self._missing_data(node, role)
+
+    def setData(self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole) -> bool:  # noqa: D102
+        if role != Qt.ItemDataRole.CheckStateRole:
+            return False
+        node = self.node(index)
+        shown, show = (self._beside, self._show_beside) if node.key else (self._shown, self._show)
+        name = node.key or node.label
+        if Qt.CheckState(value) == Qt.CheckState.Checked:
+            show([*shown, name])
+        else:
+            show([s for s in shown if s != name])
+        return True
+
+    def _name_data(self, node: Node, role: int) -> Any:
+        """Name column."""
+        if role == Qt.ItemDataRole.DisplayRole:
+            return node.name
+        if role == Qt.ItemDataRole.CheckStateRole and (node.label or node.key):
+            shown = node.key in self._beside if node.key else node.label in self._shown
+            return Qt.CheckState.Checked if shown else Qt.CheckState.Unchecked
+        if role == Qt.ItemDataRole.DecorationRole:
+            if node.label in self._shown and node.label:
+                return dot_icon(theme.marker_color(self._shown.index(node.label)))
+            return None if node.label or not node.icon else theme.icon(node.icon)
+        if role == Qt.ItemDataRole.ForegroundRole and node.note:
+            return theme.current().muted
+        return None
+
+    def _missing_data(self, node: Node, role: int) -> Any:
+        """Column of the share of frames missing."""
+        if role == Qt.ItemDataRole.DisplayRole and node.missing:
+            percent = 100 * node.missing
+            return "<0.1" if percent < 0.1 else f"{percent:.1f}"
+        if role == Qt.ItemDataRole.FontRole:
+            font = QFont()
+            font.setPointSize(theme.SMALL_PT)
+            return font
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        if role == Qt.ItemDataRole.ForegroundRole:
+            t = theme.current()
+            return t.warning if (node.missing or 0) >= 0.1 else t.muted
+        return None
+
+    def _tip(self, node: Node) -> str:
+        """What a row is, in words."""
+        parts = [node.label or node.name]
+        if node.note:
+            parts.append(node.note)
+        open_ = ", ".join(
+            f"{node.counts[k]} {theme.kind_name(k, within=True)}" for k in Kind if node.counts[k]
+        )
+        if open_:
+            parts.append(self.tr("Open: {0}").format(open_))
+        if node.missing:
+            parts.append(self.tr("Missing in {0:.2f} % of the frames").format(100 * node.missing))
+        return "\n".join(parts)
+
+
+def _walk(root: Node) -> Iterable[Node]:
+    """Every row below one."""
+    for node in root.rows:
+        yield node
+        yield from _walk(node)

@@ -1,0 +1,291 @@
+"""The take's markers as a body: what is shown in the plots, and where the open artifacts are."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import (
+    QItemSelection,
+    QItemSelectionModel,
+    QModelIndex,
+    QPersistentModelIndex,
+    QSize,
+    QSortFilterProxyModel,
+    Qt,
+)
+from PySide6.QtGui import QPainter, QResizeEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QApplication,
+    QHBoxLayout,
+    QHeaderView,
+    QStackedWidget,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QToolButton,
+    QTreeView,
+    QVBoxLayout,
+    QWidget,
+)
+
+from markermend.review.edits import Change
+from markermend_app.document import Document
+from markermend_app.panels.markers.badge import counts_width, hint, paint_counts
+from markermend_app.panels.markers.marker_model import (
+    COUNTS,
+    LABEL,
+    MISSING,
+    NAME,
+    OPEN,
+    SORT,
+    MarkerModel,
+    flatten,
+    grow,
+)
+from markermend_app.panels.queue.filter_line import FilterLine
+from markermend_app.style import theme
+
+Index = QModelIndex | QPersistentModelIndex
+_COUNTS_WIDEST = 92
+
+
+class MarkerTree(QWidget):
+    """Markers in body hierarchy, or flat with the worst on top.
+
+    A click shows a marker alone in the plots; a check mark, Ctrl or Shift shows it beside others.
+    A check mark at what is no marker shows it in a row of its own below the plots.
+    """
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self.setMinimumWidth(230)
+        self._syncing = False
+        self._model = MarkerModel(document.show, document.show_beside, self)
+        self._proxy = _Filter(self)
+        self._proxy.setSourceModel(self._model)
+
+        self.view = QTreeView()
+        self.filter = FilterLine(self.tr("Filter markers"), self.view)
+        self.filter.textChanged.connect(self._filter)
+        self.worst_first = QToolButton()
+        self.worst_first.setCheckable(True)
+        self.worst_first.setToolTip(
+            self.tr("Worst first: a flat list, the markers with most open artifacts on top")
+        )
+        self.worst_first.setAccessibleName(self.tr("Worst first"))
+        self.worst_first.toggled.connect(self._rebuild)
+
+        self.view.setModel(self._proxy)
+        self.view.setAccessibleName(self.tr("Markers"))
+        self.view.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        self.view.setUniformRowHeights(True)
+        self.view.setIndentation(8)
+        self.view.setIconSize(QSize(12, 12))
+        # Markers of one segment often differ in their last letter only.
+        self.view.setTextElideMode(Qt.TextElideMode.ElideMiddle)
+        self.view.setItemDelegateForColumn(OPEN, _CountsDelegate(self.view))
+        header = self.view.header()
+        header.setStretchLastSection(False)
+        header.setMinimumSectionSize(40)
+        header.setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
+        header.setSectionResizeMode(OPEN, QHeaderView.ResizeMode.Interactive)
+        header.setSectionResizeMode(MISSING, QHeaderView.ResizeMode.Fixed)
+        header.resizeSection(MISSING, 42)
+        self.view.selectionModel().selectionChanged.connect(self._selected)
+        self.view.expanded.connect(self._span)
+        self.view.collapsed.connect(self._span)
+
+        top = QHBoxLayout()
+        top.setContentsMargins(4, 4, 4, 0)
+        top.setSpacing(4)
+        top.addWidget(self.filter, 1)
+        top.addWidget(self.worst_first)
+        tree = QWidget()
+        column = QVBoxLayout(tree)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(4)
+        column.addLayout(top)
+        column.addWidget(self.view, 1)
+        self._pages = QStackedWidget()
+        self._pages.addWidget(hint(self.tr("Open a take to see its markers here.")))
+        self._pages.addWidget(tree)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.addWidget(self._pages)
+
+        document.opened.connect(self._rebuild)
+        document.mesh_changed.connect(self._rebuild)
+        document.artifacts_changed.connect(self._count)
+        document.data_changed.connect(self._samples_changed)
+        document.shown_changed.connect(self._follow_shown)
+        document.beside_changed.connect(lambda: self._model.set_beside(document.beside))
+        theme.watcher.changed.connect(self._recolour)
+        self._recolour()
+        self._rebuild()
+
+    def _rebuild(self) -> None:
+        """Lay the rows out anew: another take, or another order."""
+        session = self._document.session
+        self._pages.setCurrentIndex(0 if session is None else 1)
+        if session is None:
+            return
+        root = grow(session.original, self._document.mesh)
+        flat = self.worst_first.isChecked()
+        self._syncing = True
+        self._model.set_root(flatten(root) if flat else root)
+        order = Qt.SortOrder.DescendingOrder if flat else Qt.SortOrder.AscendingOrder
+        self._proxy.sort(OPEN if flat else -1, order)
+        self.view.setRootIsDecorated(not flat)
+        self._expand()
+        self._syncing = False
+        self._model.set_missing(session.take, session.original.labels)
+        self._count()
+        self._follow_shown()
+
+    def _expand(self) -> None:
+        """Open the body, but not what merely stands beside it."""
+        self.view.expandAll()
+        self._span_all(QModelIndex())
+        if self.filter.text():
+            return
+        for row in range(self._proxy.rowCount()):
+            index = self._proxy.index(row, NAME)
+            node = self._model.node(self._proxy.mapToSource(index))
+            if node.icon in ("unlabelled", "point", "curves"):
+                self.view.collapse(index)
+
+    def _span(self, index: QModelIndex) -> None:
+        """Give an open group's name the whole row: its counts stand in the rows beneath."""
+        node = self._model.node(self._proxy.mapToSource(index))
+        spanned = self.view.isExpanded(index) and not node.label
+        self.view.setFirstColumnSpanned(index.row(), index.parent(), spanned)
+
+    def _span_all(self, parent: QModelIndex) -> None:
+        for row in range(self._proxy.rowCount(parent)):
+            index = self._proxy.index(row, NAME, parent)
+            self._span(index)
+            self._span_all(index)
+
+    def _count(self) -> None:
+        """Bring counts of open artifacts up to date."""
+        session = self._document.session
+        if session is None:
+            return
+        self._model.set_counts(session.artifacts)
+        self._fit_counts()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Share the width between names and counts."""
+        super().resizeEvent(event)
+        self._fit_counts()
+
+    def _fit_counts(self) -> None:
+        """Give the counts what they need, up to a quarter of the width."""
+        session = self._document.session
+        if session is None:
+            return
+        font = self.view.font()
+        widest = max([54, *(counts_width(counts, font) for counts in self._model.open_counts())])
+        header = self.view.header()
+        width = min(widest, _COUNTS_WIDEST, max(54, self.width() // 4))
+        if header.sectionSize(OPEN) != width:
+            header.resizeSection(OPEN, width)
+
+    def _samples_changed(self, change: Change) -> None:
+        """Bring the missing share of changed markers up to date."""
+        session = self._document.session
+        if session is not None:
+            self._model.set_missing(session.take, change.markers)
+
+    def _filter(self, text: str) -> None:
+        """Show matching rows, and those above them."""
+        self._syncing = True
+        self._proxy.setFilterFixedString(text.strip())
+        self._expand()
+        self._syncing = False
+        self._follow_shown()
+
+    def _selected(self, _: QItemSelection, __: QItemSelection) -> None:
+        """Show what was selected."""
+        if self._syncing:
+            return
+        labels = self._labels(self.view.selectionModel().selectedRows())
+        if labels:
+            self._syncing = True
+            self._document.show(labels)
+            self._syncing = False
+
+    def _labels(self, rows: Sequence[QModelIndex]) -> list[str]:
+        """Markers of selected rows, the one clicked last foremost."""
+        current = self.view.currentIndex()
+        rows = sorted(rows, key=lambda i: i != current.siblingAtColumn(NAME))
+        nodes = [self._model.node(self._proxy.mapToSource(i)) for i in rows]
+        return list(dict.fromkeys(m.label for n in nodes for m in n.markers()))
+
+    def _follow_shown(self) -> None:
+        """Check and select what is shown, unless it was selected here."""
+        shown = self._document.shown
+        self._model.set_shown(shown)
+        if self._syncing:
+            return
+        picked = QItemSelection()
+        first = last = QModelIndex()
+        for label in shown:
+            index = self._proxy.mapFromSource(self._model.index_of(label))
+            if index.isValid():
+                picked.select(index, index.siblingAtColumn(MISSING))
+                first, last = (first if first.isValid() else index), index
+        self._syncing = True
+        flag = QItemSelectionModel.SelectionFlag
+        self.view.selectionModel().select(picked, flag.ClearAndSelect)
+        if first.isValid():
+            self.view.selectionModel().setCurrentIndex(first, flag.NoUpdate)
+            self.view.scrollTo(last)
+            self.view.scrollTo(first)
+        self._syncing = False
+
+    def _recolour(self) -> None:
+        self.worst_first.setIcon(theme.icon("sort"))
+        self._model.recolour()
+
+
+class _Filter(QSortFilterProxyModel):
+    """Matches markers and groups; a group that matches keeps its markers."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setRecursiveFilteringEnabled(True)
+        self.setAutoAcceptChildRows(True)
+        self.setFilterCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
+        self.setDynamicSortFilter(True)
+
+    def lessThan(self, left: Index, right: Index) -> bool:
+        """By open artifacts, then by share missing; the name decides ties."""
+        a, b = left.data(SORT), right.data(SORT)
+        if a == b:
+            return bool(left.data(LABEL) > right.data(LABEL))
+        return bool(a < b)
+
+
+class _CountsDelegate(QStyledItemDelegate):
+    """Paints counts as class badges; rows that hold others show theirs while closed."""
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        """Background as ever, then badges."""
+        self.initStyleOption(option, index)
+        style = option.widget.style() if option.widget else QApplication.style()
+        style.drawPrimitive(
+            QStyle.PrimitiveElement.PE_PanelItemViewItem, option, painter, option.widget
+        )
+        first = index.sibling(index.row(), NAME)
+        view = option.widget
+        holds = first.model().hasChildren(first)
+        if isinstance(view, QTreeView) and holds and view.isExpanded(first):
+            return
+        paint_counts(painter, option.rect, index.data(COUNTS) or {}, option.font, faint=holds)
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
+        """As high as every row; the column's width is set apart, and this is asked often."""
+        return QSize(0, 24)

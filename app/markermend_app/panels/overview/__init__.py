@@ -1,0 +1,1 @@
+"""All markers over all time, as a picture of damage."""

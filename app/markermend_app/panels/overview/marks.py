@@ -1,0 +1,82 @@
+"""What stands around the overview's picture: groups, time, the scale of the heat."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFontMetrics, QLinearGradient, QPainter
+
+from markermend_app.panels.overview.picture import Rows
+from markermend_app.style import theme
+
+TICK_PX = 90
+_BAND = 5.0
+
+
+def paint_groups(painter: QPainter, rows: Rows, area: QRectF) -> None:
+    """Names of the groups, where there is room, each with its band beside the picture."""
+    look, metrics = theme.current(), QFontMetrics(painter.font())
+    height = area.height() / len(rows.columns)
+    free_from = 0.0
+    for i, (name, first, last) in enumerate(rows.groups):
+        top, bottom = area.top() + first * height, area.top() + last * height
+        tint = theme.blend(look.window, look.muted, 0.55 if i % 2 else 0.25)
+        painter.fillRect(QRectF(area.left() - _BAND - 1, top, _BAND, bottom - top), tint)
+        line = (top + bottom - metrics.height()) / 2
+        if line >= free_from:
+            width = area.left() - _BAND - 10
+            text = metrics.elidedText(name, Qt.TextElideMode.ElideRight, int(width))
+            painter.setPen(look.muted)
+            side = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+            painter.drawText(QRectF(4, line, width, metrics.height()), side, text)
+            free_from = line + metrics.height()
+
+
+def paint_time(
+    painter: QPainter, area: QRectF, span: tuple[float, float], rate: float, room: float
+) -> None:
+    """Seconds below, and frame numbers' worth of decimals; nothing in the last ``room`` pixels."""
+    look, metrics = theme.current(), QFontMetrics(painter.font())
+    start, stop = (frame / rate for frame in span)
+    step = round_step((stop - start) / max(1.0, area.width() / TICK_PX))
+    for i in range(int(np.ceil(start / step - 1e-9)), int(stop / step + 1e-9) + 1):
+        x = area.left() + (i * step - start) / (stop - start) * area.width()
+        painter.setPen(look.border)
+        painter.drawLine(QPointF(x, area.bottom()), QPointF(x, area.bottom() + 3))
+        painter.setPen(look.muted)
+        text = f"{round(i * step, 6):g} s"
+        half = metrics.horizontalAdvance(text) / 2 + 2
+        if x + half <= area.right() + 10 - room:
+            box = QRectF(x - half, area.bottom() + 2, 2 * half, metrics.height())
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
+
+
+def paint_scale(
+    painter: QPainter, area: QRectF, colors: Sequence[QColor], least: str, most: str
+) -> float:
+    """A bar of the heat's colours in the lower right corner; returns the pixels it takes."""
+    look, metrics = theme.current(), QFontMetrics(painter.font())
+    width, height, gap = 70.0, 7.0, 5.0
+    last, first = metrics.horizontalAdvance(most), metrics.horizontalAdvance(least)
+    middle = area.bottom() + 2 + metrics.height() / 2
+    bar = QRectF(area.right() - last - gap - width, middle - height / 2, width, height)
+    fill = QLinearGradient(bar.topLeft(), bar.topRight())
+    for i, color in enumerate(colors):
+        fill.setColorAt(i / (len(colors) - 1), color)
+    painter.fillRect(bar, fill)
+    painter.setPen(look.border)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.drawRect(bar)
+    painter.setPen(look.muted)
+    base = middle + metrics.ascent() / 2 - 1
+    painter.drawText(QPointF(bar.right() + gap, base), most)
+    painter.drawText(QPointF(bar.left() - gap - first, base), least)
+    return width + last + first + 6 * gap
+
+
+def round_step(seconds: float) -> float:
+    """The next larger of 1, 2, 5 times a power of ten."""
+    power = 10.0 ** np.floor(np.log10(max(seconds, 1e-6)))
+    return float(next(m * power for m in (1, 2, 5, 10) if m * power >= seconds * 0.999))

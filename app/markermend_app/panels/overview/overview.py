@@ -1,0 +1,387 @@
+"""The whole take at a glance: every marker over time, as damage, gaps or residuals."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import (
+    QFont,
+    QHelpEvent,
+    QImage,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QResizeEvent,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QToolTip, QWidget
+
+from markermend.arrays import FloatArray
+from markermend.artifact import Artifact
+from markermend.heat import missing_share, worst
+from markermend.review.edits import Change
+from markermend.take import Take
+from markermend_app import units
+from markermend_app.document import Document
+from markermend_app.panels.inspector.artifact_text import describe
+from markermend_app.panels.overview.marks import paint_groups, paint_scale, paint_time
+from markermend_app.panels.overview.mode import ModeButton
+from markermend_app.panels.overview.picture import (
+    MOST_MM,
+    Rows,
+    arrange,
+    heat,
+    paint_artifacts,
+    paint_levels,
+    residual_levels,
+    row_edges,
+)
+from markermend_app.panels.overview.residual import Residuals
+from markermend_app.panels.plots.range import time_range
+from markermend_app.style import theme
+
+# Aligned with the plots above: their values stand left, their margin right.
+_LEFT, _RIGHT, _TOP, _BOTTOM = 80, 12, 4, 18
+_REACH_PX = 4.0
+_STEP = 1.25
+
+
+class Overview(QWidget):
+    """A strip of markers over time; click to go there, drag to scrub.
+
+    The wheel zooms time at the mouse, middle or right drag pans, a double click shows everything.
+    """
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.document = document
+        self._view = (0.0, 0.0)
+        self._span = (0.0, 1.0)
+        self.residuals = Residuals(self)
+        self.residuals.changed.connect(self._repaint)
+        self._held: tuple[float, tuple[float, float]] | None = None
+        self._rows: Rows | None = None
+        self._artifacts: tuple[Artifact, ...] = ()
+        self._image: QImage | None = None
+        self._column_of: dict[str, int] = {}
+        self._place = np.zeros((0, 3), dtype=np.int64)
+        self.setAccessibleName(self.tr("Overview of the whole take"))
+        self.setMinimumHeight(72)
+        self.mode = ModeButton(self)
+        self.mode.chosen.connect(self._repaint)
+        document.opened.connect(self._opened)
+        document.artifacts_changed.connect(self._reread)
+        document.data_changed.connect(self._refresh)
+        document.current_changed.connect(self.update)
+        document.shown_changed.connect(self.update)
+        document.mesh_changed.connect(self._arrange)
+        document.frame_changed.connect(self._move_cursor)
+        theme.watcher.changed.connect(self._repaint)
+        self._opened()
+
+    def set_span(self, start: float, stop: float) -> None:
+        """Show these frames, as far as the take reaches."""
+        take = self._take
+        if take is None:
+            return
+        low, high = time_range(start, stop, take.frames)
+        span = min(high - low, float(take.frames))
+        low = float(np.clip(low, 0.0, take.frames - span))
+        if (low, low + span) != self._span:
+            self._span = (low, low + span)
+            self._repaint()
+
+    def set_view(self, start: float, stop: float) -> None:
+        """Frame the part of time that the plots show; what is zoomed in follows it."""
+        self._view = (start, stop)
+        low, high = self._span
+        if stop < low or start > high:
+            middle = (start + stop - (high - low)) / 2
+            self.set_span(middle, middle + high - low)
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        """Low and wide."""
+        return QSize(600, 128)
+
+    # What the document says
+
+    @property
+    def _take(self) -> Take | None:
+        """The take as it stands."""
+        return None if self.document.session is None else self.document.session.take
+
+    def _opened(self) -> None:
+        """Arrange the markers of another take."""
+        take = self._take
+        self._column_of = {} if take is None else {m: i for i, m in enumerate(take.labels)}
+        self._span = (0.0, 1.0 if take is None else max(1.0, float(take.frames)))
+        self._view = self._span
+        self.residuals.forget()
+        self.mode.setVisible(take is not None)
+        self.setCursor(
+            Qt.CursorShape.ArrowCursor if take is None else Qt.CursorShape.PointingHandCursor
+        )
+        self._arrange()
+
+    def _arrange(self) -> None:
+        """Put the markers of one body part beside one another."""
+        take = self._take
+        self._rows = None if take is None else arrange(take.markers, self.document.mesh)
+        self._missing = np.zeros((0, 0))
+        self._reread()
+
+    def _reread(self) -> None:
+        """Take over the artifacts."""
+        session, rows = self.document.session, self._rows
+        if session is None or rows is None:
+            self._artifacts = ()
+        else:
+            self._artifacts = session.artifacts
+            self._place = np.array(
+                [
+                    (a.start, a.stop, rows.row_of[self._column_of[a.marker]])
+                    for a in self._artifacts
+                ],
+                dtype=np.int64,
+            ).reshape(-1, 3)
+        self._repaint()
+
+    def _refresh(self, change: Change) -> None:
+        """Paint changed samples anew."""
+        self.residuals.note(change)
+        self._repaint()
+
+    def _move_cursor(self, frame: int) -> None:
+        """Draw the cursor elsewhere."""
+        self.update()
+
+    def _repaint(self, *_: object) -> None:
+        """Paint the picture anew when it is next needed."""
+        self._image = None
+        self.update()
+
+    # Places on screen
+
+    def _area(self) -> QRectF:
+        """Where the picture stands."""
+        return QRectF(
+            _LEFT,
+            _TOP,
+            max(1, self.width() - _LEFT - _RIGHT),
+            max(1, self.height() - _TOP - _BOTTOM),
+        )
+
+    def _x(self, frame: float) -> float:
+        """Pixel at which a frame begins."""
+        area, (start, stop) = self._area(), self._span
+        return area.left() + (frame - start) * area.width() / (stop - start)
+
+    def _frame_at(self, x: float) -> int:
+        """Frame under a pixel."""
+        take, area, (start, stop) = self._take, self._area(), self._span
+        frame = np.floor(start + (x - area.left()) * (stop - start) / area.width())
+        return int(np.clip(frame, 0, 0 if take is None else max(0, take.frames - 1)))
+
+    def _marker_at(self, y: float) -> str | None:
+        """Marker under a pixel."""
+        take, rows, area = self._take, self._rows, self._area()
+        if take is None or rows is None or not rows.columns:
+            return None
+        row = int((y - area.top()) * len(rows.columns) / area.height())
+        if not 0 <= row < len(rows.columns):
+            return None
+        return take.labels[rows.columns[row]]
+
+    def artifact_at(self, at: QPointF) -> Artifact | None:
+        """The artifact under a point, or the nearest within a few pixels."""
+        if self._rows is None or not len(self._place):
+            return None
+        area = self._area()
+        height = area.height() / len(self._rows.columns)
+        low, high = self._x(0), self._x(1)
+        left = low + self._place[:, 0] * (high - low)
+        right = low + self._place[:, 1] * (high - low)
+        top = area.top() + self._place[:, 2] * height
+        dx = np.maximum(0, np.maximum(left - at.x(), at.x() - right))
+        dy = np.maximum(0, np.maximum(top - at.y(), at.y() - top - height))
+        away = np.hypot(dx, dy)
+        nearest = int(np.argmin(away))
+        return self._artifacts[nearest] if away[nearest] <= _REACH_PX else None
+
+    # What the mouse says
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Go to what was clicked: an artifact, else a marker and a frame."""
+        if event.button() != Qt.MouseButton.LeftButton and self._take is not None:
+            self._held = (event.position().x(), self._span)
+            return
+        if self._take is None:
+            super().mousePressEvent(event)
+            return
+        at = event.position()
+        artifact = self.artifact_at(at)
+        if artifact is not None:
+            self.document.select(artifact.id)
+            return
+        marker = self._marker_at(at.y())
+        if marker is not None and marker not in self.document.shown:
+            self.document.show((marker,))
+        self.document.go_to(self._frame_at(at.x()))
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Scrub with the left button, pan with another one."""
+        if event.buttons() & Qt.MouseButton.LeftButton and self._take is not None:
+            self.document.go_to(self._frame_at(event.position().x()))
+        elif self._held is not None:
+            x, (low, high) = self._held
+            by = (x - event.position().x()) * (high - low) / self._area().width()
+            self.set_span(low + by, high + by)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """End a pan."""
+        self._held = None
+        super().mouseReleaseEvent(event)
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        """Show the whole take."""
+        if self._take is not None and event.button() == Qt.MouseButton.LeftButton:
+            self.set_span(0.0, float(self._take.frames))
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Zoom time at the mouse; a sideways wheel moves through it."""
+        area, (low, high) = self._area(), self._span
+        notches = event.angleDelta().y() / 120.0
+        at = low + (event.position().x() - area.left()) * (high - low) / area.width()
+        at = min(max(at, low), high)
+        factor = _STEP**-notches
+        by = -event.angleDelta().x() / 120.0 * 0.1 * (high - low)
+        self.set_span(at - (at - low) * factor + by, at + (high - at) * factor + by)
+        event.accept()
+
+    def event(self, event: QEvent) -> bool:
+        """Say what lies under the mouse."""
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            QToolTip.showText(event.globalPos(), self.describe(event.pos()), self)
+            return True
+        return super().event(event)
+
+    def describe(self, at: QPoint) -> str:
+        """Name the artifact under a point, else marker and frame."""
+        take = self._take
+        if take is None:
+            return ""
+        artifact = self.artifact_at(QPointF(at))
+        if artifact is not None:
+            return describe(take, artifact)
+        marker, frame = self._marker_at(at.y()), self._frame_at(at.x())
+        text = self.tr("Frame {frame} · {time:.2f} s").format(
+            frame=take.frame_number(frame), time=frame / take.rate
+        )
+        residuals = self.residuals.values
+        if self.mode.mode == "residual" and marker is not None and residuals is not None:
+            off = residuals[take.index(marker), frame]
+            if np.isfinite(off):
+                text += " · " + self.tr("{0} off its body").format(units.length(off))
+        return text if marker is None else f"{marker} · {text}"
+
+    # Painting
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Draw at the new size."""
+        self.mode.setGeometry(2, self.height() - _BOTTOM, _LEFT - 10, _BOTTOM)
+        self._repaint()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint picture, names, view and cursor."""
+        look = theme.current()
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), look.window)
+        take, rows, area = self._take, self._rows, self._area()
+        font = QFont(self.font())
+        font.setPointSize(theme.SMALL_PT - 1)
+        painter.setFont(font)
+        painter.setPen(look.muted)
+        if take is None or rows is None or take.frames == 0 or take.markers == 0:
+            painter.drawText(
+                self.rect(),
+                Qt.AlignmentFlag.AlignCenter,
+                self.tr("The whole take appears here once one is open."),
+            )
+            return
+        painter.drawImage(area, self._picture(take, rows))
+        paint_groups(painter, rows, area)
+        room = 0.0
+        if self.mode.mode == "residual":
+            room = paint_scale(painter, area, heat(self.mode.mode), "0", units.length(MOST_MM, 0))
+        paint_time(painter, area, self._span, take.rate, room)
+        painter.setClipRect(area.adjusted(-8, -4, 2, 4))
+        self._paint_marks(painter, rows, area)
+        share = self.residuals.share
+        if self.mode.mode == "residual" and share is not None:
+            self._say(painter, area, self.tr("Working out residuals… {0:.0%}").format(share))
+
+    def _picture(self, take: Take, rows: Rows) -> QImage:
+        """The picture at the screen's own resolution, painted when it is out of date."""
+        if self._image is None:
+            area, ratio = self._area(), self.devicePixelRatioF()
+            size = max(1, round(area.width() * ratio)), max(1, round(area.height() * ratio))
+            mode = self.mode.mode
+            self._image = paint_levels(size, rows, self._levels(take, size[0]), heat(mode))
+            if mode == "damage":
+                paint_artifacts(self._image, rows, self._artifacts, self._column_of, self._span)
+        return self._image
+
+    def _levels(self, take: Take, width: int) -> FloatArray:
+        """(markers, width) in [0, 1]: what the picture shows behind each pixel."""
+        if self.mode.mode != "residual":
+            return missing_share(take.origin, width, *self._span)
+        session = self.document.session
+        if session is not None:
+            self.residuals.want(session)
+        if self.residuals.values is None:
+            return np.full((take.markers, width), np.nan)
+        return residual_levels(worst(self.residuals.values, width, *self._span))
+
+    def _say(self, painter: QPainter, area: QRectF, text: str) -> None:
+        """Write a line over the middle of the picture."""
+        look = theme.current()
+        box = QRectF(0, 0, painter.fontMetrics().horizontalAdvance(text) + 20, 22)
+        box.moveCenter(area.center())
+        painter.setPen(look.border)
+        painter.setBrush(theme.faded(look.raised, 0.9))
+        painter.drawRoundedRect(box, 4, 4)
+        painter.setPen(look.text)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
+
+    def _paint_marks(self, painter: QPainter, rows: Rows, area: QRectF) -> None:
+        """Which markers are shown, the current artifact, the part in view, and the cursor."""
+        look, current = theme.current(), self.document.current
+        edges = row_edges(len(rows.columns), round(area.height()))
+        for name in self.document.shown:
+            top, bottom = edges[rows.row_of[self._column_of[name]]]
+            tick = QRectF(area.left() - 7, area.top() + top, 6, max(2, bottom - top))
+            painter.fillRect(tick, look.accent)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(QPen(look.border, 1))
+        painter.drawRect(area.adjusted(-0.5, -0.5, 0.5, 0.5))
+        left = max(area.left(), self._x(self._view[0] + 0.5))
+        right = min(area.right(), self._x(self._view[1] + 0.5))
+        if right - left < area.width() - 1:
+            veil = theme.faded(look.window, 0.35)
+            painter.fillRect(
+                QRectF(area.left(), area.top(), left - area.left(), area.height()), veil
+            )
+            painter.fillRect(QRectF(right, area.top(), area.right() - right, area.height()), veil)
+            painter.setPen(QPen(look.accent, 1.5))
+            painter.drawRect(QRectF(left, area.top(), max(2.0, right - left), area.height()))
+        if current is not None:
+            top, bottom = edges[rows.row_of[self._column_of[current.marker]]]
+            x0, x1 = self._x(current.start), self._x(current.stop)
+            box = QRectF(x0, area.top() + top, max(3.0, x1 - x0), max(3, bottom - top))
+            painter.setPen(QPen(look.text, 1))
+            painter.drawRect(box.adjusted(-1.5, -1.5, 1.5, 1.5))
+        x = self._x(self.document.frame + 0.5)
+        painter.setPen(QPen(look.text, 1))
+        painter.drawLine(QPointF(x, area.top() - 2), QPointF(x, area.bottom() + 2))

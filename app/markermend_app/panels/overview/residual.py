@@ -1,0 +1,115 @@
+"""How far every sample is from where its body says it should be, for the overview: on a thread."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import partial
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal
+
+from markermend.arrays import Float32Array
+from markermend.artifact import Artifact, distrusted
+from markermend.progress import Progress
+from markermend.review.edits import Change
+from markermend.review.session import Session
+from markermend.take import is_unlabelled
+from markermend_app.background.jobs import Lane
+
+
+class Residuals(QObject):
+    """Residuals of a take's named markers, worked out once and kept up with the edits.
+
+    An edit or a decision makes the residuals of its own markers anew; those of their neighbours
+    change little by it and stay. When artifacts of several markers come or go, as after
+    detection, all are made anew: what they learned from was damaged.
+
+    Signals
+    -------
+    changed() : some came, or they are farther under way
+    """
+
+    changed = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.values: Float32Array | None = None
+        self.share: float | None = None
+        self._session: Session | None = None
+        self._stale: set[str] = set()
+        self._artifacts: tuple[Artifact, ...] = ()
+        self._lane: Lane | None = None
+
+    def want(self, session: Session) -> None:
+        """Work out what is not there yet; ``values`` is (markers, frames) mm once something is."""
+        if session is not self._session:
+            self.forget()
+            self._session, self._artifacts = session, session.artifacts
+            self._stale = _named(session.original.labels)
+        if session.artifacts is not self._artifacts:
+            before, now = distrusted(self._artifacts), distrusted(session.artifacts)
+            differ = {m for m in before.keys() | now.keys() if before.get(m) != now.get(m)}
+            self._stale |= _named(differ if len(differ) < 2 else session.original.labels)
+            self._artifacts = session.artifacts
+        if not self._stale or self.share is not None:
+            return
+        if self._lane is None:
+            self._lane = Lane("residuals", self)
+            self._lane.progressed.connect(self._progressed)
+        markers = tuple(s for s in session.original.labels if s in self._stale)
+        # Samples that change under the work make their markers stale again.
+        self.share, self._stale = 0.0, set()
+        take, artifacts = session.take, session.artifacts
+
+        def work(progress: Progress) -> Float32Array:
+            from markermend.heat import body_residuals
+
+            return body_residuals(take, artifacts, markers, progress=progress)
+
+        came, failed = partial(self._came, markers), partial(self._failed, markers)
+        self._lane.submit("Residuals", work, came, failed)
+
+    def note(self, change: Change) -> None:
+        """Samples changed."""
+        if self._session is not None:
+            self._stale |= _named(change.markers)
+
+    def forget(self) -> None:
+        """Let everything go."""
+        if self._lane is not None:
+            self._lane.cancel()
+        self._session, self.values, self.share = None, None, None
+        self._stale, self._artifacts = set(), ()
+
+    def close(self) -> None:
+        """End the worker."""
+        if self._lane is not None:
+            self._lane.close()
+
+    def _progressed(self, share: float, _: str) -> None:
+        """Tell how far the work is."""
+        if self.share is not None:
+            self.share = share
+            self.changed.emit()
+
+    def _came(self, markers: tuple[str, ...], found: Float32Array) -> None:
+        """Keep what was worked out."""
+        if self._session is None:
+            return
+        take = self._session.original
+        if self.values is None:
+            self.values = np.full((take.markers, take.frames), np.nan, dtype=np.float32)
+        self.values[[take.index(m) for m in markers]] = found
+        self.share = None
+        self.changed.emit()
+
+    def _failed(self, markers: tuple[str, ...], _: Exception) -> None:
+        """Leave it at what is there; asking again tries again."""
+        self._stale |= set(markers)
+        self.share = None
+        self.changed.emit()
+
+
+def _named(labels: Iterable[str]) -> set[str]:
+    """Those of a body."""
+    return {s for s in labels if not is_unlabelled(s)}

@@ -1,0 +1,1 @@
+"""Trajectories as rows of plots."""

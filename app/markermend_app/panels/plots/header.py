@@ -1,0 +1,197 @@
+"""The line above the plots: which markers are shown, and what lies under mouse or cursor."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap, QResizeEvent
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
+
+from markermend_app.panels.markers.badge import kind_icon
+from markermend_app.panels.markers.naming import short_names
+from markermend_app.sight import Sight
+from markermend_app.style import theme
+
+_MOST, _GAP = 6, 4
+
+
+class PlotHeader(QWidget):
+    """Menu of plots and legend on the left, readout on the right.
+
+    Signals
+    -------
+    chosen(str) : a marker of the legend was clicked
+    """
+
+    chosen = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._markers: tuple[str, ...] = ()
+        self._sight: Sight | None = None
+        self.legend = Legend()
+        self.legend.chosen.connect(self.chosen)
+        self.readout = QLabel()
+        self.readout.setObjectName("readout")
+        self.readout.setAccessibleName(self.tr("Readout"))
+        # Else the longest readout would be the least width of the window.
+        self.readout.setMinimumWidth(60)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(8, 4, 8, 4)
+        self.plots = QToolButton()
+        self.plots.setText(self.tr("Plots"))
+        self.plots.setIconSize(QSize(14, 14))
+        self.plots.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.plots.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.plots.setToolTip(self.tr("Choose what the plots show"))
+        layout.addWidget(self.plots)
+        self.back = QToolButton()
+        self.back.setObjectName("back")
+        self.back.setAccessibleName(self.tr("Back to the artifact under review"))
+        self.back.setIconSize(QSize(16, 16))
+        self.back.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.back.hide()
+        layout.addWidget(self.back)
+        # The name of the foremost marker goes before the readout's last figures.
+        self.legend.setMinimumWidth(90)
+        layout.addWidget(self.legend, 1)
+        layout.addWidget(self.readout)
+        theme.watcher.changed.connect(self._restyle)
+        self._restyle()
+
+    def read_out(self, text: str) -> None:
+        """Say what lies under mouse or cursor."""
+        self.readout.setText(text)
+        self.readout.show()
+
+    def clear(self) -> None:
+        """Read nothing out."""
+        self.readout.hide()
+
+    def follow(self, sight: Sight) -> None:
+        """Offer the way back to the artifact under review while it is out of sight."""
+        self._sight = sight
+        self.back.clicked.connect(sight.bring_back)
+        sight.changed.connect(self._offer_back)
+
+    def _offer_back(self) -> None:
+        lost = None if self._sight is None else self._sight.lost
+        self.back.setVisible(lost is not None)
+        if lost is not None:
+            kind = theme.kind_name(lost.kind, within=True)
+            self.back.setIcon(kind_icon(lost.kind))
+            self.back.setText(
+                self.tr("Back to {0}").format(short_names([lost.marker])[lost.marker])
+            )
+            text = self.tr("Under review, but out of sight: {0} on {1}").format(kind, lost.marker)
+            self.back.setToolTip(text)
+
+    def show_markers(self, markers: Sequence[str]) -> None:
+        """List these markers, each in its colour, the foremost first."""
+        self._markers = tuple(markers)
+        self.legend.show_markers(self._markers)
+
+    def _restyle(self) -> None:
+        """Take over the theme's colours."""
+        self.plots.setIcon(theme.icon("curves"))
+        self._offer_back()
+        self.show_markers(self._markers)
+
+
+class Legend(QWidget):
+    """Names of markers in the colours of their curves; as many as have room.
+
+    Signals
+    -------
+    chosen(str) : a marker was clicked
+    """
+
+    chosen = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        # Its names must not make the window wider.
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._markers: tuple[str, ...] = ()
+        self.chips: list[QToolButton] = []
+        self._first = ""
+        self.more = QLabel(self)
+        self.more.setProperty("role", "small")
+
+    def show_markers(self, markers: Sequence[str]) -> None:
+        """Name these markers."""
+        self._markers = tuple(markers)
+        for chip in self.chips:
+            chip.hide()
+            chip.deleteLater()
+        short = short_names(self._markers)
+        self.chips = [
+            self._chip(name, short[name], theme.marker_color(i))
+            for i, name in enumerate(self._markers[:_MOST])
+        ]
+        self._first = short[self._markers[0]] if self._markers else ""
+        self._arrange()
+
+    def sizeHint(self) -> QSize:
+        """As high as a button."""
+        return QSize(0, 26)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Name as many as have room now."""
+        super().resizeEvent(event)
+        self._arrange()
+
+    def _chip(self, name: str, text: str, color: QColor) -> QToolButton:
+        """The button of a marker."""
+        chip = QToolButton(self)
+        chip.setText(text)
+        chip.setIcon(_swatch(color))
+        chip.setIconSize(QSize(12, 12))
+        chip.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        chip.setToolTip(self.tr("Bring {marker} to the front").format(marker=name))
+        chip.clicked.connect(lambda: self.chosen.emit(name))
+        return chip
+
+    def _arrange(self) -> None:
+        """Put the names beside one another, and count those without room."""
+        if not self.chips:
+            self._count(0)
+            return
+        self.chips[0].setText(self._first)
+        widths = [chip.sizeHint().width() + _GAP for chip in self.chips]
+        for fitting in range(len(self.chips), 0, -1):
+            self._count(len(self._markers) - fitting)
+            over = sum(widths[:fitting]) - self.width()
+            over += 0 if self.more.isHidden() else self.more.sizeHint().width()
+            if over <= 0:
+                break
+        else:
+            # Not even the foremost name has room: its middle goes.
+            metrics = self.chips[0].fontMetrics()
+            room = metrics.horizontalAdvance(self._first) - over
+            elided = metrics.elidedText(self._first, Qt.TextElideMode.ElideMiddle, max(room, 0))
+            self.chips[0].setText(elided)
+            widths[0] -= over
+        x = 0
+        for i, (chip, width) in enumerate(zip(self.chips, widths, strict=True)):
+            chip.setVisible(i < fitting)
+            chip.setGeometry(x, 0, width - _GAP, self.height())
+            x += width if i < fitting else 0
+        self.more.setGeometry(x, 0, self.more.sizeHint().width(), self.height())
+
+    def _count(self, rest: int) -> None:
+        """Say how many are not named."""
+        self.more.setText(f"+{rest}")
+        self.more.setToolTip(", ".join(self._markers[len(self._markers) - rest :]))
+        self.more.setVisible(rest > 0)
+
+
+def _swatch(color: QColor) -> QIcon:
+    """A stroke in a colour, as the curve has it."""
+    pixmap = QPixmap(24, 24)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    painter.fillRect(0, 8, 24, 8, color)
+    painter.end()
+    return QIcon(pixmap)

@@ -1,0 +1,69 @@
+"""What the line above the plots says about a frame."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from markermend.take import Origin, Take
+from markermend_app import units
+from markermend_app.panels.markers.naming import short_names
+from markermend_app.panels.plots.beside import BesideRow
+from markermend_app.panels.plots.frame import PlotFrame
+from markermend_app.panels.plots.row import PlotRow
+from markermend_app.words import tr as _tr
+
+_MOST = 3
+
+
+def read_out(take: Take, shown: Sequence[str], frame: int, row: PlotFrame | None) -> str:
+    """Frame, time, and values there.
+
+    Parameters
+    ----------
+    take : the recording as it stands
+    shown : markers, the foremost first
+    frame : index, clipped to the take
+    row : the one under the mouse, whose values of the first markers are told; else None, for the
+        position of the foremost
+    """
+    frame = max(0, min(frame, take.frames - 1))
+    time = f"{frame / take.rate:.3f}"
+    where = _tr("Frame {0} · {1} s").format(take.frame_number(frame), time)
+    if isinstance(row, BesideRow):
+        return f"{where} · {row.read_out(frame)}"
+    if isinstance(row, PlotRow):
+        short = short_names(shown)
+        parts = [f"{short[name]} {_value(take, row, name, frame)}" for name in shown[:_MOST]]
+        title = "" if row.column is not None else f"{row.title}: "
+        return f"{where} · {title}{' · '.join(parts)}"
+    position = take.positions[frame, take.index(shown[0])]
+    name = short_names(shown)[shown[0]]
+    if np.isnan(position[0]):
+        return f"{where} · {name} {_tr('missing')}"
+    value = ", ".join(units.number(v) for v in position)
+    return f"{where} · {name} {value} {units.unit()}{_origin(take, shown[0], frame)}"
+
+
+def _value(take: Take, row: PlotRow, name: str, frame: int) -> str:
+    """A marker's value in a row."""
+    value = row.value_at(name, frame)
+    if value is None:
+        return "–"
+    if math.isnan(value):
+        missing = take.origin[frame, take.index(name)] == Origin.MISSING
+        return _tr("missing") if missing else "–"
+    unit, factor, more = units.scaled(row.quantity.unit)
+    number = f"{value * factor:.{row.quantity.places + more}f} {unit}".rstrip()
+    axis = "" if row.column is None else f"{row.title} "
+    return f"{axis}{number}{_origin(take, name, frame)}"
+
+
+def _origin(take: Take, name: str, frame: int) -> str:
+    """Say so where a sample was not measured."""
+    origin = take.origin[frame, take.index(name)]
+    if origin == Origin.FILLED:
+        return f" ({_tr('filled')})"
+    return f" ({_tr('edited')})" if origin == Origin.EDITED else ""

@@ -1,0 +1,311 @@
+"""One of the stacked plots: a quantity of the shown markers, their artifacts and a proposal."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import pyqtgraph as pg
+from PySide6.QtCore import Qt
+
+from markermend.arrays import BoolArray, ByteArray, FloatArray
+from markermend.artifact import Artifact
+from markermend.patch import Patch
+from markermend.take import AXES, Origin
+from markermend_app import units
+from markermend_app.items.band import Band
+from markermend_app.items.curve import curve, dots, lone_samples, pieces, wear
+from markermend_app.items.edges import Edges
+from markermend_app.items.intervals import Intervals
+from markermend_app.panels.plots.frame import PlotFrame
+from markermend_app.panels.plots.quantity import Quantity, Way
+from markermend_app.panels.plots.range import value_range
+from markermend_app.style import theme
+from markermend_app.words import tr
+
+_SPARE = 2
+"""Markers whose empty curves are kept for the next ones: making curves takes long."""
+_NONE: FloatArray = np.zeros(0)
+
+
+@dataclass(frozen=True, eq=False)
+class Shown:
+    """A marker as the plots draw it.
+
+    Attributes
+    ----------
+    now, before : its way as it stands, and as it was in the file
+    origin : (frames,) uint8, see :class:`markermend.take.Origin`
+    """
+
+    now: Way
+    before: Way
+    origin: ByteArray
+
+
+@dataclass(frozen=True, eq=False)
+class Trace:
+    """The curves of one marker in one row.
+
+    Attributes
+    ----------
+    measured : samples as recorded
+    changed : samples that were filled or edited, drawn apart
+    original : samples of the source where the working ones differ
+    lone : samples without neighbours
+    predicted : where the rest of the body says the marker is
+    """
+
+    measured: pg.PlotDataItem
+    changed: pg.PlotDataItem
+    original: pg.PlotDataItem
+    lone: pg.PlotDataItem
+    predicted: pg.PlotDataItem
+
+    def items(self) -> tuple[pg.PlotDataItem, ...]:
+        """All of them."""
+        return (self.original, self.measured, self.changed, self.lone, self.predicted)
+
+
+class PlotRow(PlotFrame):
+    """Everything that is drawn of one quantity.
+
+    Attributes
+    ----------
+    quantity, title : what is shown, and what it is called
+    intervals : the artifacts
+    edges : those of the current artifact, to be dragged
+    values_of : (frames,) values by marker, as far as they are known
+    """
+
+    def __init__(self, quantity: Quantity) -> None:
+        super().__init__()
+        self.quantity = quantity
+        self.title = tr(quantity.title)
+        self.column = AXES.index(quantity.name) if quantity.name in AXES else None
+        self.intervals = Intervals()
+        self.band = Band()
+        self._proposals: list[pg.PlotDataItem] = []
+        self.proposed: list[pg.PlotDataItem] = []
+        self._pool: list[Trace] = []
+        self.traces: dict[str, Trace] = {}
+        self.values_of: dict[str, FloatArray] = {}
+        self._ways: dict[str, Way] = {}
+        self._before = False
+        for item in (self.intervals, self.band):
+            self.plot.addItem(item, ignoreBounds=True)
+        self.edges = Edges(self.plot)
+        self.edges.show(False, False)
+        self.view.sigResized.connect(self._resized)
+        self.restyle()
+
+    # Curves
+
+    def show_markers(self, shown: Mapping[str, Shown]) -> None:
+        """Draw these markers and no others."""
+        for trace in self._pool[max(len(shown), _SPARE) :]:
+            for item in trace.items():
+                self.plot.removeItem(item)
+        del self._pool[max(len(shown), _SPARE) :]
+        for i in range(len(self._pool), len(shown)):
+            self._pool.append(self._new_trace(i))
+        for trace in self._pool[len(shown) :]:
+            for item in trace.items():
+                _fill(item)
+        self.traces = dict(zip(shown, self._pool, strict=False))
+        self.values_of, self._ways = {}, {}
+        for name, marker in shown.items():
+            self.refresh(name, marker)
+
+    def refresh(self, name: str, shown: Shown) -> None:
+        """Draw the samples of one marker as they stand now."""
+        trace = self.traces[name]
+        self._ways[name] = shown.now
+        values, source = self.quantity.of(shown.now), self.quantity.of(shown.before)
+        if values is None or source is None:
+            self.values_of.pop(name, None)
+            for item in trace.items():
+                _fill(item)
+            return
+        self.values_of[name] = values
+        mended = (shown.origin == Origin.FILLED) | (shown.origin == Origin.EDITED)
+        _fill_whole(trace.measured, np.where(mended, np.nan, values))
+        _fill_pieces(trace.changed, values, mended)
+        _fill_pieces(trace.lone, values, lone_samples(values), join=0)
+        same = (values == source) | (np.isnan(values) & np.isnan(source))
+        _fill_pieces(trace.original, source, ~same)
+
+    def show_prediction(self, predicted: Mapping[str, FloatArray]) -> None:
+        """Draw predicted positions, (frames, 3) by marker; others get none."""
+        for name, trace in self.traces.items():
+            if name in predicted and self.column is not None:
+                _fill_whole(trace.predicted, predicted[name][:, self.column])
+            else:
+                _fill(trace.predicted)
+
+    def set_before(self, before: bool) -> None:
+        """Bring the source's samples forward and let the repairs step back, or not."""
+        self._before = before
+        for i, trace in enumerate(self._pool):
+            self._style(trace, i)
+
+    def set_title(self, title: str) -> None:
+        """Call what is shown something else."""
+        if title != self.title:
+            self.title = title
+            self.restyle()
+
+    def value_at(self, name: str, frame: int) -> float | None:
+        """Value of a shown marker in a frame; NaN where missing, None where nothing is known."""
+        values = self.values_of.get(name)
+        return None if values is None or not len(values) else float(values[frame])
+
+    # Artifacts and the proposal
+
+    def show_artifacts(self, artifacts: Sequence[Artifact], markers: Sequence[str]) -> None:
+        """Draw the artifacts that name an axis of this row."""
+        self.intervals.show([a for a in artifacts if self.concerns(a)], markers)
+
+    def concerns(self, artifact: Artifact) -> bool:
+        """Whether an artifact names an axis that this row depends on."""
+        return not set(artifact.axes).isdisjoint(self.quantity.axes)
+
+    def show_current(self, artifact: Artifact | None, editable: bool) -> None:
+        """Mark the artifact under review and, where it may be changed, offer its edges."""
+        self.intervals.set_current(None if artifact is None else artifact.id)
+        offered = artifact is not None and self.concerns(artifact)
+        self.edges.show(offered, offered and editable)
+        if artifact is not None and offered:
+            self.edges.place(artifact.start, artifact.stop)
+
+    def show_proposal(self, patches: Sequence[Patch], band_mm: FloatArray | None) -> None:
+        """Draw what a repair would put here; the band goes with the first patch."""
+        self.proposed = []
+        self.band.clear()
+        for i, patch in enumerate(patches):
+            joined = self.joined(patch)
+            if joined is None:
+                continue
+            if len(self.proposed) == len(self._proposals):
+                item = curve(theme.current().accent, width=2)
+                item.setZValue(15)
+                self.plot.addItem(item)
+                self._proposals.append(item)
+            item = self._proposals[len(self.proposed)]
+            _fill(item, *joined)
+            self.proposed.append(item)
+            if self.column is not None and i == 0 and band_mm is not None:
+                inner = np.arange(patch.start, patch.stop, dtype=np.float64)
+                values = patch.values[:, patch.axes.index(self.quantity.name)]
+                if len(band_mm) == len(inner):
+                    self.band.set_data(inner, values, band_mm)
+        for item in self._proposals[len(self.proposed) :]:
+            _fill(item)
+
+    def joined(self, patch: Patch) -> tuple[FloatArray, FloatArray] | None:
+        """What a patch would make of the values, with one known value on either side."""
+        way, reach = self._ways.get(patch.marker), self.quantity.reach
+        if way is None or reach < 0 or set(patch.axes).isdisjoint(self.quantity.axes):
+            return None
+        near, first = way.patched(patch, 2 * reach + 1)
+        values = self.quantity.of(near)
+        if values is None:
+            return None
+        low = max(0, patch.start - reach - 1)
+        part = values[low - first : patch.stop + reach + 1 - first]
+        return low + np.arange(len(part), dtype=np.float64), part
+
+    # The view
+
+    def set_view(self, start: float, stop: float, current: Artifact | None) -> None:
+        """Show these frames and, unless a hand moved them, the values that matter there."""
+        values = self._values_within(start, stop, current) if self.follows else None
+        self.view.setRange(xRange=(start, stop), yRange=values, padding=0)
+
+    def _values_within(
+        self, start: float, stop: float, current: Artifact | None
+    ) -> tuple[float, float] | None:
+        """Values that matter within these frames, or None where nothing is."""
+        low, high = max(0, int(start)), max(0, int(np.ceil(stop)) + 1)
+        trusted, special = [], []
+        for name, whole in self.values_of.items():
+            values = whole[low:high]
+            if current is not None and name == current.marker and self.concerns(current):
+                a, b = max(0, current.start - low), max(0, current.stop - low)
+                special.append(values[a:b])
+                trusted += [values[:a], values[b:]]
+            else:
+                trusted.append(values)
+        special += [item.yData for item in self.proposed if item.yData is not None]
+        height = max(1.0, self.view.height())
+        bottom = min(0.3, self.intervals.strip_height / height)
+        q = self.quantity
+        return value_range(trusted, special, bottom, least=q.least, least_at=q.least_at)
+
+    def restyle(self) -> None:
+        """Take over the theme's colours."""
+        super().restyle()
+        look, q = theme.current(), self.quantity
+        unit, factor, _ = units.scaled(q.unit)
+        self.values.setScale(factor)
+        self.name_values(self.title, unit, look.axes.get(q.name, look.muted))
+        accent = look.accent
+        self.edges.set_color(accent)
+        self.band.set_color(theme.faded(accent, 0.22))
+        for item in self._proposals:
+            wear(item, accent, width=2)
+        for i, trace in enumerate(self._pool):
+            self._style(trace, i)
+        self.intervals.update()
+
+    def _new_trace(self, index: int) -> Trace:
+        """Empty curves for a marker."""
+        color = theme.marker_color(index)
+        trace = Trace(curve(color), curve(color), curve(color), dots(color), curve(color))
+        for depth, item in enumerate(trace.items()):
+            item.setZValue(10 - index * 0.1 + depth * 0.01)
+            self.plot.addItem(item)
+        self._style(trace, index)
+        return trace
+
+    def _style(self, trace: Trace, index: int) -> None:
+        """Give a marker's curves their pens."""
+        look, color = theme.current(), theme.marker_color(index)
+        mended = theme.blend(color, look.accent, 0.55)
+        original = color if self._before else look.original
+        wear(trace.measured, color)
+        wear(trace.original, original)
+        style = Qt.PenStyle.DotLine if self._before else Qt.PenStyle.DashLine
+        wear(trace.changed, look.original if self._before else mended, style=style)
+        trace.lone.setSymbolBrush(color)
+        faint = theme.blend(look.accent, color, 0.3)
+        wear(trace.predicted, faint, style=Qt.PenStyle.DotLine)
+
+    def _resized(self, *_: object) -> None:
+        """Work out anew how many samples a pixel stands for."""
+        for trace in self.traces.values():
+            for item in trace.items():
+                item.viewRangeChanged()
+
+
+def _fill_whole(item: pg.PlotDataItem, values: FloatArray) -> None:
+    """Give a curve one value a frame; a curve without any is emptied."""
+    if np.isnan(values).all():
+        _fill(item)
+    else:
+        _fill(item, np.arange(len(values), dtype=np.float64), values)
+
+
+def _fill_pieces(item: pg.PlotDataItem, values: FloatArray, mask: BoolArray, join: int = 1) -> None:
+    """Give a curve the masked stretches of some values."""
+    if mask.any():
+        _fill(item, *pieces(values, mask, join))
+    else:
+        _fill(item)
+
+
+def _fill(item: pg.PlotDataItem, x: FloatArray = _NONE, y: FloatArray = _NONE) -> None:
+    """Give a curve its points; one that is empty already is left alone, which most are."""
+    if len(x) or item.xData is not None:
+        item.setData(x, y)

@@ -1,0 +1,401 @@
+"""The shown markers over time, row by row, with everything said about them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QStackedLayout, QVBoxLayout, QWidget
+
+from markermend.review.edits import Change
+from markermend.take import Take
+from markermend_app import settings
+from markermend_app.document import Document
+from markermend_app.panels.empty_state import EmptyState
+from markermend_app.panels.floating_buttons import FloatingButtons
+from markermend_app.panels.markers.naming import short_names
+from markermend_app.panels.plots.beside import channel, grouped
+from markermend_app.panels.plots.crosshair import Crosshair
+from markermend_app.panels.plots.frame import PlotFrame, events_of
+from markermend_app.panels.plots.gestures import Gestures
+from markermend_app.panels.plots.header import PlotHeader
+from markermend_app.panels.plots.partner import partner_of
+from markermend_app.panels.plots.prediction import Predictions
+from markermend_app.panels.plots.quantity import COORDINATES, QUANTITIES, can_show, way_of
+from markermend_app.panels.plots.range import time_range
+from markermend_app.panels.plots.row import PlotRow, Shown
+from markermend_app.panels.plots.rows_menu import fill_rows_menu
+from markermend_app.panels.plots.stack import PlotStack
+from markermend_app.panels.staying_menu import StayingMenu
+from markermend_app.style import theme
+
+FRAMED_S = 0.2
+"""What is shown at least on either side of an artifact that comes under review."""
+
+
+class TrajectoryPanel(QWidget):
+    """Stacked plots that share one time axis.
+
+    Signals
+    -------
+    view_changed(float, float) : the frames in view
+    mark_requested(Kind) : the swept range is to become an artifact of this class
+    verb_requested(str) : name of the action to be done
+    """
+
+    view_changed = Signal(float, float)
+    mark_requested = Signal(object)
+    verb_requested = Signal(str)
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.document = document
+        self.chosen = _remembered()
+        self.chosen_partner: str | None = None
+        self._predicting = False
+        self.fit_when_proposed = False
+        self._view = (0.0, 1.0)
+        self.setAccessibleName(self.tr("Trajectories"))
+
+        self.header = PlotHeader()
+        self.gestures = Gestures(self)
+        self.canvas = PlotStack(self.gestures.listen)
+        self.cross = Crosshair(document, self.canvas, self.header)
+        self.canvas.setAccessibleName(self.tr("Plots of the shown markers"))
+        self.menu = StayingMenu(self)
+        self.menu.aboutToShow.connect(lambda: fill_rows_menu(self.menu, self))
+        self.header.plots.setMenu(self.menu)
+        self.empty = EmptyState("curves")
+        self.buttons = FloatingButtons(document, self.canvas)
+        self.predictions = Predictions(self)
+
+        plots = QWidget()
+        column = QVBoxLayout(plots)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self.header)
+        column.addWidget(self.canvas, 1)
+        self._stack = QStackedLayout(self)
+        self._stack.addWidget(self.empty)
+        self._stack.addWidget(plots)
+
+        self.canvas.sigDeviceRangeChanged.connect(self.place_buttons)
+        self.header.chosen.connect(self._bring_forward)
+        self.predictions.changed.connect(self._show_predictions)
+        document.opened.connect(self._opened)
+        document.shown_changed.connect(self._show_markers)
+        document.beside_changed.connect(self._show_beside)
+        document.data_changed.connect(self._refresh)
+        document.artifacts_changed.connect(self._show_artifacts)
+        document.artifacts_changed.connect(partial(self.predictions.note, samples=False))
+        document.mesh_changed.connect(self._show_markers)
+        document.current_changed.connect(self.show_current)
+        document.proposal_changed.connect(self._show_proposal)
+        document.selection_changed.connect(self._show_sweep)
+        document.frame_changed.connect(self._show_frame)
+        document.frame_requested.connect(self._frame)
+        theme.watcher.changed.connect(self._restyle)
+        self._restyle()
+        self._opened()
+        self._show_markers()
+
+    # Public verbs
+
+    @property
+    def rows(self) -> tuple[PlotRow, ...]:
+        """Rows of the shown markers, from the top."""
+        return self.canvas.rows
+
+    @property
+    def partner(self) -> str | None:
+        """The marker that distances are measured to: the one chosen, else one that suits."""
+        chosen, take = self.chosen_partner, self.take
+        if chosen is not None and take is not None and chosen in take:
+            return chosen
+        return partner_of(self.document)
+
+    def choose_rows(self, names: Sequence[str]) -> None:
+        """Show these quantities and remember them; those a take does not hold are passed over."""
+        chosen = tuple(n for n in QUANTITIES if n in names) or COORDINATES[:1]
+        if chosen != self.chosen:
+            self.chosen = chosen
+            settings.remember("plots", " ".join(chosen))
+            self._lay_rows()
+
+    def choose_partner(self, marker: str | None) -> None:
+        """Measure distances to this marker, or to one that suits; shows them."""
+        self.chosen_partner = marker
+        self.choose_rows((*self.chosen, "distance"))
+        self._show_markers()
+
+    def open_menu(self) -> None:
+        """Open the menu of what the plots show."""
+        button = self.header.plots
+        self.menu.popup(button.mapToGlobal(button.rect().bottomLeft()))
+
+    def fit_all(self) -> None:
+        """Show the whole take."""
+        if self.take is not None:
+            self._show_afresh(-0.5, self.take.frames - 0.5)
+
+    def zoom(self, factor: float) -> None:
+        """Show ``factor`` times as much time, around the cursor when it is in view."""
+        low, high = self._view
+        at = float(self.document.frame)
+        if not low <= at <= high:
+            at = (low + high) / 2
+        self.set_view(at - (at - low) * factor, at + (high - at) * factor)
+
+    def set_view(self, start: float, stop: float) -> None:
+        """Show these frames in all plots, as far as the take reaches."""
+        take = self.take
+        if take is None:
+            return
+        self._view = time_range(start, stop, take.frames)
+        current = self.document.current
+        for row in self.rows:
+            row.set_view(*self._view, current)
+        for beside in self.canvas.beside:
+            beside.set_view(*self._view)
+        self.place_buttons()
+        self.view_changed.emit(*self._view)
+
+    def set_prediction_shown(self, shown: bool) -> None:
+        """Draw where the rest of the body says the markers are, or not."""
+        self._predicting = shown
+        self._show_predictions()
+
+    def set_before_after(self, before: bool) -> None:
+        """Bring the source's samples forward, or the working ones."""
+        for row in self.rows:
+            row.set_before(before)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Esc forgets the swept range."""
+        if event.key() == Qt.Key.Key_Escape and self.document.selection is not None:
+            self.document.sweep(None)
+        else:
+            super().keyPressEvent(event)
+
+    # What the document says
+
+    @property
+    def take(self) -> Take | None:
+        """The take as it stands."""
+        return None if self.document.session is None else self.document.session.take
+
+    def _opened(self) -> None:
+        """Start over with another take."""
+        self.predictions.forget()
+        self.chosen_partner = None
+        self._lay_rows()
+        if (take := self.take) is not None:
+            self.set_view(-0.5, take.frames - 0.5)
+        self._show_frame(self.document.frame)
+
+    def _lay_rows(self) -> None:
+        """Lay out the rows chosen, as far as the take holds what they show."""
+        self.canvas.set_rows([n for n in self.chosen if can_show(self.take, n)] or COORDINATES)
+        self._prepare(self.rows)
+        if self.take is not None and self.document.shown:
+            self._show_markers()
+
+    def _show_beside(self) -> None:
+        """Draw what was recorded beside the markers, as far as it was asked for."""
+        take = self.take
+        found = () if take is None else tuple(channel(take, k) for k in self.document.beside)
+        self.canvas.set_beside(grouped(c for c in found if c is not None))
+        self._prepare(self.canvas.beside)
+        self.set_view(*self._view)
+
+    def _prepare(self, rows: Sequence[PlotFrame]) -> None:
+        """Tell rows of the take's clock, its events, and where the cursor is."""
+        take = self.take
+        if take is None:
+            return
+        events = events_of(take)
+        for row in rows:
+            row.time.set_clock(take.first_frame, take.rate, take.frames)
+            row.show_events(events)
+            row.cursor.setValue(self.document.frame)
+            row.show_cross(None, None)
+
+    def _show_markers(self) -> None:
+        """Draw other markers."""
+        session, shown = self.document.session, self.document.shown
+        if session is None:
+            self.empty.say(
+                self.tr("No take is open"),
+                self.tr("Open a take, or drop one onto the window."),
+            )
+        elif not shown:
+            self.empty.say(
+                self.tr("No marker is shown"),
+                self.tr("Check markers in the tree, or go to an artifact in the review queue."),
+            )
+        self._stack.setCurrentIndex(int(bool(shown)))
+        self.header.show_markers(shown)
+        if session is not None:
+            drawn = {name: self._drawn(name) for name in shown}
+            for row in self.rows:
+                row.show_markers(drawn)
+            self._name_distance()
+            self._show_artifacts()
+            self._show_proposal()
+            self._show_predictions()
+            self._show_sweep()
+            self._show_afresh(*self._view)
+        self.show_current()
+        self.cross.read_out(self.document.frame)
+
+    def _drawn(self, name: str) -> Shown:
+        """A marker as the rows draw it."""
+        session = self.document.session
+        assert session is not None
+        take, original = session.take, session.original
+        partner, predicted = self.partner, self.predictions.known.get(name)
+        partner = None if partner == name else partner
+        return Shown(
+            way_of(take, name, partner, predicted, original),
+            way_of(original, name, partner, predicted, original),
+            take.origin[:, take.index(name)],
+        )
+
+    def _name_distance(self) -> None:
+        """Say to which marker distances are measured."""
+        row, partner = self.canvas.row("distance"), self.partner
+        if row is not None:
+            short = short_names((partner, *self.document.shown)) if partner else {}
+            row.set_title(self.tr("To {0}").format(short[partner]) if partner else row.title)
+
+    def _refresh(self, change: Change) -> None:
+        """Draw changed samples anew."""
+        if self.document.session is None:
+            return
+        everyone = self.partner in change.markers and self.canvas.row("distance") is not None
+        for name in self.document.shown:
+            if everyone or name in change.markers:
+                drawn = self._drawn(name)
+                for row in self.rows:
+                    row.refresh(name, drawn)
+        self.cross.read_out(self.document.frame)
+        self.predictions.note(samples=True)
+
+    def _show_artifacts(self) -> None:
+        """Draw the artifacts of the shown markers."""
+        session, shown = self.document.session, self.document.shown
+        if session is None:
+            return
+        artifacts = [a for a in session.artifacts if a.marker in shown]
+        for row in self.rows:
+            row.show_artifacts(artifacts, shown)
+
+    def show_current(self) -> None:
+        """Mark the artifact under review."""
+        current = self.document.current
+        if current is not None and current.marker not in self.document.shown:
+            current = None
+        for row in self.rows:
+            row.show_current(current, self.document.editable)
+        self.buttons.refresh()
+        self.place_buttons()
+
+    def _show_proposal(self) -> None:
+        """Draw what a repair of the current artifact would put there."""
+        proposal = self.document.proposal
+        patches = () if proposal is None else proposal.patches
+        for row in self.rows:
+            row.show_proposal(patches, None if proposal is None else proposal.band_mm)
+        self.buttons.refresh()
+        if patches and self.fit_when_proposed:
+            self.fit_when_proposed = False
+            self._show_afresh(*self._view)
+
+    def _show_predictions(self) -> None:
+        """Draw predictions that are there and ask for those that are not."""
+        session, residual = self.document.session, self.canvas.row("residual")
+        if session is not None and (self._predicting or residual is not None):
+            self.predictions.want(session, self.document.shown)
+        for row in self.rows:
+            row.show_prediction(self.predictions.known if self._predicting else {})
+        if session is not None and residual is not None:
+            for name in residual.traces:
+                residual.refresh(name, self._drawn(name))
+            residual.set_view(*self._view, self.document.current)
+
+    def _show_sweep(self) -> None:
+        """Draw the swept range."""
+        selection = self.document.selection
+        for row in self.canvas.frames:
+            if selection is None or selection.marker not in self.document.shown:
+                row.show_sweep(0, 0)
+            else:
+                row.show_sweep(selection.start, selection.stop)
+
+    def _show_frame(self, frame: int) -> None:
+        """Move the cursor line; a cursor that leaves the view takes the view along."""
+        for row in self.canvas.frames:
+            row.cursor.setValue(frame)
+        low, high = self._view
+        if not low <= frame <= high:
+            span = high - low
+            # Going on, most of what is ahead comes into view; a jump lands in the middle.
+            share = 0.1 if high < frame < high + span else 0.5
+            self.set_view(frame - share * span, frame + (1 - share) * span)
+        self.cross.read_out(frame)
+
+    def _frame(self, start: int, stop: int) -> None:
+        """Bring an interval into view with some of its surroundings."""
+        take = self.take
+        if take is None:
+            return
+        # As much on either side as a peak of a few frames needs to be seen, and a gap to be judged.
+        length, rate = stop - start, take.rate
+        pad = max(length, min(8 * length, rate), FRAMED_S * rate)
+        self.fit_when_proposed = True
+        self._show_afresh(start - pad, stop + pad)
+
+    # What the mouse says
+
+    def _bring_forward(self, name: str) -> None:
+        """Make a shown marker the foremost."""
+        self.document.show((name, *(m for m in self.document.shown if m != name)))
+
+    def leaveEvent(self, event: QEvent) -> None:
+        """Take the crosshair away with the mouse."""
+        self.cross.leave()
+        super().leaveEvent(event)
+
+    # Looks
+
+    def _show_afresh(self, start: float, stop: float) -> None:
+        """Show these frames, and of their values what matters, wherever hands had put them."""
+        for row in self.canvas.frames:
+            row.follows = True
+        self.set_view(start, stop)
+
+    def place_buttons(self) -> None:
+        """Put the buttons beside the current artifact."""
+        current = self.document.current
+        for row in self.rows:
+            if current is not None and row.edges.visible:
+                extent = row.intervals.extent(current.id)
+                if extent is not None:
+                    below = row.view.sceneBoundingRect().adjusted(0, row.flags.height, 0, 0)
+                    self.buttons.place(extent, below)
+                    return
+        self.buttons.hide()
+
+    def _restyle(self) -> None:
+        """Take over the theme's colours."""
+        self.canvas.setBackground(theme.current().plot)
+        for row in self.canvas.frames:
+            row.restyle()
+
+
+def _remembered() -> tuple[str, ...]:
+    """Rows chosen last time."""
+    names = settings.text("plots", " ".join(COORDINATES)).split()
+    return tuple(n for n in QUANTITIES if n in names) or COORDINATES

@@ -1,0 +1,43 @@
+"""A line that narrows a list down; the keyboard goes from it to the list and back to review."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction, QKeyEvent
+from PySide6.QtWidgets import QLineEdit, QWidget
+
+from markermend_app.style import theme
+
+
+class FilterLine(QLineEdit):
+    """Escape clears it; Return and Down go on to the list, as does Escape when it is empty.
+
+    Parameters
+    ----------
+    text : what it is for, shown while it is empty
+    target : the list
+    """
+
+    def __init__(self, text: str, target: QWidget, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._target = target
+        self.setPlaceholderText(text)
+        self.setAccessibleName(text)
+        self.setClearButtonEnabled(True)
+        self._search = QAction(self)
+        self.addAction(self._search, QLineEdit.ActionPosition.LeadingPosition)
+        theme.watcher.changed.connect(self._recolour)
+        self._recolour()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Leave the line, or clear it."""
+        key = event.key()
+        if key == Qt.Key.Key_Escape and self.text():
+            self.clear()
+        elif key in (Qt.Key.Key_Escape, Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Down):
+            self._target.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        else:
+            super().keyPressEvent(event)
+
+    def _recolour(self) -> None:
+        self._search.setIcon(theme.icon("search"))

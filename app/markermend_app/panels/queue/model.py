@@ -1,0 +1,273 @@
+"""Rows of the review queue: which artifacts, in which order, and what each cell says."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    Qt,
+    Signal,
+)
+
+from markermend.artifact import Artifact, Kind, Status
+from markermend.review.edits import RepairNote
+from markermend.review.priority import badness
+from markermend.take import Take
+from markermend_app import units
+from markermend_app.panels.inspector.artifact_text import describe
+from markermend_app.panels.markers.badge import dot_icon
+from markermend_app.panels.markers.naming import short_names
+from markermend_app.style import theme
+from markermend_app.telling import told
+from markermend_app.words import tr
+
+Index = QModelIndex | QPersistentModelIndex
+STATUS, KIND, MARKER, AXES, FRAMES, TIME, LENGTH, SIZE, CONFIDENCE, REPAIR, WHY = range(11)
+COLUMNS = 11
+RIGHT = (FRAMES, TIME, LENGTH, SIZE)
+ARTIFACT = Qt.ItemDataRole.UserRole
+
+_ORDER = {Status.PENDING: 0, Status.ACCEPTED: 1, Status.REPAIRED: 2, Status.REJECTED: 3}
+STATUS_ICON = {Status.ACCEPTED: "accept", Status.REJECTED: "reject", Status.REPAIRED: "repair"}
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """Which artifacts are listed.
+
+    Attributes
+    ----------
+    kinds : classes; empty for all
+    statuses : decisions; empty for all
+    text : part of the marker's or its counterpart's name, in any case
+    """
+
+    kinds: frozenset[Kind] = frozenset()
+    statuses: frozenset[Status] = frozenset()
+    text: str = ""
+
+    def __call__(self, a: Artifact) -> bool:
+        """Whether an artifact is listed."""
+        name = " ".join(a.markers).lower()
+        return (
+            (not self.kinds or a.kind in self.kinds)
+            and (not self.statuses or a.status in self.statuses)
+            and self.text.lower() in name
+        )
+
+
+def describe_length(a: Artifact, rate: float) -> str:
+    """Length in frames and in time."""
+    ms = 1000 * a.length / rate
+    time = f"{ms:.0f} ms" if ms < 1000 else f"{ms / 1000:.1f} s"
+    return f"{a.length} f, {time}"
+
+
+class QueueModel(QAbstractTableModel):
+    """Artifacts, filtered and sorted here: a thousand decisions must not each cost a second.
+
+    Signals
+    -------
+    order_changed() : other artifacts are listed, or in another order
+    """
+
+    order_changed = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.rows: list[Artifact] = []
+        self.rate, self.frames = 100.0, 0
+        self.first_frame = 1
+        self._all: tuple[Artifact, ...] = ()
+        self._notes: Mapping[str, RepairNote] = {}
+        self._take: Take | None = None
+        self._names: Mapping[str, str] = {}
+        self._row_of: dict[str, int] = {}
+        self._wanted = Wanted()
+        self._column, self._descending = STATUS, False
+        self._headers = (
+            self.tr("Status"),
+            self.tr("Class"),
+            self.tr("Marker"),
+            self.tr("Axes"),
+            self.tr("Frames"),
+            self.tr("Time"),
+            self.tr("Length"),
+            self.tr("Size"),
+            self.tr("Confidence"),
+            self.tr("Repair"),
+            self.tr("Why"),
+        )
+        self._status_names = {
+            Status.PENDING: self.tr("Open"),
+            Status.ACCEPTED: self.tr("Accepted"),
+            Status.REJECTED: self.tr("Rejected"),
+            Status.REPAIRED: self.tr("Repaired"),
+        }
+
+    def set_artifacts(
+        self,
+        artifacts: tuple[Artifact, ...],
+        notes: Mapping[str, RepairNote],
+        take: Take | None,
+    ) -> None:
+        """Take over what the session holds."""
+        self._all, self._notes = artifacts, notes
+        if take is not None and take is not self._take:
+            self.rate, self.first_frame = take.rate, take.first_frame
+            self.frames = take.frames
+            self._names = short_names(take.labels)
+        self._take = take
+        self._arrange()
+
+    def set_wanted(self, wanted: Wanted) -> None:
+        """List other artifacts."""
+        self._wanted = wanted
+        self._arrange()
+
+    def sort(self, column: int, order: Qt.SortOrder = Qt.SortOrder.AscendingOrder) -> None:
+        """List in another order; the column of decisions puts open ones first, worst on top."""
+        self._column = column if column >= 0 else STATUS
+        self._descending = order == Qt.SortOrder.DescendingOrder
+        self._arrange()
+
+    def row_of(self, artifact_id: str) -> int | None:
+        """Row of an artifact, or None when it is not listed."""
+        return self._row_of.get(artifact_id)
+
+    def _arrange(self) -> None:
+        """Filter and sort; rows that stay in place are only repainted."""
+        rows = [a for a in self._all if self._wanted(a)]
+        rows.sort(key=self._keys()[self._column], reverse=self._descending)
+        ids = [a.id for a in rows]
+        if ids == [a.id for a in self.rows]:
+            self.rows = rows
+            if rows:
+                self.dataChanged.emit(self.index(0, 0), self.index(len(rows) - 1, COLUMNS - 1))
+            return
+        self.beginResetModel()
+        self.rows = rows
+        self._row_of = {i: row for row, i in enumerate(ids)}
+        self.endResetModel()
+        self.order_changed.emit()
+
+    def _keys(self) -> dict[int, Callable[[Artifact], Any]]:
+        """Sort key of each column; the order of frames decides ties."""
+        kinds = {k: i for i, k in enumerate(Kind)}
+
+        def error(a: Artifact) -> tuple[str, float]:
+            note = self._notes.get(a.id)
+            return (note.method, note.error_mm or 0.0) if note else ("", 0.0)
+
+        return {
+            STATUS: lambda a: (_ORDER[a.status], -badness(a, self.rate, self.frames)),
+            KIND: lambda a: (kinds[a.kind], a.start),
+            MARKER: lambda a: (a.marker.lower(), a.start),
+            AXES: lambda a: (len(a.axes), a.axes, a.start),
+            FRAMES: lambda a: (a.start, a.stop),
+            TIME: lambda a: (a.start, a.stop),
+            LENGTH: lambda a: (a.length, a.start),
+            SIZE: lambda a: (
+                a.amplitude_mm if math.isfinite(a.amplitude_mm) else -1.0,
+                a.start,
+            ),
+            CONFIDENCE: lambda a: (a.confidence, a.start),
+            REPAIR: error,
+            WHY: lambda a: (a.why, a.start),
+        }
+
+    # What Qt asks
+
+    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008, D102
+        return 0 if parent.isValid() else len(self.rows)
+
+    def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008, D102
+        return COLUMNS
+
+    def headerData(  # noqa: D102
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
+        if orientation is not Qt.Orientation.Horizontal:
+            return None
+        if role == Qt.ItemDataRole.DisplayRole:
+            return self._headers[section]
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            side = Qt.AlignmentFlag.AlignRight if section in RIGHT else Qt.AlignmentFlag.AlignLeft
+            return side | Qt.AlignmentFlag.AlignVCenter
+        if role == Qt.ItemDataRole.ToolTipRole and section == STATUS:
+            return self.tr("Open ones first, the worst on top: size times confidence")
+        return None
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:  # noqa: D102
+        a = self.rows[index.row()]
+        column = index.column()
+        if role == Qt.ItemDataRole.DisplayRole:
+            return self.text(a, column)
+        if role == ARTIFACT:
+            return a
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return None if self._take is None else self._tip(self._take, a)
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            side = Qt.AlignmentFlag.AlignRight if column in RIGHT else Qt.AlignmentFlag.AlignLeft
+            return side | Qt.AlignmentFlag.AlignVCenter
+        if role == Qt.ItemDataRole.DecorationRole and column == STATUS:
+            if a.status is Status.PENDING:
+                return dot_icon(theme.current().muted, filled=False, size=16)
+            return theme.icon(STATUS_ICON[a.status])
+        if role == Qt.ItemDataRole.ForegroundRole and (
+            a.status is Status.REJECTED or column in (WHY, REPAIR)
+        ):
+            return theme.current().muted
+        return None
+
+    def text(self, a: Artifact, column: int) -> str:
+        """What a cell says."""
+        first = self.first_frame
+        return {
+            STATUS: lambda: self._status_names[a.status],
+            KIND: lambda: theme.kind_name(a.kind),
+            MARKER: lambda: self._marker_text(a),
+            AXES: lambda: a.axes.upper(),
+            FRAMES: lambda: f"{a.start + first}–{a.stop - 1 + first}",
+            TIME: lambda: f"{a.start / self.rate:.2f} s",
+            LENGTH: lambda: f"{a.length} f",
+            SIZE: lambda: units.length(a.amplitude_mm) if math.isfinite(a.amplitude_mm) else "–",
+            CONFIDENCE: lambda: f"{100 * a.confidence:.0f} %",
+            REPAIR: lambda: self._repair_text(a),
+            WHY: lambda: f"✎ {a.note} – {told(a.why)}" if a.note else told(a.why),
+        }[column]()
+
+    def _tip(self, take: Take, a: Artifact) -> str:
+        """All that is known, since not every column has room."""
+        lines = [describe(take, a), describe_length(a, self.rate)]
+        if math.isfinite(a.amplitude_mm):
+            lines[1] += f", {units.length(a.amplitude_mm)}"
+        return "\n".join([*lines, *filter(None, [a.note])])
+
+    def _marker_text(self, a: Artifact) -> str:
+        """The marker, and those it changes places with."""
+        return " ↔ ".join(self._names.get(m, m) for m in a.markers)
+
+    def _repair_text(self, a: Artifact) -> str:
+        """How a repaired artifact was repaired."""
+        note = self._notes.get(a.id)
+        if note is None:
+            return ""
+        from markermend.repairs.registry import REPAIRS
+
+        known = note.method in REPAIRS
+        label = tr(REPAIRS[note.method].label) if known else note.method
+        return label if note.error_mm is None else f"{label}, ± {units.length(note.error_mm)}"
+
+
+def count_decided(artifacts: Iterable[Artifact]) -> tuple[int, int]:
+    """How many are decided, and how many there are."""
+    statuses = [a.status for a in artifacts]
+    return sum(s is not Status.PENDING for s in statuses), len(statuses)

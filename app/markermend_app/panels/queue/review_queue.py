@@ -1,0 +1,362 @@
+"""Every artifact of the take as a list to be worked off."""
+
+from __future__ import annotations
+
+from collections import Counter
+from functools import partial
+
+from PySide6.QtCore import QItemSelection, QItemSelectionModel, QModelIndex, QPoint, Qt, Signal
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import (
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QMenu,
+    QSizePolicy,
+    QStackedWidget,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from markermend.artifact import Kind, Status
+from markermend_app.actions import shortcuts
+from markermend_app.actions.menus import entry
+from markermend_app.document import Document
+from markermend_app.panels.markers.badge import hint, kind_icon
+from markermend_app.panels.queue.filter_line import FilterLine
+from markermend_app.panels.queue.model import (
+    AXES,
+    COLUMNS,
+    FRAMES,
+    LENGTH,
+    MARKER,
+    REPAIR,
+    SIZE,
+    STATUS,
+    TIME,
+    WHY,
+    QueueModel,
+    Wanted,
+    count_decided,
+)
+from markermend_app.panels.queue.view import QueueView
+from markermend_app.style import theme
+
+_WIDTHS = (80, 100, 100, 54, 90, 66, 60, 88, 92, 180, 60)
+_SPARED = (TIME, LENGTH, AXES, SIZE, FRAMES, STATUS)
+"""Columns that are left out one after the other where room is scarce; tooltips tell them."""
+_WHY_LEAST = 200
+_ROOMY = 680
+_OPEN = frozenset({Status.PENDING})
+_DECIDED = frozenset({Status.ACCEPTED, Status.REJECTED, Status.REPAIRED})
+_ACCEPTED = frozenset({Status.ACCEPTED})
+
+
+class ReviewQueue(QWidget):
+    """Artifacts, sortable and filtered; the row under the cursor is the one under review.
+
+    Signals
+    -------
+    repair_requested(list) : ids of artifacts to be repaired with their best methods
+    """
+
+    repair_requested = Signal(list)
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._doing = ""
+        self._syncing = self._choosing = False
+        self.model = QueueModel(self)
+        self.view = QueueView()
+        self.view.setAccessibleName(self.tr("Review queue"))
+        self.view.setModel(self.model)
+        self.view.setSortingEnabled(True)
+        self.view.sortByColumn(STATUS, Qt.SortOrder.AscendingOrder)
+        self._widths = list(_WIDTHS)
+        for column, width in enumerate(_WIDTHS):
+            self.view.setColumnWidth(column, width)
+        self.view.horizontalHeader().sectionResized.connect(self._remember_width)
+
+        self._hint = hint("")
+        self._pages = QStackedWidget()
+        self._pages.addWidget(self._hint)
+        self._pages.addWidget(self.view)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 4, 0, 0)
+        whole.setSpacing(4)
+        whole.addLayout(self._make_filters())
+        whole.addWidget(self._pages, 1)
+
+        self.view.selectionModel().currentRowChanged.connect(self._row_changed)
+        self.view.clicked.connect(self._clicked)
+        self.view.doubleClicked.connect(lambda _: document.repair_current())
+        self.view.verb.connect(self.apply)
+        self.view.customContextMenuRequested.connect(self._show_menu)
+        self.model.order_changed.connect(self._order_changed)
+        document.opened.connect(self._reset)
+        document.artifacts_changed.connect(self._refresh)
+        document.history_changed.connect(self._explain)
+        document.current_changed.connect(self._follow_current)
+        theme.watcher.changed.connect(self._recolour)
+        self._recolour()
+        self._filter()
+        self._refresh()
+
+    def _make_filters(self) -> QHBoxLayout:
+        """The line above the table."""
+        row = QHBoxLayout()
+        row.setContentsMargins(4, 0, 4, 0)
+        row.setSpacing(4)
+        self.status = QComboBox()
+        self.status.setAccessibleName(self.tr("Which decisions are listed"))
+        for text, statuses in (
+            (self.tr("Open"), _OPEN),
+            (self.tr("Accepted, not repaired"), _ACCEPTED),
+            (self.tr("Decided"), _DECIDED),
+            (self.tr("All"), frozenset()),
+        ):
+            self.status.addItem(text, statuses)
+        # The words for what is rarely listed must not keep the window wide.
+        self.status.setSizeAdjustPolicy(
+            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
+        self.status.setMinimumContentsLength(8)
+        self.status.currentIndexChanged.connect(self._filter)
+        row.addWidget(self.status)
+        self.kinds: dict[Kind, QToolButton] = {}
+        for kind in Kind:
+            button = QToolButton()
+            button.setCheckable(True)
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+            button.setToolTip(self.tr("Only: {0}").format(theme.kind_name(kind)))
+            button.setAccessibleName(self.tr("Only: {0}").format(theme.kind_name(kind)))
+            button.toggled.connect(self._filter)
+            self.kinds[kind] = button
+            row.addWidget(button)
+        self.filter = FilterLine(self.tr("Filter by marker"), self.view)
+        self.filter.setMaximumWidth(220)
+        self.filter.textChanged.connect(self._filter)
+        row.addWidget(self.filter)
+        self.progress = QLabel()
+        self.progress.setProperty("role", "muted")
+        self.progress.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        # While it is seen it must not keep the window from being made narrow.
+        self.progress.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        row.addWidget(self.progress, 1)
+        return row
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Leave the progress to the status line, which says it too, where room is scarce."""
+        super().resizeEvent(event)
+        self.progress.setVisible(self.width() >= _ROOMY)
+        self._fit_columns()
+
+    # Verbs on the selected rows
+
+    def selected(self) -> list[str]:
+        """Ids of the selected rows, from top to bottom."""
+        rows = sorted(i.row() for i in self.view.selectionModel().selectedRows())
+        return [self.model.rows[r].id for r in rows]
+
+    def apply(self, verb: str) -> None:
+        """Accept, reject, reopen, repair or remove the selected rows."""
+        ids = self.selected()
+        if not ids:
+            return
+        if verb != "repair":
+            getattr(self._document, verb)(ids)
+        elif ids == [getattr(self._document.current, "id", None)]:
+            self._document.repair_current()
+        else:
+            self.repair_requested.emit(ids)
+
+    def menu(self) -> QMenu:
+        """The context menu for the selected rows."""
+        menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        statuses = {
+            self.model.rows[i.row()].status for i in self.view.selectionModel().selectedRows()
+        }
+        many = len(self.selected()) > 1
+        each = self.tr("Repair, each by its best method") if many else ""
+        for verb, text, usable in (
+            ("accept", "", statuses != _ACCEPTED),
+            ("reject", "", statuses != {Status.REJECTED}),
+            ("repair", each, statuses != {Status.REPAIRED}),
+            ("reopen", "", statuses != _OPEN),
+            ("remove", "", True),
+        ):
+            if verb in ("reopen", "remove"):
+                menu.addSeparator()
+            action = entry(menu, verb, partial(self.apply, verb), text)
+            action.setEnabled(usable and bool(statuses) and self._document.editable)
+        return menu
+
+    def _show_menu(self, at: QPoint) -> None:
+        if self.selected():
+            self.menu().popup(self.view.viewport().mapToGlobal(at))
+
+    # Following the document
+
+    def _reset(self) -> None:
+        """Another take: show everything that is open."""
+        self.filter.clear()
+        for button in self.kinds.values():
+            button.setChecked(False)
+        self.status.setCurrentIndex(0)
+        self._refresh()
+
+    def _refresh(self) -> None:
+        """Take over artifacts and decisions; the view stays where it is."""
+        session = self._document.session
+        bar = self.view.verticalScrollBar()
+        at, chosen = bar.value(), set(self.selected())
+        self._syncing = True
+        if session is None:
+            self.model.set_artifacts((), {}, None)
+        else:
+            self.model.set_artifacts(session.artifacts, session.notes, session.original)
+        self._select(chosen)
+        self._syncing = False
+        bar.setValue(at)
+        # A copy of a review changes no row of the one before, but the document walks anew.
+        self._document.set_queue([a.id for a in self.model.rows])
+        self._follow_current(scroll=False)
+        self._count()
+        self._explain()
+
+    def _select(self, ids: set[str]) -> None:
+        """Select rows by id, as they were before the model changed."""
+        picked = QItemSelection()
+        for i in ids:
+            row = self.model.row_of(i)
+            if row is not None:
+                picked.select(self.model.index(row, 0), self.model.index(row, COLUMNS - 1))
+        flag = QItemSelectionModel.SelectionFlag
+        self.view.selectionModel().select(picked, flag.ClearAndSelect)
+
+    def _filter(self) -> None:
+        """List what the filters ask for."""
+        self._syncing = True
+        self.model.set_wanted(
+            Wanted(
+                frozenset(k for k, button in self.kinds.items() if button.isChecked()),
+                self.status.currentData(),
+                self.filter.text().strip(),
+            )
+        )
+        self._syncing = False
+        self._fit_columns()
+        self._follow_current()
+        self._explain()
+
+    def _fit_columns(self) -> None:
+        """Leave room for the reasons; repairs are listed only where something repaired can be."""
+        statuses = self.status.currentData()
+        hidden = {REPAIR} if statuses and Status.REPAIRED not in statuses else set()
+        room = self.width() - self.view.verticalScrollBar().sizeHint().width() - _WHY_LEAST
+        for column in _SPARED:
+            if sum(w for c, w in enumerate(self._widths[:WHY]) if c not in hidden) <= room:
+                break
+            hidden.add(column)
+        for column in range(WHY):
+            self.view.setColumnHidden(column, column in hidden)
+
+    def _remember_width(self, column: int, _: int, width: int) -> None:
+        """Remember how wide a column is while it is left out, too."""
+        if width and column != WHY:
+            self._widths[column] = width
+
+    def _order_changed(self) -> None:
+        """Tell the document in which order artifacts are walked."""
+        self._document.set_queue([a.id for a in self.model.rows])
+        if not self._syncing:
+            self._follow_current()
+
+    def _follow_current(self, *, scroll: bool = True) -> None:
+        """Put the cursor on the artifact under review, unless it was chosen here."""
+        if self._choosing:
+            return
+        current = self._document.current
+        row = None if current is None else self.model.row_of(current.id)
+        selection = self.view.selectionModel()
+        flag = QItemSelectionModel.SelectionFlag
+        self._syncing = True
+        if row is None:
+            selection.clearCurrentIndex()
+            if len(selection.selectedRows()) < 2:
+                selection.clearSelection()
+        else:
+            index = self.model.index(row, max(self.view.currentIndex().column(), 0))
+            kept = selection.isRowSelected(row, QModelIndex())
+            how = flag.NoUpdate if kept else flag.ClearAndSelect | flag.Rows
+            x = self.view.horizontalScrollBar().value()
+            selection.setCurrentIndex(index, how)
+            self.view.horizontalScrollBar().setValue(x)
+            if scroll:
+                self.view.scrollTo(self.model.index(row, MARKER))
+        self._syncing = False
+
+    def _row_changed(self, index: QModelIndex, _: QModelIndex) -> None:
+        """Put the row's artifact under review."""
+        if self._syncing or not index.isValid():
+            return
+        artifact = self.model.rows[index.row()]
+        if self._document.current is None or self._document.current.id != artifact.id:
+            # The view is about to select the row by itself, alone or beside others.
+            self._choosing = True
+            self._document.select(artifact.id)
+            self._choosing = False
+
+    def _clicked(self, index: QModelIndex) -> None:
+        """Bring the artifact into view again when its row is clicked again."""
+        a = self.model.rows[index.row()]
+        if a == self._document.current:
+            self._document.look_at(a.markers, a.start, a.stop)
+
+    def _count(self) -> None:
+        """Say how far the review is."""
+        session = self._document.session
+        artifacts = () if session is None else session.artifacts
+        decided, total = count_decided(artifacts)
+        self.progress.setText(self.tr("{0} of {1} decided").format(decided, total) if total else "")
+        pending = Counter(a.kind for a in artifacts if a.status is Status.PENDING)
+        for kind, button in self.kinds.items():
+            button.setText(str(pending[kind]))
+
+    def set_doing(self, label: str) -> None:
+        """Be told what is worked on, empty for nothing: found may be what is not listed yet."""
+        self._doing = label
+        self._explain()
+
+    def _explain(self) -> None:
+        """Say why nothing is listed."""
+        session = self._document.session
+        self._pages.setCurrentIndex(1 if self.model.rows else 0)
+        if session is None:
+            text = self.tr("Open a take to review its artifacts here.")
+        elif not session.original.markers:
+            text = self.tr("This file has no markers, so there is nothing to review.")
+        elif not session.artifacts:
+            if self._doing:
+                text = f"{self._doing}…"
+            elif any(step.startswith("Detect") for step in session.history):
+                text = self.tr("Nothing was found. Sweep over a curve with Shift to mark by hand.")
+            else:
+                text = self.tr("Nothing found yet. {0} looks for artifacts.").format(
+                    shortcuts.first("detect") or self.tr("Review: Detect artifacts")
+                )
+        elif not session.with_status(Status.PENDING) and self.status.currentData() == _OPEN:
+            text = self.tr("All {0} artifacts are decided. {1} exports the repaired take.")
+            key = shortcuts.first("export") or self.tr("File: Export")
+            text = text.format(len(session.artifacts), key)
+        else:
+            text = self.tr("No artifact matches these filters.")
+        self._hint.setText(text)
+
+    def _recolour(self) -> None:
+        for kind, button in self.kinds.items():
+            button.setIcon(kind_icon(kind))
+        self.view.viewport().update()

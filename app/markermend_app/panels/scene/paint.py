@@ -1,0 +1,263 @@
+"""How the 3D view is painted: few calls, each over whole arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import pyqtgraph as pg
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFont, QPainter, QPainterPath, QPen
+
+from markermend.arrays import FloatArray, IntArray
+from markermend.artifact import Kind
+from markermend_app.panels.scene.camera import Camera
+from markermend_app.panels.scene.stage import Stage, floor_lines
+from markermend_app.style import theme
+
+
+@dataclass(frozen=True, eq=False)
+class Sight:
+    """Painter, camera and size: what everything here needs.
+
+    Attributes
+    ----------
+    painter : where to
+    camera : from where
+    width, height : pixels
+    """
+
+    painter: QPainter
+    camera: Camera
+    width: float
+    height: float
+
+    def project(self, points: FloatArray) -> FloatArray:
+        """(n, 2) pixels."""
+        return self.camera.project(points, self.width, self.height)
+
+    def stroke(self, path: QPainterPath, color: QColor, width: float, style: Qt.PenStyle) -> None:
+        """Draw a path without filling it."""
+        self.painter.setPen(_pen(color, width, style))
+        self.painter.setBrush(Qt.BrushStyle.NoBrush)
+        self.painter.drawPath(path)
+
+
+def paint_floor(sight: Sight, stage: Stage) -> None:
+    """Draw the floor's squares."""
+    start, stop = floor_lines(stage)
+    _paint_segments(sight, start, stop, theme.current().grid, 1.0)
+
+
+def paint_links(
+    sight: Sight, positions: FloatArray, links: IntArray, color: QColor, width: float
+) -> None:
+    """Draw the body's segments; (n, 2) columns of markers."""
+    if len(links):
+        _paint_segments(sight, positions[links[:, 0]], positions[links[:, 1]], color, width)
+
+
+def paint_other(sight: Sight, now: FloatArray, other: FloatArray, color: QColor) -> None:
+    """Draw where markers are in the other version: hollow, tied to where they are in this one.
+
+    Parameters
+    ----------
+    now, other : (n, 3) mm; NaN where a version has no sample
+    """
+    _paint_segments(sight, now, other, color, 1.0)
+    painter = sight.painter
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setPen(_pen(color, 1.6))
+    at = sight.project(other)
+    for x, y in at[~np.isnan(at[:, 0])].tolist():
+        painter.drawEllipse(QPointF(x, y), 5.0, 5.0)
+
+
+def _paint_segments(
+    sight: Sight, start: FloatArray, stop: FloatArray, color: QColor, width: float
+) -> None:
+    """Draw separate lines; one path of many crossing lines takes several times as long."""
+    ends = sight.camera.segments(start, stop, sight.width, sight.height)
+    ends = ends[~np.isnan(ends).any(axis=(1, 2))].reshape(-1, 4)
+    sight.painter.setPen(_pen(color, width))
+    sight.painter.drawLines([QLineF(*line) for line in ends.tolist()])
+
+
+def paint_trails(
+    sight: Sight,
+    trails: FloatArray,
+    color: QColor,
+    width: float,
+    style: Qt.PenStyle = Qt.PenStyle.SolidLine,
+) -> None:
+    """Draw (markers, frames, 3) paths, broken where missing, as one path."""
+    markers, frames = trails.shape[:2]
+    if not markers or frames < 2:
+        return
+    broken = np.full((markers, frames + 1, 3), np.nan)
+    broken[:, :frames] = trails
+    points = sight.project(broken.reshape(-1, 3))
+    path = pg.arrayToQPath(points[:, 0].copy(), points[:, 1].copy(), connect="finite")
+    sight.stroke(path, color, width, style)
+
+
+@dataclass(frozen=True, eq=False)
+class Discs:
+    """How the markers of a frame look.
+
+    Attributes
+    ----------
+    positions : (markers, 3) mm
+    radius : (markers,) mm
+    shown : column to its place among the shown markers
+    rings : column to the class of an open artifact that covers the frame
+    colours : of each marker, unless it is shown
+    """
+
+    positions: FloatArray
+    radius: FloatArray
+    shown: Mapping[int, int]
+    rings: Mapping[int, Kind]
+    colours: Sequence[QColor]
+
+
+def paint_discs(sight: Sight, discs: Discs) -> FloatArray:
+    """Draw markers from far to near; returns their (markers, 2) pixels, NaN where not drawn."""
+    t = theme.current()
+    seen = sight.camera.to_view(discs.positions)
+    at = sight.camera.to_pixels(seen, sight.width, sight.height)
+    scale = sight.camera.scale(sight.height)
+    depth = seen[:, 2]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        radius = np.clip(discs.radius * scale / depth, 1.5, 14.0)
+    order = np.argsort(-depth)
+    order = order[~np.isnan(at[order, 0])]
+    painter = sight.painter
+    edge = QPen(t.plot, 1)
+    for column in order.tolist():
+        centre, r = QPointF(at[column, 0], at[column, 1]), float(radius[column])
+        place = discs.shown.get(column)
+        painter.setPen(edge)
+        painter.setBrush(discs.colours[column] if place is None else theme.marker_color(place))
+        r = r if place is None else max(r * 1.35, 4.5)
+        painter.drawEllipse(centre, r, r)
+        kind = discs.rings.get(column)
+        if kind is not None:
+            painter.setPen(QPen(t.kinds[kind], 2.2))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.drawEllipse(centre, max(r + 3.5, 6.0), max(r + 3.5, 6.0))
+    return at
+
+
+def paint_ghost(sight: Sight, proposed: FloatArray, now: FloatArray) -> FloatArray:
+    """Draw a dashed ring where the previewed repair puts the marker, and the way there.
+
+    Returns its (2,) pixels.
+    """
+    at = sight.project(np.stack((proposed, now)))
+    if np.isnan(at[0]).any():
+        return at[0]
+    color = theme.current().accent
+    painter = sight.painter
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    if not np.isnan(at[1]).any():
+        painter.setPen(QPen(color, 1, Qt.PenStyle.DotLine))
+        painter.drawLine(QPointF(*at[0]), QPointF(*at[1]))
+    painter.setPen(QPen(color, 2, Qt.PenStyle.DashLine))
+    painter.drawEllipse(QPointF(*at[0]), 7.0, 7.0)
+    return at[0]
+
+
+def paint_followed(sight: Sight, at: FloatArray) -> None:
+    """Ring the markers that a repair was told to follow; at is (n, 2) in pixels."""
+    sight.painter.setBrush(Qt.BrushStyle.NoBrush)
+    sight.painter.setPen(_pen(theme.current().accent, 2.0))
+    for x, y in at[np.isfinite(at).all(axis=1)].tolist():
+        sight.painter.drawEllipse(QPointF(x, y), 9.0, 9.0)
+
+
+def paint_labels(sight: Sight, at: FloatArray, names: Sequence[tuple[int, str]]) -> None:
+    """Write names beside markers, on a veil of background so that they can be read."""
+    t = theme.current()
+    painter = sight.painter
+    painter.setFont(_font(painter, QFont.Weight.DemiBold))
+    metrics = painter.fontMetrics()
+    taken: list[QRectF] = []
+    for column, name in names:
+        x, y = at[column]
+        if np.isnan(x):
+            continue
+        box = QRectF(x + 9, y - metrics.height() / 2, metrics.horizontalAdvance(name) + 6, 0)
+        box.setHeight(metrics.height())
+        if any(box.intersects(other) for other in taken):
+            continue
+        taken.append(box)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(theme.faded(t.plot, 0.75))
+        painter.drawRoundedRect(box, 3, 3)
+        painter.setPen(t.text)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, name)
+
+
+def paint_triad(sight: Sight) -> None:
+    """Draw which way the axes point, in the lower left corner."""
+    t = theme.current()
+    painter = sight.painter
+    origin = QPointF(38, sight.height - 38)
+    axes = sight.camera.axes()
+    painter.setFont(_font(painter, QFont.Weight.Bold))
+    for axis in np.argsort(axes[2]).tolist():
+        tip = QPointF(axes[0, axis] * 22, -axes[1, axis] * 22)
+        color = t.axes["xyz"[axis]]
+        painter.setPen(QPen(color, 2, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
+        painter.drawLine(origin, origin + tip)
+        box = QRectF(0, 0, 16, 16)
+        box.moveCenter(origin + tip * 1.35)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, "XYZ"[axis])
+
+
+def paint_focus(sight: Sight, focused: bool) -> None:
+    """Draw a frame while the keyboard is here."""
+    if focused:
+        sight.painter.setBrush(Qt.BrushStyle.NoBrush)
+        sight.painter.setPen(QPen(theme.current().accent, 2))
+        sight.painter.drawRect(QRectF(1, 1, sight.width - 2, sight.height - 2))
+
+
+def paint_note(sight: Sight, text: str) -> None:
+    """Write a small line in the lower right corner."""
+    painter = sight.painter
+    painter.setFont(_font(painter, QFont.Weight.Normal))
+    painter.setPen(theme.current().muted)
+    box = QRectF(0, sight.height - 24, sight.width - 8, 20)
+    painter.drawText(box, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, text)
+
+
+def paint_title(sight: Sight, text: str, color: QColor) -> None:
+    """Write a line in the upper left corner."""
+    painter = sight.painter
+    painter.setFont(_font(painter, QFont.Weight.DemiBold))
+    painter.setPen(color)
+    painter.drawText(QPointF(10, 20), text)
+
+
+def _pen(color: QColor, width: float, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> QPen:
+    """A pen; a hairline is one in device pixels, which is many times as fast on dense screens."""
+    pen = QPen(color, width, style)
+    pen.setCosmetic(width <= 1)
+    return pen
+
+
+def _font(painter: QPainter, weight: QFont.Weight) -> QFont:
+    """The small font."""
+    font = QFont(painter.font())
+    font.setPointSize(theme.SMALL_PT)
+    font.setWeight(weight)
+    return font
+
+
+def paint_message(painter: QPainter, box: QRectF, text: str) -> None:
+    """Say in the middle why nothing is seen."""
+    painter.setPen(theme.current().muted)
+    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)

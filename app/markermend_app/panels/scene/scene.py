@@ -1,0 +1,399 @@
+"""The take in space: markers, body and trails, painted without a graphics card."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import (
+    QContextMenuEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QHBoxLayout, QMenu, QWidget
+
+from markermend.arrays import FloatArray
+from markermend.measures import differing
+from markermend_app import units
+from markermend_app.document import Document
+from markermend_app.panels.scene import paint
+from markermend_app.panels.scene.buttons import SceneButtons
+from markermend_app.panels.scene.camera import Camera
+from markermend_app.panels.scene.looks import Looks, marker_colours
+from markermend_app.panels.scene.seen import Seen
+from markermend_app.panels.scene.select import Outline, nearest
+from markermend_app.panels.scene.stage import Stage, centre_at, set_stage
+from markermend_app.style import theme
+
+PICK_PX = 14.0
+TRAIL_S = 0.5
+SCRUB_S_PER_PX = 0.02
+RADIUS_MM = 13.0
+MANY_LABELS = 40
+BODY = 0.56
+"""Radius of the view of a body that is followed, as a share of the body's size."""
+
+
+class Scene(QWidget):
+    """Markers of the current frame in perspective.
+
+    Left drag turns, middle, right or Shift drag moves, the wheel zooms, Ctrl drag runs through
+    time. A click shows the nearest marker in the plots, with Ctrl beside the others, unless
+    ``pick`` takes it for something else; a double click beside the markers shows everything. With
+    the box or the lasso chosen, a left drag shows the markers inside, with Ctrl beside the others.
+    """
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self.camera = Camera()
+        self.pick: Callable[[str], bool] = lambda marker: False
+        self.stage: Stage | None = None
+        self._vertical: int | None = None
+        self.looks = Looks()
+        self.before = self._choosing = False
+        self.seen = Seen(document)
+        self._outline: Outline | None = None
+        self._followed: FloatArray | None = None
+        self._at: FloatArray = np.zeros((0, 2))
+        self._pressed: QPointF | None = None
+        self._last = QPointF()
+        self._dragged = False
+        self._scrub_from = 0
+        self.setMinimumSize(200, 160)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setAccessibleName(self.tr("3D view"))
+        self._make_buttons()
+
+        document.opened.connect(self._opened)
+        document.mesh_changed.connect(self._link)
+        document.artifacts_changed.connect(self._redraw)
+        document.frame_changed.connect(self._frame_changed)
+        for signal in (
+            document.data_changed,
+            document.current_changed,
+            document.proposal_changed,
+            document.shown_changed,
+        ):
+            signal.connect(self._redraw)
+        theme.watcher.changed.connect(self.update)
+        self._opened()
+
+    def sizeHint(self) -> QSize:
+        """Room for a body."""
+        return QSize(400, 360)
+
+    def _make_buttons(self) -> None:
+        """The column of buttons in the upper right corner."""
+        self.buttons = SceneButtons(self)
+        self.follow, self.trails = self.buttons.follow, self.buttons.trails
+        self.labels, self.fit = self.buttons.labels, self.buttons.fit
+        self.buttons.fit_wanted.connect(self.reset)
+        self.buttons.follow_changed.connect(self.reset)
+        self.buttons.changed.connect(self.update)
+        self.buttons.menu.aboutToShow.connect(lambda: self._fill(self.buttons.menu))
+        row = QHBoxLayout(self)
+        row.setContentsMargins(4, 4, 4, 4)
+        row.addStretch(1)
+        row.addWidget(self.buttons, 0, Qt.AlignmentFlag.AlignTop)
+
+    def _fill(self, menu: QMenu) -> None:
+        """Offer what can be seen."""
+        self.looks.fill(menu, self._vertical, self.set_vertical, self.update)
+
+    # What is seen
+
+    def reset(self) -> None:
+        """Bring the whole take, or the followed body, into view."""
+        if self.stage is not None:
+            self.camera = self.stage.camera(self.camera)
+            if self.follow.isChecked():
+                self.camera = self.camera.zoomed(BODY * self.stage.size / self.stage.radius)
+                self._followed = None
+                self._keep_up()
+        self.update()
+
+    def set_before(self, before: bool) -> None:
+        """Show the samples as they were in the file, or as they stand."""
+        self.before = before
+        self.update()
+
+    def set_choosing(self, choosing: bool) -> None:
+        """Say that clicks choose the markers which a repair follows, or no longer."""
+        self._choosing = choosing
+        self.update()
+
+    def set_vertical(self, axis: int | None) -> None:
+        """Say which axis points up (0, 1, 2), or None to guess it from the take."""
+        self._vertical = axis
+        session = self._document.session
+        if session is not None:
+            self.stage = set_stage(session.original, axis)
+            self.reset()
+
+    def _opened(self) -> None:
+        """Another take, or none."""
+        session = self._document.session
+        self.stage, self._followed, self._vertical = None, None, None
+        self.buttons.setVisible(session is not None)
+        self.buttons.drop_tool()
+        self._outline = None
+        if session is not None:
+            take = session.original
+            self.stage, self.camera = set_stage(take), Camera()
+            self.seen.take_over(take, min(RADIUS_MM, 0.008 * self.stage.size))
+            self.reset()
+        self.seen.forget()
+        self.update()
+
+    def _link(self) -> None:
+        """Join the markers that move together."""
+        self.seen.link()
+        self.update()
+
+    def paintEvent(self, _: QPaintEvent) -> None:
+        """Paint the frame."""
+        t = theme.current()
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.fillRect(self.rect(), t.plot)
+        session = self._document.session
+        if session is None or self.stage is None or not session.original.frames:
+            text = self.tr("No frames") if session else self.tr("Open a take to see it in space.")
+            paint.paint_message(painter, QRectF(self.rect()), text)
+            return
+        sight = paint.Sight(painter, self.camera, self.width(), self.height())
+        frame, take = self._document.frame, session.original
+        positions, others = session.positions, take.positions
+        if self.before:
+            positions, others = others, positions
+        now = positions[frame]
+        shown = {take.index(s): i for i, s in enumerate(self._document.shown) if s in take}
+        paint.paint_floor(sight, self.stage)
+        self._paint_trails(sight, positions, shown)
+        self._paint_body(sight, now)
+        if self.looks.ghost:
+            self._paint_other(sight, positions, others, shown)
+        damage = self.seen.damage() if self.looks.colours == "damage" else np.zeros(0)
+        colours = marker_colours(self.looks, take.markers, self._document.mesh, damage)
+        discs = paint.Discs(now, self.seen.radius, shown, self.seen.rings(), colours)
+        self._at = paint.paint_discs(sight, discs)
+        spots = self._paint_ghost(sight, now)
+        followed = [take.index(s) for s in self._document.preview.references]
+        paint.paint_followed(sight, spots[followed])
+        named = list(dict.fromkeys([*list(shown)[:MANY_LABELS], *followed]))
+        if self.labels.isChecked():
+            named += [i for i in range(take.markers) if i not in named]
+        names = [(i, self.seen.names[take.labels[i]]) for i in named]
+        paint.paint_labels(sight, spots, names)
+        paint.paint_triad(sight)
+        square = f"{self.stage.unit * units.FACTORS[units.unit()]:g} {units.unit()}"
+        paint.paint_note(sight, self.tr("One square: {0}").format(square))
+        if self._choosing:
+            paint.paint_title(sight, self.tr("Click the markers to follow"), t.accent)
+        elif self.before:
+            paint.paint_title(sight, self.tr("Before repair"), t.muted)
+        if self._outline is not None:
+            self._outline.paint(painter)
+        paint.paint_focus(sight, self.hasFocus())
+
+    def _paint_body(self, sight: paint.Sight, now: FloatArray) -> None:
+        """Paint the segments; those of the wrong length in red."""
+        t, off = theme.current(), self.seen.off(now) & self.looks.lengths
+        plain = theme.blend(t.plot, t.muted, 0.6)
+        paint.paint_links(sight, now, self.seen.links[~off], plain, 1.6)
+        paint.paint_links(sight, now, self.seen.links[off], t.axes["x"], 2.4)
+
+    def _paint_other(
+        self,
+        sight: paint.Sight,
+        positions: FloatArray,
+        others: FloatArray,
+        shown: Mapping[int, int],
+    ) -> None:
+        """Paint the other version, before or after the repairs, where it differs."""
+        frame = self._document.frame
+        near = slice(*self._near(len(positions)))
+        color = theme.blend(theme.current().original, theme.current().text, 0.2)
+        for column in shown:
+            mine, other = positions[near, column], others[near, column]
+            way = np.where(differing(mine, other)[:, None], other, np.nan)
+            paint.paint_trails(sight, way[None], color, 1.2, Qt.PenStyle.DotLine)
+        now, other = positions[frame], others[frame]
+        apart = differing(now, other)
+        paint.paint_other(sight, now[apart], other[apart], color)
+
+    def _near(self, frames: int) -> tuple[int, int]:
+        """First frame and the one after the last of what trails show."""
+        session = self._document.session
+        rate = 100.0 if session is None else session.original.rate
+        reach, frame = max(2, round(TRAIL_S * rate)), self._document.frame
+        return max(0, frame - reach), min(frames, frame + reach + 1)
+
+    def _paint_trails(
+        self, sight: paint.Sight, positions: FloatArray, shown: dict[int, int]
+    ) -> None:
+        """Paint where markers come from and go to."""
+        near = positions[slice(*self._near(len(positions)))]
+        if self.trails.isChecked():
+            color = theme.faded(theme.current().muted, 0.5)
+            paint.paint_trails(sight, near.transpose(1, 0, 2), color, 1.0)
+        for column, place in shown.items():
+            color = theme.faded(theme.marker_color(place), 0.7)
+            paint.paint_trails(sight, near[None, :, column], color, 1.6)
+
+    def _paint_ghost(self, sight: paint.Sight, now: FloatArray) -> FloatArray:
+        """Paint the way of the previewed repair, and its place in this frame.
+
+        Returns (markers, 2) pixels where names stand: a missing marker's at its proposed place.
+        """
+        ghost, session = self.seen.ghost(), self._document.session
+        if ghost is None or session is None:
+            return self._at
+        marker, way, start = ghost
+        color = theme.current().accent
+        paint.paint_trails(sight, way[None], color, 1.6, Qt.PenStyle.DashLine)
+        at = self._document.frame - start
+        spots = self._at.copy()
+        if 0 <= at < len(way):
+            column = session.original.index(marker)
+            spot = paint.paint_ghost(sight, way[at], now[column])
+            if np.isnan(spots[column, 0]):
+                spots[column] = spot
+        return spots
+
+    # Hands
+
+    def marker_at(self, at: QPointF) -> str | None:
+        """Marker nearest to a point of the view, or None when none is near."""
+        session = self._document.session
+        hit = nearest(self._at, at, PICK_PX)
+        return None if session is None or hit is None else session.original.labels[hit]
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Begin a click or a drag."""
+        self._pressed = self._last = event.position()
+        self._dragged = False
+        self._scrub_from = self._document.frame
+        self.setFocus(Qt.FocusReason.MouseFocusReason)
+        if self.buttons.tool and event.button() == Qt.MouseButton.LeftButton:
+            self._outline = Outline(self.buttons.tool, [event.position()])
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Turn, move, or run through time."""
+        session = self._document.session
+        if self._pressed is None or session is None:
+            return
+        whole = event.position() - self._pressed
+        if not self._dragged and whole.manhattanLength() < 4:
+            return
+        self._dragged = True
+        step = event.position() - self._last
+        self._last = event.position()
+        held, buttons = event.modifiers(), event.buttons()
+        if self._outline is not None:
+            self._outline.points.append(event.position())
+            self.update()
+            return
+        if held & Qt.KeyboardModifier.ControlModifier:
+            frames = whole.x() * SCRUB_S_PER_PX * session.original.rate
+            self._document.go_to(self._scrub_from + round(frames))
+        elif buttons & Qt.MouseButton.LeftButton and not held & Qt.KeyboardModifier.ShiftModifier:
+            self.camera = self.camera.orbited(step.x(), step.y())
+        else:
+            self.camera = self.camera.panned(step.x(), step.y(), self.height())
+        self.update()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """Show the marker that was clicked, or those in the outline."""
+        clicked = self._pressed is not None and not self._dragged
+        outline, self._pressed, self._outline = self._outline, None, None
+        if outline is not None and self._dragged:
+            self._show_inside(outline, event.modifiers())
+            return
+        if not clicked or event.button() != Qt.MouseButton.LeftButton:
+            return
+        marker = self.marker_at(event.position())
+        if marker is None or self.pick(marker):
+            return
+        shown = self._document.shown
+        if not event.modifiers() & Qt.KeyboardModifier.ControlModifier:
+            self._document.show([marker])
+        elif marker in shown:
+            self._document.show([s for s in shown if s != marker])
+        else:
+            self._document.show([*shown, marker])
+
+    def _show_inside(self, outline: Outline, held: Qt.KeyboardModifier) -> None:
+        """Show the markers inside an outline, with Ctrl beside the others."""
+        session = self._document.session
+        self.update()
+        if session is None:
+            return
+        labels = session.original.labels
+        inside = [labels[i] for i in np.flatnonzero(outline.holds(self._at)).tolist()]
+        before = self._document.shown if held & Qt.KeyboardModifier.ControlModifier else ()
+        if inside:
+            self._document.show((*before, *inside))
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        """Show everything when nothing was hit."""
+        if event.button() == Qt.MouseButton.LeftButton and self.marker_at(event.position()) is None:
+            self.reset()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Zoom."""
+        self.camera = self.camera.zoomed(0.999 ** event.angleDelta().y())
+        self.update()
+        event.accept()
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        """Offer what can be seen, unless the right button was used to move."""
+        if self._dragged or self.stage is None:
+            return
+        menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self._fill(menu)
+        menu.popup(event.globalPos())
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Turn, move and zoom; Esc lets the selecting tool go."""
+        moved = self.camera.by_key(Qt.Key(event.key()), event.modifiers(), self.height())
+        if event.key() == Qt.Key.Key_Escape and self.buttons.tool:
+            self.buttons.drop_tool()
+            self._outline = None
+        elif moved is not None:
+            self.camera = moved
+        else:
+            super().keyPressEvent(event)
+        self.update()
+
+    # Following the document
+
+    def _frame_changed(self, _: int) -> None:
+        self._keep_up()
+        self.update()
+
+    def _keep_up(self) -> None:
+        """Move the camera with the body."""
+        session, stage = self._document.session, self.stage
+        if not self.follow.isChecked() or session is None or stage is None:
+            return
+        centre = centre_at(session.positions, self._document.frame)
+        if np.isnan(centre).any():
+            return
+        if self._followed is None:
+            x, y, z = centre.tolist()
+            self.camera = replace(self.camera, target=(x, y, z))
+        else:
+            self.camera = self.camera.moved(centre - self._followed)
+        self._followed = centre
+
+    def _redraw(self, *_: object) -> None:
+        self.seen.forget()
+        self.update()

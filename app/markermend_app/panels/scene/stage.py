@@ -1,0 +1,134 @@
+"""What of a take stands still in the 3D view: which way is up, floor, and a view of it all."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+import numpy as np
+
+from markermend.arrays import FloatArray
+from markermend.files.axes import vertical_of
+from markermend.take import AXES, Take, is_unlabelled
+from markermend.vertical import vertical_axis
+from markermend_app.panels.scene.camera import FOV, Camera
+
+_SAMPLED = 200
+LEAST_RADIUS_MM = 10.0
+
+
+@dataclass(frozen=True, eq=False)
+class Stage:
+    """The room a take was recorded in.
+
+    Attributes
+    ----------
+    up : axis that points up
+    floor : mm along it where the floor is drawn
+    middle : (3,) mm, what the camera looks at first
+    radius : mm around it that hold the take
+    size : mm, extent of the body in a frame
+    unit : mm, side of a square of the floor
+    low, high : (3,) mm, extent of the floor, whole units
+    """
+
+    up: int
+    floor: float
+    middle: FloatArray
+    radius: float
+    size: float
+    unit: float
+    low: FloatArray
+    high: FloatArray
+
+    def camera(self, last: Camera | None = None) -> Camera:
+        """A camera that has the body in view, turned as the last one."""
+        x, y, z = self.middle.tolist()
+        distance = 1.25 * self.radius / math.tan(FOV / 2)
+        base = last if last is not None else Camera()
+        return replace(base, target=(x, y, z), distance=distance, up=self.up)
+
+
+def set_stage(take: Take, up: int | None = None) -> Stage:
+    """Work out the room of a take.
+
+    Parameters
+    ----------
+    take : its samples as opened
+    up : axis that points up; None takes what the file says, and guesses when it says nothing
+    """
+    named = [i for i, label in enumerate(take.labels) if not is_unlabelled(label)]
+    points = _sample(take.positions)
+    points = points[:, named] if named else points
+    if not points.size:
+        points = np.full((1, 1, 3), np.nan)
+    if up is None:
+        told = vertical_of(take)
+        up = AXES.index(told) if told else vertical_axis(points)
+    flat = points.reshape(-1, 3)
+    flat = flat[~np.isnan(flat[:, 0])]
+    if not len(flat):
+        flat = np.array([[-1000.0] * 3, [1000.0] * 3])
+    low, high = np.percentile(flat, 0.5, axis=0), np.percentile(flat, 99.5, axis=0)
+    middle = (low + high) / 2
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RuntimeWarning)
+        spans = np.nanmax(points, axis=1) - np.nanmin(points, axis=1)
+        size = float(np.nanpercentile(spans.max(axis=1), 50)) if len(points) else 1000.0
+    if not math.isfinite(size) or size <= 0:
+        size = 1000.0
+    # One marker that stands still has no extent, but is to be seen from somewhere.
+    radius = max(min(float(np.linalg.norm(high - low)) / 2, 2.2 * size), LEAST_RADIUS_MM)
+    # A floor at zero is where systems put it, if the body stands near it.
+    floor = 0.0 if abs(low[up]) < 0.2 * size else float(low[up])
+    reach = np.maximum(high - low, size)
+    reach[up] = 0.0
+    unit = _round_unit(float(reach.max()) / 12)
+    edge = 0.15 * size
+    return Stage(
+        up,
+        floor,
+        middle,
+        radius,
+        size,
+        unit,
+        np.floor((middle - reach / 2 - edge) / unit) * unit,
+        np.ceil((middle + reach / 2 + edge) / unit) * unit,
+    )
+
+
+@lru_cache(maxsize=4)
+def floor_lines(stage: Stage) -> tuple[FloatArray, FloatArray]:
+    """Starts and ends, (n, 3) each, of the lines of the floor."""
+    a, b = (stage.up + 1) % 3, (stage.up + 2) % 3
+    starts: list[FloatArray] = []
+    stops: list[FloatArray] = []
+    for along, across in ((a, b), (b, a)):
+        n = round((stage.high[across] - stage.low[across]) / stage.unit)
+        for at in stage.low[across] + stage.unit * np.arange(n + 1):
+            for side, where in ((starts, stage.low[along]), (stops, stage.high[along])):
+                point = np.zeros(3)
+                point[stage.up], point[across], point[along] = stage.floor, at, where
+                side.append(point)
+    return np.array(starts), np.array(stops)
+
+
+def centre_at(positions: FloatArray, frame: int) -> FloatArray:
+    """(3,) middle of what is seen around a frame; NaN when nothing is."""
+    near = positions[max(0, frame - 5) : frame + 6].reshape(-1, 3)
+    near = near[~np.isnan(near[:, 0])]
+    return np.median(near, axis=0) if len(near) else np.full(3, np.nan)
+
+
+def _sample(positions: FloatArray) -> FloatArray:
+    """Frames evenly from the whole take."""
+    step = max(1, len(positions) // _SAMPLED)
+    return positions[::step]
+
+
+def _round_unit(mm: float) -> float:
+    """The nearest of 1, 2, 5 times a power of ten, from above."""
+    power = 10.0 ** math.floor(math.log10(max(mm, 1.0)))
+    return next(f * power for f in (1, 2, 5, 10) if f * power >= mm)

@@ -1,0 +1,144 @@
+"""Deciding about many artifacts at once, and asking once when a sort of them looks wrong."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QWidget
+
+from markermend.artifact import Artifact, Kind
+from markermend.progress import Progress
+from markermend.review.alike import Doubt, doubts, lower
+from markermend_app.background.jobs import Lane
+from markermend_app.dialogs.alike import AlikeDialog
+from markermend_app.document import Document
+from markermend_app.scope import scopes
+
+
+class Bulk(QObject):
+    """The verbs behind the actions that mean all artifacts of a sort.
+
+    Signals
+    -------
+    said(str) : a sentence for the status bar
+    doubt_changed() : :attr:`doubt` is another, or none
+
+    Attributes
+    ----------
+    doubt : a sort of artifact that was rejected several times, while the question stands
+    """
+
+    said = Signal(str)
+    doubt_changed = Signal()
+
+    def __init__(self, document: Document, window: QWidget) -> None:
+        super().__init__(window)
+        self._document, self._window = document, window
+        self._lane = Lane("alike", self)
+        self._lane.progressed.connect(self._progressed)
+        self._asked: set[tuple[str, Kind]] = set()
+        self.doubt: Doubt | None = None
+        self.dialog: AlikeDialog | None = None
+        document.opened.connect(self._asked.clear)
+        document.artifacts_changed.connect(self._look_for_doubts)
+
+    def repair_alike(self) -> None:
+        """List the artifacts like the current one with their repairs, to be made in one step."""
+        self._open(repairing=True)
+
+    def reject_alike(self) -> None:
+        """List the artifacts like the current one, to be rejected in one step."""
+        self._open(repairing=False)
+
+    def lower_doubted(self) -> None:
+        """Make the rest of a sort that was rejected several times less sure."""
+        if self.doubt is None:
+            return
+        doubt, number = self.doubt, len(self.doubt.rest)
+        self.keep_doubted()
+        if self._document.do(lambda session: lower(session, doubt)):
+            self.said.emit(self.tr("{0} artifacts come last now.").format(number))
+
+    def keep_doubted(self) -> None:
+        """Leave them as they are and do not ask again."""
+        if self.doubt is not None:
+            self._asked.add((self.doubt.marker, self.doubt.kind))
+            self.doubt = None
+            self.doubt_changed.emit()
+
+    def _look_for_doubts(self) -> None:
+        """Ask about the first sort that was rejected several times, unless asked before."""
+        session = self._document.session
+        found = () if session is None else doubts(session.artifacts)
+        new = next((d for d in found if (d.marker, d.kind) not in self._asked), None)
+        if new != self.doubt:
+            self.doubt = new
+            self.doubt_changed.emit()
+
+    def _open(self, *, repairing: bool) -> None:
+        like = self._document.current
+        if like is None:
+            return
+        where = scopes(self._document, like.marker)
+        dialog = AlikeDialog(self._document, like, where, repairing, self._window)
+        dialog.wanted.connect(lambda artifacts: self._work_out(dialog, artifacts))
+        dialog.accepted.connect(lambda: self._carry_out(dialog, like, repairing))
+        dialog.finished.connect(self._closed)
+        self.dialog = dialog
+        dialog.open()
+
+    def _work_out(self, dialog: AlikeDialog, artifacts: Sequence[Artifact]) -> None:
+        """Propose repairs for what the dialog lists, on the worker."""
+        session, mesh = self._document.session, self._document.mesh
+        if session is None or mesh is None:
+            return
+        take, everything = session.take, session.artifacts
+
+        def work(progress: Progress) -> Any:
+            from markermend.repairs import repair_all
+
+            return repair_all(
+                take,
+                artifacts,
+                others=everything,
+                min_confidence=0.0,
+                mesh=mesh,
+                progress=progress,
+            )
+
+        def done(pairs: Any) -> None:
+            dialog.tell({a.id: repair for a, repair in pairs})
+
+        def failed(error: Exception) -> None:
+            self.said.emit(str(error))
+            dialog.close()
+
+        self._lane.cancel()
+        self._lane.submit("Repair alike", work, done, failed)
+
+    def _progressed(self, share: float, _: str) -> None:
+        if self.dialog is not None:
+            self.dialog.bar.setValue(round(1000 * share))
+
+    def _closed(self) -> None:
+        """Stop what is still worked out."""
+        self._lane.cancel()
+        if self.dialog is not None:
+            self.dialog.deleteLater()
+            self.dialog = None
+
+    def _carry_out(self, dialog: AlikeDialog, like: Artifact, repairing: bool) -> None:
+        """Do what the dialog lists, as one step."""
+        ids = dialog.chosen()
+        if not repairing:
+            self._document.reject(ids)
+        else:
+            # One alone is named as any other repair is.
+            many = f"Repair {len(ids)} artifacts alike ({like.kind})"
+            label = many if len(ids) > 1 else ""
+            chosen = [(i, repair) for i, repair in dialog.repairs.items() if i in ids]
+            self._document.repair_many(chosen, label)
+        said = self.tr("{0} repaired.") if repairing else self.tr("{0} rejected.")
+        self.said.emit(said.format(len(ids)))

@@ -1,0 +1,376 @@
+"""What the actions do. Asking (dialogs) and doing (engine work, document verbs) are kept apart."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from markermend.artifact import Artifact, Status
+from markermend.errors import DataError, MarkermendError
+from markermend.mesh import Mesh
+from markermend.progress import Progress
+from markermend.review.file import SessionFile
+from markermend_app import detection, settings
+from markermend_app.background.jobs import Lane
+from markermend_app.background.loading import Opened, load
+from markermend_app.dialogs import ask as dialogs
+from markermend_app.dialogs.file_filters import open_filter
+from markermend_app.document import Document
+from markermend_app.telling import told
+from markermend_app.verbs.exporting import Exporter
+
+
+class Commands(QObject):
+    """The verbs behind the actions.
+
+    Signals
+    -------
+    said(str) : a sentence for the status bar
+    """
+
+    said = Signal(str)
+
+    def __init__(self, document: Document, lane: Lane, window: QWidget) -> None:
+        super().__init__(window)
+        self._document = document
+        self._lane = lane
+        self._window = window
+        self._exporter = Exporter(document, lane, window)
+        self._exporter.said.connect(self.said)
+        self._exporter.replaced.connect(self.open_path)
+        document.failed.connect(self._tell_refused)
+        document.proposals.failed.connect(self.show_problem)
+
+    # Opening and closing
+
+    def open(self) -> None:
+        """Ask for a take and open it."""
+        start = str(self._document.path.parent) if self._document.path else ""
+        name, _ = QFileDialog.getOpenFileName(
+            self._window, self.tr("Open take"), start, open_filter()
+        )
+        if name:
+            self.open_path(Path(name))
+
+    def open_demo(self) -> None:
+        """Open the take that comes with Markermend."""
+        from markermend_resources import demo_take
+
+        self.open_path(demo_take())
+
+    def open_path(self, path: Path) -> None:
+        """Open a take, after asking what becomes of the one that is open."""
+        if self.let_go():
+            self.open_by(path, lambda progress: Opened(load(path, progress)))
+
+    def open_by(
+        self,
+        path: Path,
+        work: Callable[[Progress], Opened],
+        broke: Callable[[Exception], None] | None = None,
+    ) -> None:
+        """Open a take by work to be done on the worker; ``broke`` is told what prevented it."""
+        if self._document.path is not None and _same_file(path, self._document.path):
+            # The review is locked while it is open, for this window too.
+            self._document.open(None, None)
+
+        def done(opened: Opened) -> None:
+            self._document.open(opened.file, opened.mesh)
+            self._document.proposals.keep(opened.proposals)
+            settings.add_recent(path)
+            self._tell_opened()
+            if opened.file.session.artifacts:
+                self._document.step(1)
+            if opened.mesh is None:
+                self._learn_body(opened.file)
+
+        def dropped(opened: Opened) -> None:
+            # Its lock would keep the take read-only for the next who opens it.
+            opened.file.close()
+
+        def failed(error: Exception) -> None:
+            if broke is not None:
+                broke(error)
+            self.show_problem(error)
+
+        label = self.tr("Opening {0}").format(path.name)
+        self._lane.submit(label, work, done, failed, dropped)
+
+    def _learn_body(self, file: SessionFile) -> None:
+        """Look how the body moves, and for artifacts in a take that is new."""
+        take = file.session.original
+        # The take is seen before the engine's libraries are loaded, which takes longer than
+        # reading it.
+        self._window.repaint()
+
+        def work(progress: Progress) -> Any:
+            from markermend.mesh import infer_mesh
+
+            return infer_mesh(take, progress=progress)
+
+        def done(mesh: Mesh) -> None:
+            if self._document.file is not file:
+                return
+            self._document.learn(mesh)
+            new = not file.session.history and not file.read_only
+            if new and settings.flag("detect_on_open", True):
+                self.detect()
+
+        self._lane.submit(self.tr("Looking at the body"), work, done, self.show_problem)
+
+    def close_take(self) -> None:
+        """Close the take, after asking what becomes of unexported work."""
+        if self.let_go():
+            self._document.open(None, None)
+
+    def quit(self) -> None:
+        """Close the window."""
+        self._window.close()
+
+    def let_go(self) -> bool:
+        """Ask what becomes of unexported work; False to stay with it."""
+        document = self._document
+        self._exporter.finish()
+        if document.file is None or document.session is None or not document.editable:
+            self._lane.cancel()
+            return True
+        if document.session.exported:
+            self._lane.cancel()
+            if document.session.history:
+                # Where it cannot be saved the journal still has it, and an export has the samples.
+                self._save(document.file)
+            return True
+        answer = dialogs.ask_unexported(self._window, document.path)
+        if answer == "cancel":
+            return False
+        self._lane.cancel()
+        if answer == "export":
+            return self.export(wait=True)
+        if answer == "discard":
+            document.file.discard()
+            document.open(None, None)
+            return True
+        return self._save(document.file)
+
+    def put_by(self) -> bool:
+        """Stop what is under way and keep the review, without asking; whether it is saved."""
+        self._exporter.finish()
+        self._lane.cancel()
+        document = self._document
+        if document.file is None or not document.editable or document.session is None:
+            return True
+        return not document.session.history or self._save(document.file)
+
+    def save_review(self) -> None:
+        """Save the review as it stands; what cannot be saved now is in the journal all the same."""
+        document = self._document
+        if document.file is None or document.session is None or not document.editable:
+            return
+        if document.session.history or document.session.undone:
+            try:
+                document.file.save()
+            except MarkermendError as error:
+                self.said.emit(str(error))
+
+    def _save(self, file: SessionFile) -> bool:
+        """Save the review; when that is not possible say why."""
+        try:
+            file.save()
+        except MarkermendError as error:
+            self.show_problem(error)
+            return False
+        return True
+
+    # Detecting and repairing
+
+    def detect(self) -> None:
+        """Look for sudden artifacts and gaps."""
+        self._detect(slow=False)
+
+    def detect_slow(self) -> None:
+        """Look for every class."""
+        self._detect(slow=True)
+
+    def _detect(self, *, slow: bool) -> None:
+        session, mesh = self._document.session, self._document.mesh
+        if session is None:
+            return
+        take = session.original
+
+        def work(progress: Progress) -> Any:
+            from markermend.detectors import detect
+
+            params = detection.chosen_params(slow)
+            return detect(take, params=params, mesh=mesh, progress=progress)
+
+        def done(found: Sequence[Artifact]) -> None:
+            if self._document.session is not session:
+                return
+            if session.original is not take:
+                self.said.emit(self.tr("Markers were renamed meanwhile; detect again."))
+                return
+            self._document.add_detected(found, "all kinds" if slow else "sudden")
+            one, many = self.tr("1 artifact found."), self.tr("{0} artifacts found.")
+            text = one if len(found) == 1 else many.format(len(found))
+            # What is odd about the file was said before, and must not be lost.
+            self.said.emit(" ".join((text, *take.warnings[:1])))
+            if self._document.current is None:
+                self._document.step(1)
+
+        self._lane.submit(self.tr("Looking for artifacts"), work, done, self.show_problem)
+
+    def accept(self) -> None:
+        """Accept the current artifact."""
+        self._document.accept_current()
+
+    def reject(self) -> None:
+        """Reject the current artifact."""
+        self._document.reject_current()
+
+    def repair(self) -> None:
+        """Repair the current artifact by the method shown."""
+        self._document.repair_current()
+
+    def reopen(self) -> None:
+        """Take the decision on the current artifact back."""
+        if self._document.current is not None:
+            self._document.reopen([self._document.current.id])
+
+    def remove(self) -> None:
+        """Take the current artifact off the list."""
+        if self._document.current is not None:
+            self._document.remove([self._document.current.id])
+
+    def repair_accepted(self) -> None:
+        """Repair every accepted artifact, as one step."""
+        session = self._document.session
+        if session is not None:
+            ids = [a.id for a in session.with_status(Status.ACCEPTED)]
+            self.repair_many(ids, "Repair all accepted")
+
+    def repair_many(self, ids: Sequence[str], label: str = "") -> None:
+        """Repair artifacts with their best methods, as one step."""
+        session, mesh = self._document.session, self._document.mesh
+        if session is None:
+            return
+        chosen = [session.artifact(i) for i in ids]
+        chosen = [a for a in chosen if a.status is not Status.REPAIRED]
+        if not chosen:
+            self.said.emit(self.tr("There is nothing to repair: no artifact is accepted."))
+            return
+        take, everything, revision = session.take, session.artifacts, session.revision
+
+        def work(progress: Progress) -> Any:
+            from markermend.repairs import repair_all
+
+            return repair_all(
+                take, chosen, others=everything, min_confidence=0.0, mesh=mesh, progress=progress
+            )
+
+        def moved_on() -> bool:
+            """Whether the samples that the work read are not those of now; says so."""
+            changed = self._document.session is not session or session.revision != revision
+            if changed:
+                self.said.emit(self.tr("The review changed meanwhile; repair again."))
+            return changed
+
+        def failed(error: Exception) -> None:
+            # Samples that changed under the work may be all that was wrong.
+            if not moved_on():
+                self.show_problem(error)
+
+        def done(repairs: Any) -> None:
+            if moved_on():
+                return
+            good = [(a.id, r) for a, r in repairs if r.patches]
+            if good:
+                name = label or f"Repair {len(good)} artifacts"
+                self._document.repair_many(good, name)
+            left = len(repairs) - len(good)
+            text = self.tr("{0} repaired.").format(len(good))
+            if left:
+                why = next(r.reason for _, r in repairs if not r.patches)
+                text += " " + self.tr("{0} left as they are: {1}").format(left, why)
+            self.said.emit(text)
+
+        self._lane.submit(self.tr("Repairing"), work, done, failed)
+
+    # Walking
+
+    def next(self) -> None:
+        """Go to the next artifact."""
+        self._document.step(1)
+
+    def previous(self) -> None:
+        """Go to the previous artifact."""
+        self._document.step(-1)
+
+    def undo(self) -> None:
+        """Take the last step back, and say which; it may lie out of view."""
+        session = self._document.session
+        if session is not None and session.history:
+            what = session.history[-1]
+            self._document.undo()
+            self.said.emit(self.tr("Undone: {0}").format(told(what)))
+
+    def redo(self) -> None:
+        """Bring the last undone step back, and say which."""
+        session = self._document.session
+        if session is not None and session.undone:
+            self._document.redo()
+            self.said.emit(self.tr("Done again: {0}").format(told(session.history[-1])))
+
+    # Exporting
+
+    def export(self, *, wait: bool = False) -> bool:
+        """Ask what to write and where to, and write it; see :meth:`Exporter.export`."""
+        return self._exporter.export(wait=wait)
+
+    # Telling
+
+    def show_problem(self, error: Exception) -> None:
+        """Show an error as one sentence, with details folded away."""
+        dialogs.show_problem(self._window, error)
+
+    def _tell_refused(self, error: Exception) -> None:
+        """Say aside what the take does not allow, so that the review goes on; else ask to look."""
+        if isinstance(error, DataError):
+            self.said.emit(str(error))
+        else:
+            self.show_problem(error)
+
+    def _tell_opened(self) -> None:
+        """Say what was opened and anything odd about it."""
+        file = self._document.file
+        if file is None:
+            return
+        take = file.session.original
+        text = self.tr("{0} markers, {1} frames at {2:g} Hz.").format(
+            take.markers, take.frames, take.rate
+        )
+        if file.read_only:
+            text = self.tr("Open in another window: this one is read-only.")
+        elif file.recovered and not file.session.exported:
+            # A detection run that was cut short is no work of the operator's.
+            text = self.tr("An interrupted review was recovered; last step: {0}.").format(
+                told(file.session.history[-1]) if file.session.history else self.tr("opened")
+            )
+        elif file.warning:
+            text = file.warning
+        elif take.warnings:
+            text = take.warnings[0]
+        self.said.emit(text)
+        if take.read_only:
+            dialogs.tell_damaged(self._window, take)
+
+
+def _same_file(path: Path, other: Path) -> bool:
+    """Whether two paths lead to the same file, by links too."""
+    try:
+        return path.samefile(other)
+    except OSError:
+        return path == other

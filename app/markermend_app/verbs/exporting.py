@@ -1,0 +1,182 @@
+"""Exporting from the window: ask what to write and where to, and write it on the worker."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QEventLoop, QObject, Signal
+from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
+
+from markermend.artifact import Status
+from markermend.errors import MarkermendError, RangeError
+from markermend.files import Export
+from markermend.progress import Progress
+from markermend.take import Take
+from markermend_app import settings
+from markermend_app.background.jobs import Lane
+from markermend_app.background.loading import proposed_place
+from markermend_app.dialogs import ask as dialogs
+from markermend_app.dialogs import export as export_dialog
+from markermend_app.dialogs.file_filters import export_filter
+from markermend_app.document import Document
+
+
+class Exporter(QObject):
+    """Writes the open take.
+
+    Signals
+    -------
+    said(str) : a sentence for the status bar
+    replaced(Path) : the source itself was replaced; what is open is no longer what is on disk
+    """
+
+    said = Signal(str)
+    replaced = Signal(object)
+
+    def __init__(self, document: Document, lane: Lane, window: QWidget) -> None:
+        super().__init__(window)
+        self._document = document
+        self._lane = lane
+        self._window = window
+        self._writing = False
+        lane.finished.connect(self._rest)
+
+    def finish(self) -> None:
+        """Wait for an export under way; the window stays alive and it can be cancelled."""
+        while self._writing and self._lane.busy:
+            QApplication.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents)
+
+    def _rest(self) -> None:
+        """Note that nothing is written any longer, be it done or cancelled."""
+        if not self._lane.busy:
+            self._writing = False
+
+    def export(self, *, wait: bool = False) -> bool:
+        """Ask what to write and where to, and write it.
+
+        With ``wait`` the answer is whether the file was written; else whether writing began.
+        """
+        from markermend.files import stale_outputs
+
+        document = self._document
+        session = document.session
+        if session is None:
+            return False
+        choice = export_dialog.ask_export(
+            self._window,
+            session.with_status(Status.PENDING),
+            session.with_status(Status.ACCEPTED),
+            stale_outputs(session.take),
+            session.original.first_frame,
+            settings.flag("record_repairs", False),
+        )
+        if choice is None:
+            return False
+        settings.remember("record_repairs", choice.record)
+        target = self._ask_target(session.original)
+        if target is None:
+            return False
+        overwrite = False
+        if document.path is not None and target.exists() and target.samefile(document.path):
+            if not dialogs.ask_replace_source(self._window, target):
+                return False
+            overwrite = True
+        return self.export_to(target, choice, overwrite=overwrite, wait=wait)
+
+    def export_to(
+        self,
+        target: Path,
+        choice: export_dialog.ExportChoice,
+        *,
+        overwrite: bool = False,
+        as_float: bool = False,
+        wait: bool = False,
+    ) -> bool:
+        """Write the take as it stands; says so when done."""
+        session = self._document.session
+        if session is None:
+            return False
+        # A copy, so that decisions made while the file is written do not get into it.
+        take = session.take.viewing(session.positions.copy(), session.origin.copy())
+        original = session.original
+        record = session.repairs_in_words() if choice.record else ()
+        revision = session.revision
+        written: list[bool] = []
+
+        def work(progress: Progress) -> Any:
+            from markermend.files import write
+            from markermend.review.hand import without_emptied
+
+            return write(
+                without_emptied(take, original),
+                target,
+                overwrite=overwrite,
+                as_float=as_float,
+                record=record,
+                mark_outputs=choice.mark_outputs,
+                progress=progress,
+            )
+
+        def done(export: Any) -> None:
+            written.append(True)
+            self._writing = False
+            if session.revision == revision:
+                session.mark_exported()
+            self._document.history_changed.emit()
+            self.said.emit(self._summary(export))
+            if self._document.file is not None and self._document.session is session:
+                try:
+                    self._document.file.save()
+                except MarkermendError as error:
+                    dialogs.show_problem(self._window, error)
+                if overwrite and not wait:
+                    self.replaced.emit(target)
+
+        def failed(error: Exception) -> None:
+            self._writing = False
+            if isinstance(error, RangeError) and dialogs.ask_float(self._window, str(error)):
+                again = self.export_to(
+                    target, choice, overwrite=overwrite, as_float=True, wait=wait
+                )
+                written.append(again)
+                return
+            written.append(False)
+            if not isinstance(error, RangeError):
+                dialogs.show_problem(self._window, error)
+
+        self._writing = True
+        self._lane.submit(self.tr("Exporting {0}").format(target.name), work, done, failed)
+        # A cancelled job answers nothing.
+        while wait and not written and self._lane.busy:
+            QApplication.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents)
+        return any(written) if wait else True
+
+    def _summary(self, export: Export) -> str:
+        """Say what was written."""
+        one = self.tr("Exported to {0}; 1 sample differs.")
+        many = self.tr("Exported to {0}; {1} samples differ.")
+        text = (one if export.samples == 1 else many).format(export.path, export.samples)
+        if export.backup is not None:
+            text += " " + self.tr("The original is kept as {0}.").format(export.backup.name)
+        return text
+
+    def _ask_target(self, take: Take) -> Path | None:
+        """Ask where to write; never proposes the source."""
+        path = self._document.path
+        ending = "_clean.c3d"
+        if path is not None and take.skeleton:
+            ending = f"_clean{path.suffix}"
+        proposal = str(proposed_place(path, ending)) if path else "take_clean.c3d"
+        name, chosen = QFileDialog.getSaveFileName(
+            self._window, self.tr("Export repaired take"), proposal, export_filter(take)
+        )
+        if not name:
+            return None
+        target = Path(name)
+        if not target.suffix:
+            target = target.with_suffix(chosen[chosen.find("*") + 1 : chosen.find(")")])
+            # The file dialog has asked about the name without the ending only.
+            if target.exists() and not dialogs.ask_replace(self._window, target):
+                return None
+        return target

@@ -1,0 +1,311 @@
+"""Work by hand, when the machine is wrong: on a swept range, on a marker, on artifacts."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QWidget
+
+from markermend.artifact import Artifact, Kind, Status
+from markermend.errors import DataError
+from markermend.progress import Progress
+from markermend.review import hand
+from markermend.review.edits import Change
+from markermend.review.fitting import donors, exchangers, receivers
+from markermend.review.session import Session
+from markermend.take import AXES, Origin, is_unlabelled
+from markermend_app import units
+from markermend_app.actions.palette import Entry, Palette
+from markermend_app.background.jobs import Lane
+from markermend_app.dialogs import ask as dialogs
+from markermend_app.document import Document
+from markermend_app.looking import Selection
+from markermend_app.style import theme
+from markermend_app.telling import told
+
+
+class HandWork(QObject):
+    """The verbs behind the actions of hand work. Asking and doing are kept apart.
+
+    Parameters
+    ----------
+    document, lane : what is worked on, and where longer work is done
+    window : parent of what is asked
+    chosen : ids of the rows that are selected in the review queue
+
+    Signals
+    -------
+    said(str) : a sentence for the status bar
+    """
+
+    said = Signal(str)
+
+    def __init__(
+        self,
+        document: Document,
+        lane: Lane,
+        window: QWidget,
+        chosen: Callable[[], Sequence[str]] = tuple,
+    ) -> None:
+        super().__init__(window)
+        self._document, self._lane = document, lane
+        self._window, self._chosen = window, chosen
+
+    # A swept range
+
+    def mark_selection(self, kind: Kind | None = None) -> None:
+        """Make an artifact of the swept range; by default a gap if nothing is seen, else noise."""
+        artifact = self._swept(kind)
+        if artifact is not None:
+            self._document.sweep(None)
+            self._document.mark(artifact)
+
+    def repair_selection(self) -> None:
+        """Replace what lies in the swept range by the best repair."""
+        artifact, mesh = self._swept(), self._document.mesh
+        if artifact is None:
+            return
+
+        def prepare(session: Session) -> Callable[[Progress], Any]:
+            take, everything = session.take, session.artifacts
+
+            def work(progress: Progress) -> Any:
+                from markermend.repairs import propose
+
+                return propose(take, artifact, everything, mesh=mesh)
+
+            return work
+
+        self._work(self.tr("Repairing"), prepare, lambda s, repair: s.mark(artifact, repair))
+
+    def cut_selection(self) -> None:
+        """Make the swept range missing; the gap comes under review, its repair previewed."""
+        swept = self._document.selection
+        if swept is not None:
+            self._change(lambda s: hand.cut(s, swept.marker, swept.start, swept.stop))
+
+    def swap_selection(self) -> None:
+        """Exchange the swept range with that of another marker, from here to there."""
+        swept, session = self._document.selection, self._document.session
+        if swept is None or session is None:
+            return
+        offered = exchangers(session.take, swept.marker, swept.start, swept.stop)
+        shown = self._document.shown
+        question = self.tr("Swap {0} with which marker, {1}?").format(
+            swept.marker, self._frames(swept.start, swept.stop)
+        )
+        self._ask_marker(
+            question,
+            # Who put another one beside it most likely means that one.
+            sorted(offered, key=lambda pair: pair[0] not in shown),
+            lambda other: self._swap(swept, other),
+            self.tr("jumps {0} at the edges"),
+        )
+
+    def _swap(self, swept: Selection, other: str) -> None:
+        """Exchange a range of two markers."""
+        artifact = Artifact(
+            swept.marker, AXES, swept.start, swept.stop, Kind.STEP, counterpart=other,
+            why="marked by hand",
+        )  # fmt: skip
+
+        def swap(session: Session) -> Change:
+            from markermend.repairs import propose
+
+            repair = propose(session.take, artifact, session.artifacts, method="swap")
+            return session.mark(artifact, repair)
+
+        self._change(swap)
+
+    def move_selection(self) -> None:
+        """Give the swept range to another marker: it has the wrong name there."""
+        swept = self._document.selection
+        if swept is not None:
+            question = self.tr("Which marker is {0} in truth, {1}?")
+            self._ask_receiver(
+                question.format(swept.marker, self._frames(swept.start, swept.stop)),
+                swept,
+                lambda other: self._change(
+                    lambda s: hand.move(s, swept.marker, other, swept.start, swept.stop)
+                ),
+            )
+
+    def clear_selection(self) -> None:
+        """Forget the swept range."""
+        self._document.sweep(None)
+
+    # A whole trajectory
+
+    def rename_marker(self) -> None:
+        """Give the foremost marker another name in the whole take."""
+        if not self._document.shown:
+            return
+        old = self._document.shown[0]
+        new = dialogs.ask_text(self._window, self.tr("Rename {0}").format(old), old)
+        if new is not None:
+            self._change(lambda s: hand.rename(s, {old: new}))
+
+    def merge_marker(self) -> None:
+        """Merge an unlabelled trajectory into the foremost marker, or the foremost into another."""
+        session = self._document.session
+        if session is None or not self._document.shown:
+            return
+        foremost = self._document.shown[0]
+        fitting = () if is_unlabelled(foremost) else donors(session.take, foremost)
+        if fitting:
+            question = self.tr("Which unlabelled trajectory belongs to {0}?").format(foremost)
+            merge = partial(self._merge, receiver=foremost)
+            self._ask_marker(question, fitting, merge, self.tr("{0} away"))
+        else:
+            question = self.tr("Merge {0} into which marker?").format(foremost)
+            whole = Selection(foremost, 0, session.original.frames)
+            self._ask_receiver(question, whole, partial(self._merge, foremost))
+
+    def _merge(self, donor: str, receiver: str) -> None:
+        """Give all samples of one marker to another, and look at where they went."""
+        session = self._document.session
+        if session is None:
+            return
+        seen = np.flatnonzero(session.take.present[:, session.take.index(donor)])
+        self._change(lambda s: hand.merge(s, donor, receiver))
+        self._document.show([receiver])
+        if len(seen):
+            self._document.look_at([receiver], int(seen[0]), int(seen[-1]) + 1)
+
+    # Artifacts
+
+    def split_artifact(self) -> None:
+        """Make two of the current artifact, at the cursor."""
+        current = self._document.current
+        if current is not None:
+            self._document.do(lambda s: hand.split(s, current.id, self._document.frame))
+
+    def join_artifacts(self) -> None:
+        """Make one of the artifacts selected in the queue, else of the current and the next one."""
+        session, current = self._document.session, self._document.current
+        if session is None or current is None:
+            return
+        ids = list(self._chosen())
+        if len(ids) < 2:
+            following = next(
+                (
+                    a.id
+                    for a in session.artifacts
+                    if a.marker == current.marker
+                    and a.start >= current.start
+                    and a.id != current.id
+                    and a.status is not Status.REJECTED
+                ),
+                None,
+            )
+            ids = [current.id] if following is None else [current.id, following]
+        if self._document.do(lambda s: hand.join(s, ids)) and self._document.current is None:
+            left = [i for i in ids if session.find(i) is not None]
+            self._document.select(left[0])
+
+    def call(self, kind: Kind) -> None:
+        """Give the current artifact another class."""
+        if self._document.current is not None:
+            self._document.change(self._document.current.id, kind=kind)
+
+    def nudge(self, start: int, stop: int) -> None:
+        """Move the edges of the current artifact by frames; it stays at least one frame long."""
+        current, session = self._document.current, self._document.session
+        if current is None or session is None:
+            return
+        first = max(0, current.start + start)
+        last = min(session.original.frames, current.stop + stop)
+        if first < last:
+            self._document.change(current.id, start=first, stop=last)
+
+    # Inner workings
+
+    def _swept(self, kind: Kind | None = None) -> Artifact | None:
+        """Describe the swept range as an artifact."""
+        swept, session = self._document.selection, self._document.session
+        if swept is None or session is None:
+            return None
+        if kind is None:
+            column = session.original.index(swept.marker)
+            origin = session.origin[swept.start : swept.stop, column]
+            kind = Kind.GAP if (origin == Origin.MISSING).all() else Kind.NOISE
+        why = "marked by hand"
+        return Artifact(swept.marker, AXES, swept.start, swept.stop, kind, 1.0, why=why)
+
+    def _change(self, verb: Callable[[Session], Change]) -> None:
+        """Do something to samples or names; a new artifact comes under review."""
+        session = self._document.session
+        if session is None:
+            return
+        before = {a.id for a in session.artifacts}
+        if self._document.do(verb):
+            self._document.sweep(None)
+            self.said.emit(self.tr("{0}.").format(told(session.history[-1])))
+            new = [a for a in session.artifacts if a.id not in before]
+            opened = next((a for a in new if a.status is Status.PENDING), *new[:1] or (None,))
+            if opened is not None:
+                self._document.select(opened.id, frame=False)
+
+    def _work(
+        self,
+        label: str,
+        prepare: Callable[[Session], Callable[[Progress], Any]],
+        keep: Callable[[Session, Any], Change],
+    ) -> None:
+        """Work something out on the worker and keep it, unless the review changed meanwhile."""
+        session = self._document.session
+        if session is None:
+            return
+        revision = session.revision
+
+        def done(result: Any) -> None:
+            if self._document.session is session and session.revision == revision:
+                self._change(lambda s: keep(s, result))
+            else:
+                self.said.emit(self.tr("The review changed meanwhile; do it again."))
+
+        self._lane.submit(label, prepare(session), done, self._document.failed.emit)
+
+    def _ask_receiver(self, question: str, given: Selection, then: Callable[[str], object]) -> None:
+        """Ask which marker is to have the samples of one."""
+        session = self._document.session
+        if session is None:
+            return
+        offered = receivers(session.take, given.marker, given.start, given.stop)
+        if offered:
+            self._ask_marker(question, offered, then, self.tr("{0} away"))
+            return
+        text = self.tr("No other marker is missing wherever {0} is seen; to exchange two, swap.")
+        self._document.failed.emit(DataError(text.format(given.marker)))
+
+    def _ask_marker(
+        self,
+        question: str,
+        offered: Sequence[tuple[str, float]],
+        then: Callable[[str], object],
+        aside: str,
+    ) -> None:
+        """Ask for one of some markers, the likeliest first, each with how well it fits."""
+        icon = theme.icon("marker")
+        found = [
+            Entry(
+                label,
+                aside.format(units.length(mm)) if math.isfinite(mm) else "",
+                icon,
+                True,
+                partial(then, label),
+            )
+            for label, mm in offered
+        ]
+        Palette(found, self._window, question).open()
+
+    def _frames(self, start: int, stop: int) -> str:
+        """Frames as the file counts them, in words."""
+        session = self._document.session
+        first = 0 if session is None else session.original.first_frame
+        return self.tr("frames {0}–{1}").format(start + first, stop - 1 + first)

@@ -1,0 +1,136 @@
+"""Smoothing in the window: worked out on a thread, looked at, done as one step."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QWidget
+
+from markermend.progress import Progress
+from markermend.review import hand
+from markermend.take import Take
+from markermend_app.background.jobs import Lane
+from markermend_app.dialogs.smooth import SmoothDialog, Smoothed
+from markermend_app.document import Document
+from markermend_app.scope import Scope, scopes
+from markermend_app.telling import told
+
+
+class Smoothing(QObject):
+    """The verb behind the action that smooths.
+
+    Signals
+    -------
+    said(str) : a sentence for the status bar
+
+    Attributes
+    ----------
+    dialog : while it is open
+    """
+
+    said = Signal(str)
+
+    def __init__(self, document: Document, window: QWidget) -> None:
+        super().__init__(window)
+        self._document, self._window = document, window
+        self._lane = Lane("smoothing", self)
+        self._lane.progressed.connect(self._progressed)
+        self._last: tuple[str, dict[str, Any]] = ("auto", {})
+        self.dialog: SmoothDialog | None = None
+
+    def smooth(self) -> None:
+        """Ask what to smooth and how, with a preview."""
+        session, swept = self._document.session, self._document.selection
+        if session is None or not (swept or self._document.shown):
+            return
+        marker = swept.marker if swept else self._document.shown[0]
+        where = scopes(self._document, marker)
+        if swept:
+            first, last = (session.original.frame_number(i) for i in (swept.start, swept.stop - 1))
+            text = self.tr("Frames {0}–{1} of {2}").format(first, last, marker)
+            where = (Scope(text, frozenset({marker}), swept.start, swept.stop), *where)
+        take = session.take.viewing(session.positions.copy(), session.origin.copy())
+        dialog = SmoothDialog(take, where, marker, self._document.frame, *self._last, self._window)
+        dialog.wanted.connect(lambda: self._work_out(dialog, take))
+        dialog.look_wanted.connect(lambda: self._inspect(dialog, take))
+        dialog.accepted.connect(lambda: self._carry_out(dialog, take))
+        dialog.finished.connect(self._closed)
+        self.dialog = dialog
+        dialog.open()
+
+    def _work_out(self, dialog: SmoothDialog, take: Take) -> None:
+        """Smooth what the dialog says, on the worker."""
+        method, params, scope = dialog.chosen_method, dialog.params.values(), dialog.chosen_scope
+        self._last = method, params
+
+        def work(progress: Progress) -> Smoothed:
+            from markermend.smoothers import percent_sm1, smooth
+
+            markers = tuple(s for s in take.labels if scope.markers is None or s in scope.markers)
+            stop = take.frames if scope.stop is None else scope.stop
+            made = smooth(
+                take,
+                method,
+                markers=markers,
+                start=scope.start,
+                stop=stop,
+                params=params,
+                progress=progress,
+            )
+            columns = [take.index(s) for s in markers]
+            before, after = (t.positions[scope.start : stop, columns] for t in (take, made))
+            return Smoothed(made, markers, scope.start, stop, percent_sm1(before, after))
+
+        self._lane.cancel()
+        self._lane.submit("Smoothing", work, dialog.tell, dialog.tell_problem)
+
+    def _inspect(self, dialog: SmoothDialog, take: Take) -> None:
+        """Look at the spectra of the marker that is shown."""
+        answer = dialog.answer
+        if answer is None:
+            return
+        column, frames = take.index(dialog.looked_at), slice(answer.start, answer.stop)
+
+        def work(progress: Progress) -> Any:
+            from markermend.smoothers import inspect
+
+            before, after = (t.positions[frames, column] for t in (take, answer.take))
+            return inspect(before, after, take.rate)
+
+        self._lane.cancel()
+        self._lane.submit("Spectra", work, dialog.tell_found, dialog.tell_problem)
+
+    def _progressed(self, share: float, _: str) -> None:
+        if self.dialog is not None:
+            self.dialog.bar.setValue(round(1000 * share))
+
+    def _closed(self) -> None:
+        """Stop what is still worked out."""
+        self._lane.cancel()
+        if self.dialog is not None:
+            self.dialog.deleteLater()
+            self.dialog = None
+
+    def _carry_out(self, dialog: SmoothDialog, take: Take) -> None:
+        """Write what was previewed, as one step."""
+        session, answer = self._document.session, dialog.answer
+        if session is None or answer is None:
+            return
+        columns = [take.index(s) for s in answer.markers]
+        same = session.original.labels == take.labels and np.array_equal(
+            session.positions[:, columns], take.positions[:, columns], equal_nan=True
+        )
+        if not same:
+            self.said.emit(self.tr("The review changed meanwhile; do it again."))
+            return
+        part = np.ix_(range(answer.start, answer.stop), columns)
+        positions, origin = answer.take.positions[part], answer.take.origin[part]
+        if self._document.do(
+            lambda s: hand.replace_samples(
+                s, "Smooth", answer.markers, answer.start, positions, origin
+            )
+        ):
+            self._document.sweep(None)
+            self.said.emit(self.tr("{0}.").format(told(session.history[-1])))

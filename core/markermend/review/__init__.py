@@ -1,0 +1,1 @@
+"""A review: what an operator decides about a take, step by step, undoable and never lost."""

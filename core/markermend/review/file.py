@@ -1,0 +1,378 @@
+"""Where a review is kept: a JSON file beside the take, and a journal that survives a crash.
+
+The session file holds the source's hash, the artifacts and every step. Between saves each step
+is appended to the journal and flushed to disk before the next one can happen, so that a killed
+process loses at most the step in flight. The journal starts with the generation of the session
+file it continues; one that belongs to an older file is not replayed.
+
+The journal's operating system lock marks the review as open: it dies with its process. A second
+opening gets a read-only review.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import json
+import os
+import sys
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import IO, Any
+
+from markermend.artifact_json import to_dict
+from markermend.errors import DataError, FileFormatError, MarkermendError
+from markermend.review.carry import carry_over, marker_hashes
+from markermend.review.place import index_entry, journal_path, own_path, session_path
+from markermend.review.session import Session
+from markermend.review.step import Step
+from markermend.review.steps_json import step_from_dict, step_to_dict
+from markermend.take import Take
+
+VERSION = 2
+
+
+def source_hash(take: Take) -> str:
+    """SHA-256 of the take's source file, or of its samples when it has none."""
+    digest = hashlib.sha256()
+    if take.source is None:
+        digest.update(json.dumps([take.labels, take.rate, take.first_frame]).encode())
+        digest.update(take.positions.tobytes())
+        return digest.hexdigest()
+    with take.source.path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+@dataclass
+class SessionFile:
+    """An open review on disk.
+
+    Attributes
+    ----------
+    session : the review, with every step that was saved or journalled
+    path : the session file beside the take (or in the user's data folder where that is
+        read-only)
+    read_only : another window has this take open; nothing is written
+    recovered : steps that came from the journal of a crashed or killed process
+    warning : one sentence when the stored review could not be used as it is, or empty
+    """
+
+    session: Session
+    path: Path
+    hash: str
+    read_only: bool = False
+    recovered: int = 0
+    warning: str = ""
+    generation: int = 0
+    _journal: IO[bytes] | None = None
+    _torn: bool = False
+    _markers: Mapping[str, str] = field(default_factory=dict)
+
+    def save(self) -> None:
+        """Write the whole review to the session file and start the journal afresh."""
+        if self.read_only:
+            return
+        done, undone = self.session.steps
+        document = {
+            "format": "markermend session",
+            "version": VERSION,
+            "generation": self.generation + 1,
+            "source": {
+                "sha256": self.hash,
+                "path": _source_path(self.session.original),
+                "markers": dict(self._markers),
+            },
+            "artifacts": [to_dict(a) for a in self.session.artifacts],
+            "done": [step_to_dict(s) for s in done],
+            "undone": [step_to_dict(s) for s in undone],
+            "exported": self.session.exported_at,
+        }
+        part = self.path.with_name(self.path.name + ".part")
+        try:
+            with part.open("w", encoding="utf-8") as file:
+                # Not json.dump, which writes piece by piece and takes several times as long.
+                file.write(json.dumps(document, allow_nan=False))
+                file.flush()
+                os.fsync(file.fileno())
+            os.replace(part, self.path)
+        except OSError as error:
+            with contextlib.suppress(OSError):
+                part.unlink(missing_ok=True)
+            raise MarkermendError(
+                f"The review could not be saved to “{self.path}” ({error.strerror})."
+            ) from error
+        self.generation += 1
+        self._start_journal()
+        # Without it a moved take would only lose the way to its old review.
+        with contextlib.suppress(OSError):
+            index_entry(self.hash).write_text(str(self.path), encoding="utf-8")
+
+    def close(self) -> None:
+        """Let go of the lock; an empty journal is removed."""
+        if self._journal is None:
+            return
+        journal, self._journal = self._journal, None
+        self.session.on_step = None
+        empty = _lines(journal) <= 1
+        name = Path(journal.name)
+        journal.close()
+        if empty:
+            name.unlink(missing_ok=True)
+
+    def discard(self) -> None:
+        """Forget the review: session file and journal are deleted."""
+        if self.read_only:
+            return
+        if self._journal is not None:
+            self._start_journal()
+        self.close()
+        self.path.unlink(missing_ok=True)
+
+    def _start_journal(self) -> None:
+        """Empty the journal and head it with the generation it continues."""
+        if self._journal is None:
+            return
+        self._journal.truncate(0)
+        self._torn = False
+        self._append({"generation": self.generation, "version": VERSION, "sha256": self.hash})
+
+    def _append(self, entry: Mapping[str, Any]) -> None:
+        """Add one line and do not return before it is on disk."""
+        if self._journal is None:
+            return
+        try:
+            line = json.dumps(entry, allow_nan=False).encode() + b"\n"
+            while line:
+                line = line[self._journal.write(line) :]
+            os.fsync(self._journal.fileno())
+        except OSError as error:
+            self._torn = True
+            raise MarkermendError(
+                f"The step is made, but could not be kept in “{self._journal.name}” "
+                f"({error.strerror}); free some space, or export now."
+            ) from error
+
+    def _on_step(self, what: str, step: Step) -> None:
+        """Journal one step of the session."""
+        if self._torn:
+            # A step is missing there, so that only the whole review can make it good.
+            self.save()
+        else:
+            self._append({"do": step_to_dict(step)} if what == "do" else {what: True})
+
+
+def open_session(take: Take, *, folder: Path | None = None) -> SessionFile:
+    """Open the review of a take: the stored one, what its journal adds, or a new one.
+
+    Parameters
+    ----------
+    take : the recording
+    folder : where the session file lies; beside the take by default, or in the user's data
+        folder when that cannot be written to
+
+    Raises
+    ------
+    FileFormatError
+        when the session file is not one, or of a newer version
+    """
+    digest = source_hash(take)
+    path = session_path(take, digest, folder)
+    try:
+        handle = _open_locked(journal_path(path))
+        beside = path
+    except OSError:
+        # The folder can be looked at only, whatever it said of itself.
+        beside, path = path, own_path(take, digest)
+        handle = _open_locked(journal_path(path))
+    session = Session(take)
+    # Fingerprints are made here, since opening is done off the window's thread and saving is not.
+    result = SessionFile(session, path, digest, _markers=marker_hashes(take))
+    result.read_only = handle is None
+    try:
+        changed = _restore(result, beside)
+        if changed and handle is not None:
+            os.replace(path, path.with_name(path.name + ".old"))
+            handle.truncate(0)
+        if handle is not None:
+            handle.seek(0)
+            result.recovered = _replay_journal(session, handle.read(), result.generation, digest)
+            result._journal = handle
+            if result.recovered or result.warning:
+                # What came from elsewhere is nowhere at this place yet.
+                result.save()
+            else:
+                result._start_journal()
+            session.on_step = result._on_step
+    except BaseException:
+        if handle is not None:
+            handle.close()
+        raise
+    return result
+
+
+def read_review(take: Take, *, folder: Path | None = None) -> Session:
+    """Read the review of a take as it is saved and journalled; nothing is locked or written.
+
+    Parameters
+    ----------
+    take : the recording
+    folder : where the session file lies; see :func:`open_session`
+
+    Returns
+    -------
+    A session of its own; an empty one when the take was never reviewed
+
+    Raises
+    ------
+    FileFormatError
+        when the session file is not one, or of a newer version
+    """
+    digest = source_hash(take)
+    beside = session_path(take, digest, folder)
+    own = own_path(take, digest)
+    kept = any(p.exists() for p in (beside, journal_path(beside)))
+    path = beside if kept or not own.exists() else own
+    result = SessionFile(Session(take), path, digest, read_only=True)
+    if not _restore(result, beside):
+        with contextlib.suppress(FileNotFoundError):
+            text = journal_path(path).read_bytes()
+            _replay_journal(result.session, text, result.generation, digest)
+    return result.session
+
+
+def _restore(result: SessionFile, beside: Path) -> bool:
+    """Do again what is saved of a review; whether it is of another version of the take."""
+    session, path = result.session, result.path
+    stored = _load(path)
+    if stored is None:
+        stored = _moved(result.hash, path, beside)
+        if stored is not None:
+            where = stored["source"]["path"]
+            result.warning = f"The review made of this take at “{where}” goes on here."
+    if stored is None:
+        return False
+    if stored["source"]["sha256"] != result.hash:
+        result.warning = carry_over(session, stored, path)
+        return True
+    result.generation = int(stored["generation"])
+    try:
+        _replay_document(session, stored)
+    except (KeyError, TypeError, ValueError, AttributeError, DataError) as error:
+        raise _unreadable(path) from error
+    return False
+
+
+def _open_locked(path: Path) -> IO[bytes] | None:
+    """Open the journal under the operating system's lock, or None when another holds it."""
+    # Unbuffered, so that nothing a full disk refused is left to be written by a later step.
+    handle = open(path, "a+b", buffering=0)  # noqa: SIM115 - held open for the life of the review
+    try:
+        if sys.platform == "win32":
+            import msvcrt
+
+            # Far behind the content, so that other programs can still read the journal.
+            handle.seek(1 << 30)
+            msvcrt.locking(handle.fileno(), msvcrt.LK_NBLCK, 1)
+        else:
+            import fcntl
+
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        handle.close()
+        return None
+    return handle
+
+
+def _load(path: Path) -> dict[str, Any] | None:
+    """Read a session file, or None when there is none."""
+    try:
+        with path.open(encoding="utf-8") as file:
+            document = json.load(file)
+        version = int(document["version"])
+        if document["format"] != "markermend session":
+            raise KeyError
+    except FileNotFoundError:
+        return None
+    except (ValueError, KeyError, TypeError, OSError) as error:
+        raise _unreadable(path) from error
+    if version > VERSION:
+        raise FileFormatError(
+            f"“{path}” was written by a newer Markermend; update, or move it away to start anew."
+        )
+    return document  # type: ignore[no-any-return]
+
+
+def _unreadable(path: Path) -> FileFormatError:
+    """Say that a session file is not one."""
+    return FileFormatError(
+        f"“{path}” is not a readable Markermend review; move it away to start a new one."
+    )
+
+
+def _source_path(take: Take) -> str:
+    """Where the take lay, or empty."""
+    return str(take.source.path) if take.source else ""
+
+
+def _moved(digest: str, path: Path, beside: Path) -> dict[str, Any] | None:
+    """The review of the same take at another place, beside it before anywhere else, or None."""
+    places = [beside]
+    with contextlib.suppress(OSError):
+        places.append(Path(index_entry(digest).read_text(encoding="utf-8")))
+    for where in places:
+        if where != path:
+            with contextlib.suppress(FileFormatError):
+                stored = _load(where)
+                if stored is not None and stored["source"]["sha256"] == digest:
+                    return stored
+    return None
+
+
+def _replay_document(session: Session, document: Mapping[str, Any]) -> None:
+    """Do again every step of a session file, then take back what stood undone."""
+    undone = [step_from_dict(d) for d in document["undone"]]
+    for entry in document["done"]:
+        session.perform(*step_from_dict(entry))
+    for step in reversed(undone):
+        session.perform(*step)
+    for _ in undone:
+        session.undo()
+    if document.get("exported") is not None:
+        session.mark_exported(int(document["exported"]))
+
+
+def _replay_journal(session: Session, text: bytes, generation: int, digest: str) -> int:
+    """Do again what a journal holds; stops at the first line that a crash cut short."""
+    lines = text.split(b"\n")
+    head = _parse(lines[0])
+    if head is None or head.get("generation") != generation or head.get("sha256") != digest:
+        return 0
+    count = 0
+    for line in lines[1:]:
+        entry = _parse(line)
+        if entry is None:
+            break
+        if "do" in entry:
+            session.perform(*step_from_dict(entry["do"]))
+        elif "undo" in entry:
+            session.undo()
+        else:
+            session.redo()
+        count += 1
+    return count
+
+
+def _parse(line: bytes) -> dict[str, Any] | None:
+    """One journal line, or None when it is empty or cut short."""
+    try:
+        entry = json.loads(line)
+    except ValueError:
+        return None
+    return entry if isinstance(entry, dict) else None
+
+
+def _lines(journal: IO[bytes]) -> int:
+    """Count the lines of an open journal."""
+    journal.seek(0)
+    return journal.read().count(b"\n")

@@ -1,0 +1,296 @@
+"""Work by hand on samples and names: cut, move to another marker, smooth, rename; split and join.
+
+What is changed here becomes what repairs that are taken back return to. Every verb is one step
+of the session's history.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from markermend.arrays import BoolArray, ByteArray, FloatArray, runs
+from markermend.artifact import Artifact, Kind, Status
+from markermend.errors import DataError
+from markermend.patch import Patch
+from markermend.review.edits import (
+    Change,
+    Group,
+    SetArtifacts,
+    SetBase,
+    SetNames,
+    SetNotes,
+    SetSamples,
+)
+from markermend.review.restoring import taking_back
+from markermend.review.session import Session, describe
+from markermend.take import AXES, Origin, Take, is_unlabelled
+
+
+def cut(session: Session, marker: str, start: int, stop: int) -> Change:
+    """Make samples missing; the gap that opens is put on the list of artifacts.
+
+    Parameters
+    ----------
+    session : the review
+    marker : whose samples
+    start, stop : half-open interval of 0-based frames
+
+    Raises
+    ------
+    DataError
+        when the marker is not seen there at all
+    """
+    if not _present(session, marker, start, stop).any():
+        raise DataError(f"{marker} is not seen in these frames; there is nothing to cut.")
+    patch = _patch(marker, start, np.full((stop - start, 3), np.nan), missing=True)
+    label = f"Cut {marker} in {_frames(session, start, stop)}"
+    return _perform(session, label, [patch])
+
+
+def move(session: Session, donor: str, receiver: str, start: int, stop: int) -> Change:
+    """Give a marker's samples to another one that is missing there: they had the wrong name.
+
+    Parameters
+    ----------
+    session : the review
+    donor : whose samples they are; it is missing there afterwards
+    receiver : whose they become, marked as edited
+    start, stop : half-open interval of 0-based frames
+
+    Raises
+    ------
+    DataError
+        when the donor is not seen there, or the receiver is too in some of its frames
+    """
+    if donor == receiver:
+        raise DataError("Choose another marker; these samples have this name already.")
+    given = _present(session, donor, start, stop)
+    if not given.any():
+        raise DataError(f"{donor} is not seen in these frames; there is nothing to take over.")
+    both = int((given & _present(session, receiver, start, stop)).sum())
+    if both:
+        raise DataError(
+            f"{receiver} has samples of its own in {both} of these frames; cut them first, or "
+            "swap the two from here to there."
+        )
+    patches = []
+    column = session.original.index(donor)
+    for first, last in runs(given).tolist():
+        low, high = start + first, start + last
+        values = session.positions[low:high, column].copy()
+        patches.append(_patch(receiver, low, values, missing=False))
+        patches.append(_patch(donor, low, np.full_like(values, np.nan), missing=True))
+    label = f"Move {donor} to {receiver} in {_frames(session, start, stop)}"
+    return _perform(session, label, patches)
+
+
+def merge(session: Session, donor: str, receiver: str) -> Change:
+    """Give all samples of a trajectory to another marker; errors as in :func:`move`."""
+    return move(session, donor, receiver, 0, session.original.frames)
+
+
+def replace_samples(
+    session: Session,
+    label: str,
+    markers: Sequence[str],
+    start: int,
+    positions: FloatArray,
+    origin: ByteArray,
+) -> Change:
+    """Write what was worked out for an interval of some markers, smoothed ones for instance.
+
+    Parameters
+    ----------
+    session : the review
+    label : name of the step; markers and frames are added
+    markers, start : where
+    positions : (n, markers, 3) float64, mm; NaN where missing
+    origin : (n, markers) uint8
+    """
+    stop = start + len(positions)
+    patches = [
+        Patch(marker, AXES, start, stop, positions[:, i].copy(), origin[:, i].copy())
+        for i, marker in enumerate(markers)
+    ]
+    what = markers[0] if len(markers) == 1 else f"{len(markers)} markers"
+    label = f"{label} {what} in {_frames(session, start, stop)}"
+    return _perform(session, label, patches, keep_artifacts=True)
+
+
+def rename(session: Session, names: Mapping[str, str]) -> Change:
+    """Give markers other names in the whole take; two may change places.
+
+    Raises
+    ------
+    DataError
+        when there is no such marker, a name is empty, or two points would have the same
+    """
+    names = {old: new.strip() for old, new in names.items() if old != new.strip()}
+    if not names:
+        return Change()
+    changes = {
+        a.id: replace(
+            a,
+            marker=names.get(a.marker, a.marker),
+            counterpart=names.get(a.counterpart, a.counterpart) if a.counterpart else None,
+            further_counterparts=tuple(names.get(m, m) for m in a.further_counterparts),
+        )
+        for a in session.artifacts
+        if names.keys() & set(a.markers)
+    }
+    label = "Rename " + ", ".join(f"{old} to {new}" for old, new in names.items())
+    return session.perform(label, Group((SetNames(names), SetArtifacts(changes))))
+
+
+def split(session: Session, artifact_id: str, at: int) -> Change:
+    """Make two artifacts of one; a repaired one reopens.
+
+    Parameters
+    ----------
+    session : the review
+    artifact_id : which
+    at : first frame of the second one
+
+    Raises
+    ------
+    DataError
+        when the frame is not inside
+    """
+    old = session.artifact(artifact_id)
+    if not old.start < at < old.stop:
+        raise DataError("Put the cursor inside the artifact, to split it there.")
+    status = Status.PENDING if old.status is Status.REPAIRED else old.status
+    first = replace(old, stop=at, status=status)
+    second = replace(old, start=at, status=status, id="")
+    second = replace(second, id=session.free_id(second.id))
+    changes = SetArtifacts({first.id: first, second.id: second})
+    edits = (*taking_back(session.state, [old]), changes)
+    return session.perform(f"Split {describe([old])}", Group(edits))
+
+
+def join(session: Session, ids: Sequence[str]) -> Change:
+    """Make one artifact of several on one marker, from the first frame to the last.
+
+    It keeps class and reason of the one we are surest of, and is open again if any was repaired.
+
+    Raises
+    ------
+    DataError
+        when there are fewer than two, or they are on different markers
+    """
+    chosen = [session.artifact(i) for i in ids]
+    if len(chosen) < 2 or len({a.marker for a in chosen}) > 1:
+        raise DataError("Choose two or more artifacts of one marker, to join them.")
+    best = max(chosen, key=lambda a: (a.confidence, a.length))
+    statuses = {a.status for a in chosen}
+    joined = replace(
+        best,
+        start=min(a.start for a in chosen),
+        stop=max(a.stop for a in chosen),
+        axes="".join(x for x in AXES if any(x in a.axes for a in chosen)),
+        note="\n".join(dict.fromkeys(a.note for a in chosen if a.note)),
+        status=statuses.pop() if statuses == {Status.ACCEPTED} else Status.PENDING,
+    )
+    changes: dict[str, Artifact | None] = dict.fromkeys(ids)
+    changes[joined.id] = joined
+    edits = (*taking_back(session.state, chosen), SetArtifacts(changes))
+    return session.perform(f"Join {describe(chosen)} on {best.marker}", Group(edits))
+
+
+def without_emptied(take: Take, original: Take) -> Take:
+    """Leave out unlabelled trajectories whose samples all went to other markers.
+
+    Parameters
+    ----------
+    take : as it stands
+    original : as it was read, with the same markers
+    """
+    from markermend.files.restructure import drop
+
+    empty = [
+        label
+        for i, label in enumerate(take.labels)
+        if is_unlabelled(label) and original.present[:, i].any() and not take.present[:, i].any()
+    ]
+    return drop(take, empty) if empty else take
+
+
+def _perform(
+    session: Session, label: str, patches: Sequence[Patch], *, keep_artifacts: bool = False
+) -> Change:
+    """Write patches as one step, and make the artifacts of these markers true again."""
+    written = tuple(patches)
+    changes = {} if keep_artifacts else _artifacts_after(session, written)
+    notes = {i: None for i, a in changes.items() if a is None and i in session.notes}
+    edits = (SetSamples(written), SetBase(written), SetArtifacts(changes), SetNotes(notes))
+    return session.perform(label, Group(edits))
+
+
+def _artifacts_after(session: Session, patches: Sequence[Patch]) -> dict[str, Artifact | None]:
+    """Which artifacts go and come when samples came or went: those inside go, gaps are redone."""
+    changes: dict[str, Artifact | None] = {}
+    for marker in dict.fromkeys(p.marker for p in patches):
+        mine = [p for p in patches if p.marker == marker]
+        start, stop = min(p.start for p in mine), max(p.stop for p in mine)
+        absent = ~session.take.present[:, session.original.index(marker)]
+        for p in mine:
+            absent[p.start : p.stop] = np.isnan(p.values[:, 0])
+        gaps = []
+        for a in session.artifacts:
+            if a.marker != marker or a.status is Status.REJECTED:
+                continue
+            inside = start <= a.start and a.stop <= stop
+            touching = a.start <= stop and start <= a.stop
+            if a.kind is Kind.GAP and touching and a.status is not Status.REPAIRED:
+                gaps.append(a)
+            elif inside:
+                changes[a.id] = None
+        if not is_unlabelled(marker):
+            changes |= _gaps_redone(session, marker, gaps, absent, (start, stop))
+    return changes
+
+
+def _gaps_redone(
+    session: Session,
+    marker: str,
+    gaps: Sequence[Artifact],
+    absent: BoolArray,
+    touched: tuple[int, int],
+) -> dict[str, Artifact | None]:
+    """Gap artifacts of a marker as its missing samples ask for, near the frames touched."""
+    low = min([touched[0], *(a.start for a in gaps)])
+    high = max([touched[1], *(a.stop for a in gaps)])
+    changes: dict[str, Artifact | None] = dict.fromkeys(a.id for a in gaps)
+    for first, last in runs(absent[low:high]).tolist():
+        start, stop = low + first, low + last
+        kept = next((a for a in gaps if (a.start, a.stop) == (start, stop)), None)
+        if kept is not None:
+            del changes[kept.id]
+            continue
+        why = f"not seen for {stop - start} frames, since samples were cut or moved by hand"
+        new = Artifact(marker, AXES, start, stop, Kind.GAP, why=why)
+        changes[session.free_id(new.id)] = replace(new, id=session.free_id(new.id))
+    return changes
+
+
+def _present(session: Session, marker: str, start: int, stop: int) -> BoolArray:
+    """(stop - start,) bool: the marker is seen."""
+    column = session.original.index(marker)
+    return ~np.isnan(session.positions[start:stop, column, 0])
+
+
+def _patch(marker: str, start: int, values: FloatArray, *, missing: bool) -> Patch:
+    """Samples that come or go."""
+    origin = np.full(len(values), Origin.MISSING if missing else Origin.EDITED, dtype=np.uint8)
+    return Patch(marker, AXES, start, start + len(values), values, origin)
+
+
+def _frames(session: Session, start: int, stop: int) -> str:
+    """Frames as the file counts them."""
+    take = session.original
+    if (start, stop) == (0, take.frames):
+        return "all frames"
+    return f"frames {take.frame_number(start)}–{take.frame_number(stop - 1)}"

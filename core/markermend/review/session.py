@@ -1,0 +1,387 @@
+"""A review: a take, its artifacts, the operator's decisions, and every step undoable.
+
+Pure Python and NumPy: the window only shows it, the command line and scripts drive it alike.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from markermend.arrays import ByteArray, FloatArray
+from markermend.artifact import Artifact, Kind, Status, in_order, repair_in_words
+from markermend.errors import DataError
+from markermend.review.edits import (
+    Change,
+    Edit,
+    Group,
+    RepairNote,
+    SetArtifacts,
+    SetBase,
+    SetNames,
+    SetNotes,
+    SetSamples,
+    State,
+    extent,
+    merged,
+)
+from markermend.review.pace import Pace, Stopwatch, pace_of
+from markermend.review.restoring import taking_back
+from markermend.review.step import Step, decides, parts, same_finding, touched_by_hand
+from markermend.take import Take
+
+if TYPE_CHECKING:
+    # The repair methods bring SciPy along; a review can be opened without it.
+    from markermend.repairs.registry import Repair
+
+
+class Session:
+    """One review of one take.
+
+    Parameters
+    ----------
+    take : the recording; it is never changed, work happens on a copy
+
+    Attributes
+    ----------
+    stopwatch : measures the operator's time; told by whoever sees what the operator does
+    revision : grows with every change, also by undo and redo; what was computed at one revision
+        may be applied only while it is unchanged
+    on_step : called after each change with ``("do", step)``, ``("undo", step)`` or
+        ``("redo", step)``; the journal hangs here
+    """
+
+    def __init__(self, take: Take) -> None:
+        self.revision = 0
+        self.stopwatch = Stopwatch()
+        self.on_step: Callable[[str, Step], None] | None = None
+        self._state = State(take)
+        self._done: list[Step] = []
+        self._undone: list[Step] = []
+        self._take: tuple[int, Take] | None = None
+        self._artifacts: tuple[int, tuple[Artifact, ...]] | None = None
+        self._clean_at: Step | None = None
+
+    def __repr__(self) -> str:
+        counts = Counter(a.status for a in self.artifacts)
+        told = ", ".join(f"{counts[s]} {s}" for s in Status if counts[s]) or "no artifacts"
+        return f"<Session of {self.original!r}: {told}, {len(self._done)} steps>"
+
+    # What stands now
+
+    @property
+    def original(self) -> Take:
+        """The take as it was read, under the names its markers have now."""
+        return self._state.original
+
+    @property
+    def state(self) -> State:
+        """What edits apply to; to be read, not written."""
+        return self._state
+
+    @property
+    def take(self) -> Take:
+        """The take as it stands, a view of the working samples: good for this revision."""
+        if self._take is None or self._take[0] != self.revision:
+            positions, origin = self._state.positions.view(), self._state.origin.view()
+            positions.flags.writeable = origin.flags.writeable = False
+            view = self.original.viewing(positions, origin)
+            self._take = (self.revision, view)
+        return self._take[1]
+
+    @property
+    def positions(self) -> FloatArray:
+        """(frames, markers, 3) float64, mm, read-only view of the working samples."""
+        return self.take.positions
+
+    @property
+    def origin(self) -> ByteArray:
+        """(frames, markers) uint8, read-only view, see :class:`markermend.take.Origin`."""
+        return self.take.origin
+
+    @property
+    def artifacts(self) -> tuple[Artifact, ...]:
+        """Every artifact, by start and marker."""
+        if self._artifacts is None or self._artifacts[0] != self.revision:
+            self._artifacts = (self.revision, in_order(self._state.artifacts.values()))
+        return self._artifacts[1]
+
+    @property
+    def notes(self) -> Mapping[str, RepairNote]:
+        """How repaired artifacts were repaired, by id."""
+        return self._state.notes
+
+    def artifact(self, artifact_id: str) -> Artifact:
+        """Look an artifact up.
+
+        Raises
+        ------
+        DataError
+            when there is none of that id
+        """
+        found = self.find(artifact_id)
+        if found is None:
+            raise DataError("That artifact is no longer in the list.")
+        return found
+
+    def find(self, artifact_id: str) -> Artifact | None:
+        """Look an artifact up; None when there is none of that id."""
+        return self._state.artifacts.get(artifact_id)
+
+    def with_status(self, *statuses: Status) -> tuple[Artifact, ...]:
+        """Artifacts whose status is one of these."""
+        return tuple(a for a in self.artifacts if a.status in statuses)
+
+    def repairs_in_words(self) -> tuple[str, ...]:
+        """Say what was repaired and how, one line each, for the record in an exported file.
+
+        Work by hand on samples and names follows, in the words of the history.
+        """
+        repaired = (
+            repair_in_words(self.original, a, note.method if note else "")
+            for a in self.with_status(Status.REPAIRED)
+            for note in [self._state.notes.get(a.id)]
+        )
+        return (*repaired, *self.by_hand)
+
+    @property
+    def by_hand(self) -> tuple[str, ...]:
+        """Work by hand on samples and names, in the words of the history."""
+        return tuple(s.label for s in self._done if parts(s.edit, SetBase, SetNames))
+
+    @property
+    def pace(self) -> Pace:
+        """How many artifacts are decided, and in how much time."""
+        return pace_of(self.artifacts, self.stopwatch.spent_s)
+
+    # Decisions
+
+    def add_detected(self, found: Iterable[Artifact], method: str) -> Change:
+        """Take over what a detector found.
+
+        Flags that are still pending are replaced; what the operator decided, marked or changed
+        stays, and a new flag that one of these of the same marker and kind already covers by
+        half is left out.
+        """
+        touched = touched_by_hand(self._done)
+        staying: dict[str, list[Artifact]] = {}
+        changes: dict[str, Artifact | None] = {}
+        for artifact in self.artifacts:
+            if artifact.status is Status.PENDING and artifact.id not in touched:
+                changes[artifact.id] = None
+            else:
+                staying.setdefault(artifact.marker, []).append(artifact)
+        for artifact in found:
+            if artifact.id in self._state.artifacts and artifact.id not in changes:
+                continue
+            if not any(same_finding(artifact, d) for d in staying.get(artifact.marker, ())):
+                changes[artifact.id] = artifact
+        return self.perform(f"Detect ({method})", SetArtifacts(changes))
+
+    def set_status(self, ids: Sequence[str], status: Status) -> Change:
+        """Accept, reject or reopen; reopening or rejecting a repaired one restores its samples."""
+        chosen = [self.artifact(i) for i in ids]
+        edits: list[Edit] = []
+        if status is not Status.REPAIRED:
+            edits.extend(taking_back(self._state, chosen))
+        edits.append(SetArtifacts({a.id: a.with_status(status) for a in chosen}))
+        verb = {
+            Status.ACCEPTED: "Accept",
+            Status.REJECTED: "Reject",
+            Status.PENDING: "Reopen",
+            Status.REPAIRED: "Mark as repaired",
+        }[status]
+        return self.perform(f"{verb} {describe(chosen)}", Group(tuple(edits)))
+
+    def repair(self, repairs: Sequence[tuple[str, Repair]], label: str = "") -> Change:
+        """Replace samples by proposed repairs, all as one step.
+
+        An artifact that was repaired before goes back to its source samples first.
+
+        Raises
+        ------
+        DataError
+            when a proposal has no patches, or leaves the interval or the axes of its artifact
+        """
+        chosen = [self.artifact(i) for i, _ in repairs]
+        edits: list[Edit] = [*taking_back(self._state, chosen)]
+        for artifact, (_, proposal) in zip(chosen, repairs, strict=True):
+            edits.extend(_repairing(artifact, proposal))
+        return self.perform(label or f"Repair {describe(chosen)}", Group(tuple(edits)))
+
+    def mark(self, artifact: Artifact, proposal: Repair | None = None) -> Change:
+        """Add an artifact by hand; with a proposal it is repaired by it in the same step."""
+        if artifact.marker not in self.original:
+            raise DataError(f"The take has no marker called “{artifact.marker}”.")
+        if artifact.stop > self.original.frames:
+            raise DataError("An artifact cannot reach beyond the last frame.")
+        artifact = replace(artifact, id=self.free_id(artifact.id))
+        if proposal is None:
+            edit: Edit = SetArtifacts({artifact.id: artifact})
+            return self.perform(f"Mark {describe([artifact])}", edit)
+        edit = Group(_repairing(artifact, proposal))
+        what = f"Repair {describe([artifact])}"
+        if proposal.method == "swap":
+            what = f"Swap {artifact.marker} and {artifact.counterpart}"
+        return self.perform(f"{what} by hand", edit)
+
+    def free_id(self, wanted: str) -> str:
+        """An artifact's name that is not in use, the wanted one if it can be."""
+        while wanted in self._state.artifacts:
+            wanted += "+"
+        return wanted
+
+    def remove(self, ids: Sequence[str]) -> Change:
+        """Take artifacts off the list; samples of repaired ones go back to the source."""
+        chosen = [self.artifact(i) for i in ids]
+        edits = (*taking_back(self._state, chosen), SetArtifacts(dict.fromkeys(ids)))
+        return self.perform(f"Remove {describe(chosen)}", Group(edits))
+
+    def annotate(self, artifact_id: str, note: str) -> Change:
+        """Write a note on an artifact; an empty one takes it away."""
+        old = self.artifact(artifact_id)
+        new = replace(old, note=note.strip())
+        if new == old:
+            return Change()
+        return self.perform(f"Note on {describe([old])}", SetArtifacts({old.id: new}))
+
+    def change(
+        self,
+        artifact_id: str,
+        *,
+        kind: Kind | None = None,
+        axes: str | None = None,
+        start: int | None = None,
+        stop: int | None = None,
+    ) -> Change:
+        """Give an artifact another class, other axes or other edges; a repaired one reopens."""
+        old = self.artifact(artifact_id)
+        new = replace(
+            old,
+            kind=old.kind if kind is None else kind,
+            axes=old.axes if axes is None else axes,
+            start=old.start if start is None else max(0, start),
+            stop=old.stop if stop is None else min(stop, self.original.frames),
+        )
+        if new == old:
+            return Change()
+        if old.status is Status.REPAIRED:
+            new = new.with_status(Status.PENDING)
+        edits = (*taking_back(self._state, [old]), SetArtifacts({old.id: new}))
+        what = f"Call {describe([old])} {new.kind}" if new.kind != old.kind else ""
+        return self.perform(what or f"Adjust {describe([old])}", Group(edits))
+
+    # History
+
+    @property
+    def history(self) -> tuple[str, ...]:
+        """Labels of the steps done, oldest first."""
+        return tuple(s.label for s in self._done)
+
+    @property
+    def undone(self) -> tuple[str, ...]:
+        """Labels of the steps that redo would bring back, next first."""
+        return tuple(s.label for s in reversed(self._undone))
+
+    def perform(self, label: str, edit: Edit, spent_s: float | None = None) -> Change:
+        """Apply an edit as one undoable step; one that was stored knows the time of its making."""
+        inverse = edit.apply(self._state)
+        if spent_s is None:
+            spent_s = self.stopwatch.touch()
+        else:
+            self.stopwatch.spent_s = max(self.stopwatch.spent_s, spent_s)
+        step = Step(label, edit, inverse, spent_s)
+        self._done.append(step)
+        self._undone.clear()
+        return self._after("do", step)
+
+    def undo(self) -> Change:
+        """Take the last step back; does nothing when there is none."""
+        if not self._done:
+            return Change()
+        step = self._done.pop()
+        step.inverse.apply(self._state)
+        self._undone.append(step)
+        return self._after("undo", step)
+
+    def redo(self) -> Change:
+        """Bring the last undone step back; does nothing when there is none."""
+        if not self._undone:
+            return Change()
+        step = self._undone.pop()
+        step.edit.apply(self._state)
+        self._done.append(step)
+        return self._after("redo", step)
+
+    def travel(self, steps_done: int) -> Change:
+        """Undo or redo until so many steps are done; the changes are told as one."""
+        changes = []
+        while len(self._done) > max(0, steps_done):
+            changes.append(self.undo())
+        while len(self._done) < steps_done and self._undone:
+            changes.append(self.redo())
+        return merged(changes)
+
+    @property
+    def exported(self) -> bool:
+        """Whether the samples and decisions as they stand have been exported (or are untouched)."""
+        last = self._done[-1] if self._done else None
+        return last is self._clean_at or not any(decides(s) for s in self._done)
+
+    @property
+    def exported_at(self) -> int | None:
+        """How many steps were done when it was exported last; None if that state is gone."""
+        return next((i + 1 for i, s in enumerate(self._done) if s is self._clean_at), None)
+
+    def mark_exported(self, steps_done: int | None = None) -> None:
+        """Remember that what stands now is in a file, or what stood after so many steps."""
+        done = self._done if steps_done is None else self._done[:steps_done]
+        self._clean_at = done[-1] if done else None
+
+    @property
+    def steps(self) -> tuple[tuple[Step, ...], tuple[Step, ...]]:
+        """Steps done (oldest first) and undone (as a stack), for saving."""
+        return tuple(self._done), tuple(self._undone)
+
+    def _after(self, what: str, step: Step) -> Change:
+        """Count the change and tell the journal."""
+        self.revision += 1
+        if self.on_step is not None:
+            self.on_step(what, step)
+        return extent(step.edit)
+
+
+def _repairing(artifact: Artifact, proposal: Repair) -> tuple[Edit, ...]:
+    """Edits that repair an artifact as proposed."""
+    if not proposal.patches:
+        why = proposal.reason or "the method has no answer here"
+        raise DataError(f"The {describe([artifact])} cannot be repaired: {why}")
+    _check_within(artifact, proposal)
+    from markermend.repairs.look_again import in_words
+
+    note = RepairNote(proposal.method, proposal.error_mm, in_words(proposal.leaves or ()))
+    return (
+        SetSamples(proposal.patches),
+        SetNotes({artifact.id: note}),
+        SetArtifacts({artifact.id: artifact.with_status(Status.REPAIRED)}),
+    )
+
+
+def describe(artifacts: Sequence[Artifact]) -> str:
+    """Name artifacts in a history label."""
+    if len(artifacts) == 1:
+        return f"{artifacts[0].kind} on {artifacts[0].marker}"
+    return f"{len(artifacts)} artifacts"
+
+
+def _check_within(artifact: Artifact, proposal: Repair) -> None:
+    """Refuse a proposal that would touch anything its artifact does not name."""
+    for p in proposal.patches:
+        inside = artifact.start <= p.start and p.stop <= artifact.stop
+        if p.marker not in artifact.markers or not inside or not set(p.axes) <= set(artifact.axes):
+            raise DataError(
+                f"The method “{proposal.method}” reached outside the artifact on "
+                f"{artifact.marker}; nothing was changed."
+            )

@@ -1,0 +1,94 @@
+"""How a take under review stands: marker by marker, what is missing, open, decided and mended."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from markermend.arrays import IntArray
+from markermend.artifact import Artifact, Kind, Status
+from markermend.review.edits import RepairNote
+from markermend.take import Origin, Take, is_unlabelled
+
+
+@dataclass(frozen=True)
+class Standing:
+    """How one marker stands, or the whole take.
+
+    Attributes
+    ----------
+    marker : its label; empty for the whole take
+    gap_before, gap_now : share in [0, 1] of samples missing in the file, and as it stands
+    mended : share in [0, 1] of samples that were filled or edited
+    open, decided : artifacts by class; what has no class has none
+    mean_mm, worst_mm : expected error of its repairs, each counted by its length, and the largest;
+        None where none is known
+    """
+
+    marker: str
+    gap_before: float
+    gap_now: float
+    mended: float
+    open: Mapping[Kind, int]
+    decided: Mapping[Kind, int]
+    mean_mm: float | None
+    worst_mm: float | None
+
+
+def standings(
+    original: Take, take: Take, artifacts: Iterable[Artifact], notes: Mapping[str, RepairNote]
+) -> tuple[Standing, ...]:
+    """Sum up a review.
+
+    Parameters
+    ----------
+    original, take : the recording as read and as it stands
+    artifacts : all of the review
+    notes : how repaired ones were repaired, by id
+
+    Returns
+    -------
+    The whole take, whose shares count the named markers only, then every marker in the take's
+    order
+    """
+    frames = max(1, take.frames)
+    before = np.count_nonzero(original.origin == Origin.MISSING, axis=0) / frames
+    now = np.count_nonzero(take.origin == Origin.MISSING, axis=0) / frames
+    mended = np.count_nonzero(take.origin >= Origin.FILLED, axis=0) / frames
+    by_marker: dict[str, list[Artifact]] = {label: [] for label in take.labels}
+    for artifact in artifacts:
+        by_marker[artifact.marker].append(artifact)
+    named = np.flatnonzero([not is_unlabelled(label) for label in take.labels])
+
+    def stands(label: str, own: list[Artifact], columns: IntArray) -> Standing:
+        undecided = Counter(a.kind for a in own if a.status is Status.PENDING)
+        decided = Counter(a.kind for a in own if a.status is not Status.PENDING)
+        mean, worst = _errors(own, notes)
+        shares = [float(s[columns].mean()) if len(columns) else 0.0 for s in (before, now, mended)]
+        return Standing(label, shares[0], shares[1], shares[2], undecided, decided, mean, worst)
+
+    everything = [a for own in by_marker.values() for a in own]
+    return (
+        stands("", everything, named),
+        *(stands(label, own, np.array([i])) for i, (label, own) in enumerate(by_marker.items())),
+    )
+
+
+def _errors(
+    artifacts: Iterable[Artifact], notes: Mapping[str, RepairNote]
+) -> tuple[float | None, float | None]:
+    """Mean and largest expected error of repairs."""
+    known = [
+        (a.length, float(error))
+        for a in artifacts
+        if a.status is Status.REPAIRED and a.id in notes
+        for error in [notes[a.id].error_mm]
+        if error is not None
+    ]
+    if not known:
+        return None, None
+    lengths, errors = zip(*known, strict=True)
+    return float(np.average(errors, weights=lengths)), max(errors)

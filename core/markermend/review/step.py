@@ -1,0 +1,61 @@
+"""One step of a review, and what can be asked of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from markermend.artifact import Artifact
+from markermend.review.edits import Edit, Group, SetArtifacts
+
+
+@dataclass(frozen=True)
+class Step:
+    """One entry of the history.
+
+    Attributes
+    ----------
+    label : what it is called
+    edit, inverse : what it does and what takes it back
+    spent_s : seconds of work that the review had taken when it was done
+    """
+
+    label: str
+    edit: Edit
+    inverse: Edit
+    spent_s: float = 0.0
+
+
+def decides(step: Step) -> bool:
+    """Whether a step holds an operator's decision, not just a detection run."""
+    return not step.label.startswith("Detect (")
+
+
+def parts(edit: Edit, *kinds: type) -> list[Edit]:
+    """Those of the edits that one is made of that are of these kinds."""
+    if isinstance(edit, Group):
+        return [part for inner in edit.edits for part in parts(inner, *kinds)]
+    return [edit] if isinstance(edit, kinds) else []
+
+
+def artifacts_of(step: Step) -> tuple[str, ...]:
+    """Ids of the artifacts that a step adds, changes or removes."""
+    return tuple(
+        i
+        for part in parts(step.edit, SetArtifacts)
+        if isinstance(part, SetArtifacts)
+        for i in part.changes
+    )
+
+
+def touched_by_hand(steps: Iterable[Step]) -> set[str]:
+    """Ids of artifacts that the operator marked, changed or decided about in these steps."""
+    return {i for step in steps if decides(step) for i in artifacts_of(step)}
+
+
+def same_finding(new: Artifact, decided: Artifact) -> bool:
+    """Whether a decided artifact already covers half of a new flag."""
+    if new.marker != decided.marker or new.kind != decided.kind:
+        return False
+    shared = min(new.stop, decided.stop) - max(new.start, decided.start)
+    return shared * 2 >= new.length
