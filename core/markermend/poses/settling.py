@@ -52,14 +52,13 @@ def settle(
     for first in range(0, len(features), _AT_ONCE):
         some = slice(first, first + _AT_ONCE)
         local = start[some]
-        poses, slopes = _linear(local, features[some], parents, joints, middle)
-        left = (features[some] - poses)[:, joints].reshape(len(local), -1)
-        along = slopes @ axes
-        weighted = (along / variance[some][:, joints].reshape(*left.shape, 1)).transpose(0, 2, 1)
-        known = left + np.einsum("nij,nj->ni", along, (local - mean) @ axes)
-        settled = np.linalg.solve(
-            weighted @ along + np.diag(1.0 / spread), weighted @ known[..., None]
-        )
+        poses, slopes = _linear(local, features[some], parents, joints, middle, axes)
+        unsure = np.sqrt(variance[some][:, joints]).reshape(len(local), -1)
+        left = (features[some] - poses)[:, joints].reshape(len(local), -1) / unsure
+        slopes /= unsure[..., None]
+        known = left[..., None] + slopes @ ((local - mean) @ axes)[..., None]
+        across = slopes.transpose(0, 2, 1)
+        settled = np.linalg.solve(across @ slopes + np.diag(1.0 / spread), across @ known)
         local = mean + settled[..., 0] @ axes.T
         out[some] = _from_local(local, features[some], parents, joints, middle)
     return out
@@ -122,20 +121,21 @@ def _linear(
     parents: Sequence[int],
     joints: Sequence[int],
     middle: dict[int, FloatArray],
+    directions: FloatArray,
 ) -> tuple[FloatArray, FloatArray]:
-    """Poses, and (frames, joints · 7, joints · 6) how they change with local coordinates."""
+    """Poses, and (frames, joints · 7, directions) how they change along directions of local."""
     poses = _from_local(local, like, parents, joints, middle)
-    frames, columns = local.shape
+    frames, columns = len(local), directions.shape[1]
     turning, moving = np.zeros((2, like.shape[1], frames, 3, columns))
     slopes = np.empty((frames, len(joints), FEATURES, columns))
     for n, joint in enumerate(joints):
         parent, k = parents[joint], _LOCAL * n
         axes = Rotation.from_quat(poses[:, parent, 3:]).as_matrix()
-        turning[joint], moving[joint] = turning[parent], moving[parent]
         own = axes @ Rotation.from_quat(middle[joint]).as_matrix()
-        turning[joint, :, :, k : k + 3] += own @ _left_jacobian(local[:, k : k + 3])
-        moving[joint] -= _cross(poses[:, joint, :3] - poses[:, parent, :3]) @ turning[parent]
-        moving[joint, :, :, k + 3 : k + 6] += axes
+        bends = own @ _left_jacobian(local[:, k : k + 3])
+        bone = _cross(poses[:, joint, :3] - poses[:, parent, :3])
+        turning[joint] = turning[parent] + bends @ directions[k : k + 3]
+        moving[joint] = moving[parent] - bone @ turning[parent] + axes @ directions[k + 3 : k + 6]
         slopes[:, n, :3] = moving[joint]
         slopes[:, n, 3:] = _by_turning(poses[:, joint, 3:]) @ turning[joint]
     return poses, slopes.reshape(frames, -1, columns)
