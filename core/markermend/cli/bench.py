@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 
 from markermend.cli.bench_blind import run_blind
+from markermend.cli.bench_constraints import run_constraints
 from markermend.cli.bench_e2 import run_e2
 from markermend.cli.bench_e3 import run_e3
 from markermend.cli.bench_gaps import run_gaps
@@ -79,5 +80,6 @@ RUN = {
     "pose": run_pose,
     "predictors": run_predictors,
     "smooth": run_smooth,
+    "constraints": run_constraints,
     "training": run_training,
 }

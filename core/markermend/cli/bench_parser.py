@@ -6,6 +6,8 @@ import argparse
 
 from markermend.cli.bench_blind import SUMMARY as BLIND
 from markermend.cli.bench_blind import add_blind
+from markermend.cli.bench_constraints import SUMMARY as CONSTRAINTS
+from markermend.cli.bench_constraints import add_constraints
 from markermend.cli.bench_e2 import SUMMARY as E2
 from markermend.cli.bench_e2 import add_e2
 from markermend.cli.bench_e3 import SUMMARY as E3
@@ -30,6 +32,7 @@ EXPERIMENTS = {
     "pose": POSE,
     "predictors": PREDICTORS,
     "smooth": SMOOTH,
+    "constraints": CONSTRAINTS,
     "training": TRAINING,
 }
 
@@ -45,6 +48,7 @@ def add_experiments(parser: argparse.ArgumentParser) -> None:
         "pose": add_pose,
         "predictors": add_predictors,
         "smooth": add_smooth,
+        "constraints": add_constraints,
         "training": add_training,
     }
     names = parser.add_subparsers(dest="experiment", metavar="NAME", required=True)
