@@ -37,6 +37,7 @@ COMMANDS = {
     "fill": "fill the gaps and change nothing else",
     "smooth": SMOOTH,
     "denoise": "make a skeleton recording clean: joints of a Kinect, a tracker of poses",
+    "pose": "joint centres of a body under markers, each with its error",
     "convert": "write a take in another format: c3d, trc, csv; of joints also amc, bvh",
     "diff": "what differs between two files: samples, parameters, bytes",
     "batch": "clean many takes alike, in several processes",
@@ -85,6 +86,7 @@ def make_parser() -> argparse.ArgumentParser:
         "fill": _add_fill,
         "smooth": _add_smooth,
         "denoise": _add_denoise,
+        "pose": _add_pose,
         "convert": _add_convert,
         "diff": _add_diff,
         "batch": _add_batch,
@@ -212,6 +214,14 @@ def _add_denoise(p: argparse.ArgumentParser) -> None:
         "--prior", metavar="FILE", help="how bodies move, of “train prior”, instead of our own"
     )
     p.add_argument("--list", action="store_true", help="show what was done to every joint")
+    _force(p)
+
+
+def _add_pose(p: argparse.ArgumentParser) -> None:
+    _take(p)
+    p.add_argument(
+        "-o", "--output", metavar="OUT.csv", required=True, help="table of joints to write"
+    )
     _force(p)
 
 
