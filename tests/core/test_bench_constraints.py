@@ -7,7 +7,7 @@ import pytest
 
 from markermend.bench.constraints import _row, compare_constraints, constraints_table
 from markermend.bench.gaps import GapCase, GapResult
-from markermend.errors import DataError
+from markermend.errors import DataError, MethodError
 from markermend.simulation import simulate_clean
 
 
@@ -39,3 +39,8 @@ def test_a_take_too_short_for_a_setting_is_told_before_any_work() -> None:
     take = simulate_clean(duration_s=3, rate=50, seed=1)
     with pytest.raises(DataError):
         compare_constraints({"walk": take}, simulations=1, seed=0)
+
+
+def test_no_simulation_is_refused() -> None:
+    with pytest.raises(MethodError, match="At least one"):
+        compare_constraints({}, simulations=0, seed=0)

@@ -324,7 +324,7 @@ class SmoothDialog(QDialog):
         if answer is None:
             return
         mine = answer.percent[answer.markers.index(self.looked_at)]
-        values = "  ".join(f"{a.upper()} {v:.1f}" for a, v in zip(AXES, mine, strict=True))
+        values = "  ".join(f"{a.upper()} {v:z.1f}" for a, v in zip(AXES, mine, strict=True))
         meaning = self.tr(
             "%SM1: how much shorter the way of the marker becomes on each axis. Noise makes it "
             "longer; above {0:g} % some of the movement may go, too."

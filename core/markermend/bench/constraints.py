@@ -10,6 +10,7 @@ from scipy.stats import ttest_rel
 
 from markermend.bench.gap_protocols import concomitant_cases
 from markermend.bench.gaps import GapResult, replay
+from markermend.errors import MethodError
 from markermend.progress import Progress, quiet
 from markermend.take import Take
 
@@ -60,7 +61,11 @@ def compare_constraints(
     ------
     DataError
         when a take has no room for a setting
+    MethodError
+        when no simulation is asked for
     """
+    if simulations < 1:
+        raise MethodError("At least one simulation is needed.")
     report = progress or quiet
     # All gaps are placed before the first is filled: what does not fit is told at once.
     drawn = [
