@@ -7,10 +7,12 @@ import pytest
 from numpy.testing import assert_allclose
 
 import markermend as mm
-from markermend.bench.poses import CASES, compare, error_of, subject_of
+from markermend.bench.poses import CASES, compare
+from markermend.bench.poses_network import error_of
 from markermend.bench.poses_text import hidden_table, poses_csv, poses_table
 from markermend.cli import main
 from markermend.errors import DataError, FileFormatError
+from markermend.poses.learning_sets import subject_of
 from markermend.poses.noise import Noise, corrupt_pose
 from markermend.poses.nuitrack import mirrored, to_nuitrack
 from markermend.poses.prior import fitting, learn_prior, load_prior, save_prior, shipped_prior

@@ -8,8 +8,12 @@ from numpy.testing import assert_allclose
 
 from markermend.errors import FileFormatError, MethodError
 from markermend.poses.network import Network, load_networks, save_networks, smoothed
+from markermend.poses.noise import NOISES
 from markermend.poses.nuitrack import JOINTS
-from markermend.poses.training import NOISES, Training, train_network
+from markermend.poses.training import Training, train_network
+from markermend.repairs.skurowski2021.recurrent import can_learn
+
+needs_extra = pytest.mark.skipif(not can_learn(), reason="the optional extra “deep” is missing")
 
 
 def network(parts="both", inputs=112, units=8):
@@ -73,9 +77,9 @@ def test_temporal_filter_keeps_parabolas_and_smooths():
     assert np.std(smoothed(features)[:, 1, 0] - t**2) < 0.075
 
 
+@pytest.mark.deep
+@needs_extra
 def test_training_learns_and_goes_on_where_it_stopped(tmp_path):
-    pytest.importorskip("keras", reason="the extra “deep” is not installed")
-    pytest.importorskip("jax", reason="the extra “deep” is not installed")
     features = np.zeros((300, len(JOINTS), 7))
     features[..., :3] = np.random.default_rng(0).normal(size=(1, len(JOINTS), 3))
     features[..., 6] = 1
@@ -100,6 +104,8 @@ def test_training_learns_and_goes_on_where_it_stopped(tmp_path):
         )
     rest = train_network(features, NOISES["occlusions"], training=training, resume=state)
     assert_allclose(rest.weights[0], whole.weights[0], atol=1e-4)
+    with pytest.raises(MethodError, match=r"state\.keras is the state of a training"):
+        train_network(features, NOISES["occlusions"], training=Training(epochs=5), resume=state)
 
 
 def test_without_the_extra_it_says_what_to_install(monkeypatch):

@@ -9,9 +9,11 @@ import numpy as np
 from scipy.interpolate import PchipInterpolator
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
+from markermend.bench.poses_network import ALL, Tried, by_networks, error_of
 from markermend.errors import DataError
+from markermend.poses.learning_sets import fold_in, subject_of
 from markermend.poses.network import Network, smoothed
-from markermend.poses.noise import Noise, corrupt
+from markermend.poses.noise import NOISES, Noise, corrupt
 from markermend.poses.normal import Normal, denormalise, normalise
 from markermend.poses.nuitrack import to_nuitrack
 from markermend.poses.pose import Pose
@@ -25,11 +27,6 @@ HIDDEN = (0, 1, 2, 3, 4)
 """Joints occluded in one pose; the last stands for more, too."""
 
 _MOST_HIDDEN = HIDDEN[-1]
-_LOSS = {
-    "both": Noise(),
-    "occlusions": Noise(displacement=0.0),
-    "displacements": Noise(occlusion=0.0),
-}
 
 
 @dataclass(frozen=True)
@@ -55,20 +52,17 @@ class Case:
 
     def noise(self, rate: float) -> Noise:
         """The noise at a rate."""
-        base = _LOSS[self.kind]
+        base = NOISES[self.kind]
         burst = max(round(self.burst_s * rate), 1)
         return Noise(base.occlusion, base.displacement, burst, self.limbs)
 
 
 CASES = (
-    *(Case("frame by frame", kind) for kind in _LOSS),
+    *(Case("frame by frame", kind) for kind in NOISES),
     *(Case("bursts of 0.25 s", kind, 0.25) for kind in ("both", "occlusions")),
     Case("whole limb, bursts of 1 s", "occlusions", 1.0, limbs=True),
     *(Case("bursts of 1 s, 30 Hz", kind, 1.0, slow=True) for kind in ("both", "occlusions")),
-    *(
-        Case("simulated sensor, bursts of 1 s", kind, 1.0, sensor=True)
-        for kind in ("both", "occlusions")
-    ),
+    *(Case("simulated sensor, bursts of 1 s", kind, 1.0, sensor=True) for kind in NOISES),
 )
 """What is tried."""
 
@@ -99,11 +93,6 @@ class Row:
     poses: int
 
 
-def subject_of(clip: str) -> str:
-    """Who a recording shows: what stands before the underscore of its name."""
-    return clip.partition("_")[0]
-
-
 def compare(
     clips: Mapping[str, Pose],
     *,
@@ -118,7 +107,8 @@ def compare(
     ----------
     clips : name to recording of the CMU skeleton or the 17 joints, clean; two subjects or more
     cases : what is done to them
-    networks : ``without<subject>-…`` to network, trained on the others
+    networks : ``without<subject>-…`` to network, trained on the others; ``fold<n>of10-…`` to
+        one that was trained on nine tenths of all poses, tried on the tenth only (a random split)
     seed : of the damage; each clip has its own
     progress : told the share done; may raise to stop
 
@@ -137,9 +127,9 @@ def compare(
         others = [pose for name, pose in bodies.items() if subject_of(name) != subject]
         prior = learn_prior(others)
         mine = {
-            name.partition("-")[2]: network
+            name: network
             for name, network in (networks or {}).items()
-            if name.startswith(f"without{subject}-")
+            if name.startswith(f"without{subject}-") or fold_in(name.partition("-")[0])
         }
         for n, (name, pose) in enumerate(bodies.items()):
             if subject_of(name) != subject:
@@ -155,24 +145,23 @@ def _try(
     clip: str, pose: Pose, case: Case, prior: Prior, networks: Mapping[str, Network], seed: int
 ) -> list[Row]:
     """All methods on one damaged recording."""
-    truth = _at(pose, case, seed)
+    truth = _at(pose, case)
     features, normal = normalise(truth)
     features[..., 3:] = upright(features[..., 3:])
     damaged, occluded = corrupt(features, truth.parents, case.noise(truth.rate), seed=seed)
     damaged[..., 3:] = upright(unit(damaged[..., 3:]))
     known = _known(occluded, truth.parents)
-    results = {name: method(damaged, known) for name, method in SIMPLE.items()}
-    for name, network in networks.items():
-        results[f"network {name}"] = network(damaged)
-        results[f"network {name}, filtered"] = smoothed(results[f"network {name}"])
+    everywhere = np.ones(len(features), dtype=bool)
+    results = {name: Tried(run(damaged, known), everywhere, ALL) for name, run in SIMPLE.items()}
+    results |= by_networks(networks, clip, damaged, known, pose.frames)
     given = truth.with_samples(*denormalise(damaged, normal), np.where(occluded, 0.0, 1.0))
     for name, learnt in (("restore, no prior", None), ("restore", prior)):
-        results[name] = _relative(restore(given, prior=learnt).pose, normal)
-    hidden = np.count_nonzero(occluded, axis=1)
+        results[name] = Tried(_relative(restore(given, prior=learnt).pose, normal), everywhere, ALL)
+    hidden = np.minimum(np.count_nonzero(occluded, axis=1), _MOST_HIDDEN)
     rows = []
-    for name, result in results.items():
-        off = error_of(result, features)
-        groups = [off[np.minimum(hidden, _MOST_HIDDEN) == n] for n in HIDDEN]
+    for name, tried in results.items():
+        off = error_of(tried.features, features, tried.columns)[tried.judged]
+        groups = [off[hidden[tried.judged] == n] for n in HIDDEN]
         rows.append(
             Row(
                 clip,
@@ -180,7 +169,7 @@ def _try(
                 case.name,
                 case.kind,
                 name,
-                float(off.mean()),
+                float(off.mean()) if len(off) else float("nan"),
                 tuple(float(g.mean()) if len(g) else float("nan") for g in groups),
                 tuple(len(g) for g in groups),
                 len(off),
@@ -189,17 +178,10 @@ def _try(
     return rows
 
 
-def error_of(result: FloatArray, truth: FloatArray) -> FloatArray:
-    """(frames,) mean absolute error over the features of all joints but the first."""
-    own = result[:, 1:].copy()
-    own[..., 3:] = upright(unit(own[..., 3:]))
-    return np.asarray(np.abs(own - truth[:, 1:]).mean(axis=(1, 2)))
-
-
-def _at(pose: Pose, case: Case, seed: int) -> Pose:
+def _at(pose: Pose, case: Case) -> Pose:
     """The recording as a case has it before the damage."""
     if case.sensor:
-        return as_depth_sensor(pose, seed=seed)
+        return as_depth_sensor(pose)
     if not case.slow:
         return pose
     step = max(round(pose.rate / RATE_HZ), 1)

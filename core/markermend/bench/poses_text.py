@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -21,7 +21,7 @@ def poses_table(rows: Sequence[Row]) -> list[str]:
         body = [
             [
                 method,
-                *(_pooled(r for r in here if (r.method, r.kind) == (method, k)) for k in kinds),
+                *(pooled([r for r in here if (r.method, r.kind) == (method, k)]) for k in kinds),
             ]
             for method in dict.fromkeys(row.method for row in here)
         ]
@@ -72,9 +72,7 @@ def poses_csv(rows: Sequence[Row]) -> str:
     return file.getvalue()
 
 
-def _pooled(rows: Iterable[Row]) -> str:
+def pooled(rows: Sequence[Row]) -> str:
     """Mean over poses."""
-    some = list(rows)
-    if not some:
-        return "–"
-    return f"{sum(r.error * r.poses for r in some) / sum(r.poses for r in some):.4f}"
+    poses = sum(row.poses for row in rows)
+    return f"{sum(r.error * r.poses for r in rows if r.poses) / poses:.4f}" if poses else "–"

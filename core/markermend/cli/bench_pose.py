@@ -25,7 +25,8 @@ def add_pose(p: argparse.ArgumentParser) -> None:
         metavar="FILE",
         nargs="+",
         default=[],
-        help="what “train pose --leave-out” wrote, to be tried as well",
+        help="what “train pose --leave-out” and “train pose --fold” wrote, to be tried as well and"
+        " set beside the published tables",
     )
     p.add_argument("--case", metavar="TEXT", nargs="+", help="only cases whose name has this text")
     p.add_argument("--hidden", action="store_true", help="show errors by number of occluded joints")
@@ -39,6 +40,7 @@ def add_pose(p: argparse.ArgumentParser) -> None:
 def run_pose(options: argparse.Namespace) -> int:
     """Restore, and show how far off the results are."""
     from markermend.bench.poses import CASES, compare
+    from markermend.bench.poses_paper import paper_tables
     from markermend.bench.poses_text import hidden_table, poses_csv, poses_table
     from markermend.poses.network import Network, load_networks
 
@@ -62,6 +64,9 @@ def run_pose(options: argparse.Namespace) -> int:
     if options.csv is not None:
         write_text(options.csv, poses_csv(rows))
     if options.csv != STDOUT:
-        for line in poses_table(rows) + (hidden_table(rows) if options.hidden else []):
+        more = (hidden_table(rows) if options.hidden else []) + (
+            paper_tables(rows) if networks else []
+        )
+        for line in poses_table(rows) + more:
             say(line)
     return 0

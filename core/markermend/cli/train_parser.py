@@ -12,6 +12,8 @@ MODELS = {
 }
 """What can be trained; :mod:`markermend.cli.train` has a function for each."""
 
+_NOISES = ("both", "occlusions", "displacements")
+
 
 def add_training(parser: argparse.ArgumentParser) -> None:
     """Give ``train`` a command for each model."""
@@ -81,10 +83,38 @@ def _add_prior(p: argparse.ArgumentParser) -> None:
 
 def _add_pose(p: argparse.ArgumentParser) -> None:
     p.add_argument("poses", metavar="POSE", nargs="+", help="clean skeleton recordings")
-    p.add_argument(
+    held_out = p.add_mutually_exclusive_group()
+    held_out.add_argument(
         "--leave-out",
         action="store_true",
         help="for each person, whom names begin with, networks that never saw them",
+    )
+    held_out.add_argument(
+        "--fold",
+        metavar="N",
+        type=int,
+        nargs="*",
+        choices=range(1, 11),
+        help="ten-fold cross-validation: networks that never saw a tenth of the poses, drawn at"
+        " random; only these tenths (default: all)",
+    )
+    p.add_argument(
+        "--parts",
+        choices=("both", "positions", "rotations"),
+        default="both",
+        help="what of each joint is learnt (default: both)",
+    )
+    p.add_argument(
+        "--noise",
+        choices=_NOISES,
+        nargs="+",
+        default=_NOISES,
+        help="what is learnt to be undone, a network each (default: all three)",
+    )
+    p.add_argument(
+        "--sensor",
+        action="store_true",
+        help="learn also from what the simulated depth sensor of “bench pose” sees, clean",
     )
     p.add_argument("--epochs", metavar="N", type=int, default=100, help="default: 100")
     p.add_argument(

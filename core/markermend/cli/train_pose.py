@@ -10,6 +10,7 @@ import numpy as np
 import markermend as mm
 from markermend.cli.console import Bar, check_outputs, count, say
 from markermend.poses import Pose
+from markermend.poses.nuitrack import to_nuitrack
 
 
 def run_prior(options: argparse.Namespace) -> int:
@@ -28,31 +29,54 @@ def run_prior(options: argparse.Namespace) -> int:
 
 def run_networks(options: argparse.Namespace) -> int:
     """Train the paper's network in its three trainings."""
-    from markermend.bench.poses import subject_of
+    from markermend.poses.learning_sets import FOLDS, features_of, learning_sets
     from markermend.poses.network import save_networks
-    from markermend.poses.normal import normalise
-    from markermend.poses.nuitrack import to_nuitrack
-    from markermend.poses.quaternion import upright
-    from markermend.poses.training import NOISES, Training, train_network
+    from markermend.poses.noise import NOISES
+    from markermend.poses.sensor import as_depth_sensor
+    from markermend.poses.training import Training, held_out_error, train_network
 
-    features = {}
-    for name, pose in _read(options).items():
-        features[name], _ = normalise(to_nuitrack(pose))
-        features[name][..., 3:] = upright(features[name][..., 3:])
+    poses = _read(options)
+    suffix = "" if options.parts == "both" else f"+{options.parts}"
+    added = None
+    if options.sensor:
+        suffix += "+sensor"
+        added = {name: features_of(as_depth_sensor(to_nuitrack(p))) for name, p in poses.items()}
+    if options.fold == []:
+        options.fold = range(1, FOLDS + 1)
+    sets = learning_sets(
+        {name: features_of(pose) for name, pose in poses.items()},
+        leave_out=options.leave_out,
+        folds=tuple(options.fold or ()),
+        added=added,
+    )
     training = Training(epochs=options.epochs, seed=options.seed)
-    left_out = sorted({subject_of(name) for name in features}) if options.leave_out else [None]
     networks, target = {}, Path(options.output)
-    for subject in left_out:
-        kept = [f for name, f in features.items() if subject_of(name) != subject]
-        for kind, noise in NOISES.items():
-            name = f"{'all' if subject is None else f'without{subject}'}-{kind}"
+    errors: dict[str, list[float]] = {kind: [] for kind in options.noise}
+    for learnt in sets:
+        for kind in options.noise:
+            name = f"{learnt.name}-{kind}{suffix}"
             state = target.with_name(f"{target.stem}-{name}.keras") if options.resume else None
             with Bar() as bar:
                 networks[name] = train_network(
-                    np.concatenate(kept), noise, training=training, resume=state, progress=bar
+                    learnt.seen,
+                    NOISES[kind],
+                    parts=options.parts,
+                    training=training,
+                    resume=state,
+                    progress=bar,
                 )
-            say(f"Trained: {name}.")
             save_networks(networks, target)
+            told = ""
+            if len(learnt.unseen):
+                error = held_out_error(
+                    networks[name], learnt.unseen, NOISES[kind], seed=options.seed
+                )
+                errors[kind].append(error)
+                told = f", mean absolute error {error:.4f} on {len(learnt.unseen)} poses held out"
+            say(f"Trained: {name}{told}.")
+    for kind, some in errors.items():
+        if len(some) > 1:
+            say(f"{kind}: {np.mean(some):.4f} ± {np.std(some, ddof=1):.4f} over {len(some)} parts.")
     say(f"Written: {target}, {count(len(networks), 'network')}.")
     return 0
 

@@ -34,6 +34,14 @@ class Noise:
     limbs: bool = False
 
 
+NOISES = {
+    "both": Noise(),
+    "occlusions": Noise(displacement=0.0),
+    "displacements": Noise(occlusion=0.0),
+}
+"""The paper's three trainings, which are also its three tests."""
+
+
 def occlude(frames: int, joints: int, noise: Noise, random: np.random.Generator) -> BoolArray:
     """Draw which joints are occluded when; the root never is.
 

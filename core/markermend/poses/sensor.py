@@ -15,7 +15,7 @@ _CENTRE = 0.08
 _AXES_DEG = 10.0
 
 
-def as_depth_sensor(pose: Pose, *, seed: int) -> Pose:
+def as_depth_sensor(pose: Pose, *, seed: int = 1) -> Pose:
     """Give a recording the rate, proportions, joint centres and axes of another sensor.
 
     Parameters

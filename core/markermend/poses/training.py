@@ -16,13 +16,6 @@ from markermend.poses.noise import Noise, corrupt
 from markermend.poses.nuitrack import PARENTS
 from markermend.progress import Progress, quiet
 
-NOISES = {
-    "both": Noise(),
-    "occlusions": Noise(displacement=0.0),
-    "displacements": Noise(occlusion=0.0),
-}
-"""The paper's three trainings, which are also its three tests."""
-
 _UNITS = 1000
 _LEAST_SPREAD = 1e-3
 _STEPS_AT_ONCE = 8
@@ -74,7 +67,7 @@ def train_network(
     Raises
     ------
     MethodError
-        when Keras or JAX is not installed
+        when Keras or JAX is not installed, or the state is of another training
 
     Notes
     -----
@@ -97,6 +90,14 @@ def train_network(
     steps = -(-len(clean) // training.batch)
     if resume is not None and resume.exists():
         model = keras.models.load_model(resume)
+        if (model.input_shape[1], model.optimizer._learning_rate.decay_steps) != (
+            clean.shape[1],
+            steps * training.epochs,
+        ):
+            raise MethodError(
+                f"{resume.name} is the state of a training on other poses or of another length;"
+                " remove it to begin anew."
+            )
     else:
         model = _model(keras, clean.shape[1], training.rate, steps * training.epochs)
     for epoch in range(int(model.optimizer.iterations) // steps, training.epochs):
@@ -109,6 +110,21 @@ def train_network(
         (progress or quiet)((epoch + 1) / training.epochs, f"Mean absolute error {error:.4f}")
     layers = [layer.get_weights() for layer in model.layers if layer.get_weights()]
     return Network(parts, centre, spread, tuple(w for w, _ in layers), tuple(b for _, b in layers))
+
+
+def held_out_error(network: Network, features: FloatArray, noise: Noise, *, seed: int) -> float:
+    """Mean absolute error of a network on poses that it did not learn from.
+
+    Parameters
+    ----------
+    network : over the features that it returns
+    features : (poses, joints, 7) as :func:`train_network` takes them
+    noise : put on them
+    seed : of the noise
+    """
+    columns = PARTS[network.parts]
+    undone = network(corrupt(features, PARENTS, noise, seed=seed)[0])
+    return float(np.abs(undone[:, 1:, columns] - features[:, 1:, columns]).mean())
 
 
 def _model(keras: Any, width: int, rate: float, steps: int) -> Any:
