@@ -81,7 +81,7 @@ class MainWindow(QMainWindow):
         self.setDockNestingEnabled(True)
         self._make_panels()
         self.references = References(self.document, self)
-        self.scene.pick = self.references.toggle
+        self.scene.pick, self.scene.do = self.references.toggle, self._run
         self.comparison = Comparison(self.document, self)
         self.candidates = Candidates(self.comparison, self.trajectories, self)
         self.hand = HandWork(self.document, self.lane, self, self.queue.selected)
@@ -234,6 +234,7 @@ class MainWindow(QMainWindow):
         self.queue.repair_requested.connect(self.commands.repair_many)
         self.trajectories.mark_requested.connect(self.hand.mark_selection)
         self.trajectories.verb_requested.connect(self._run)
+        self.tree.verb_requested.connect(self._run)
         self.inspector.mark_requested.connect(self.hand.mark_selection)
         self.inspector.verb_requested.connect(self._run)
         self.trajectories.view_changed.connect(self.overview.set_view)

@@ -61,6 +61,23 @@ def test_hold_walk_let_go_and_repair(window, qtbot):
     assert document.session.artifact(gap).status is Status.REPAIRED
 
 
+def test_arrows_walk_as_the_desktop_sends_them_wherever_the_focus_is(window, qtbot):
+    document, comparison = window.document, window.comparison
+    desktop = window.windowHandle()
+    for widget in (window.scene, window.queue.view):
+        widget.setFocus()
+        QTest.keyPress(desktop, Qt.Key.Key_C)
+        qtbot.waitUntil(lambda: bool(comparison.candidates), timeout=WAIT)
+        place = comparison.place
+        QTest.keyClick(desktop, Qt.Key.Key_Down)
+        assert comparison.place == place + 1
+        QTest.keyClick(desktop, Qt.Key.Key_Up)
+        assert comparison.place == place
+        QTest.keyRelease(desktop, Qt.Key.Key_C)
+        qtbot.waitUntil(lambda: not comparison.shown)
+    assert document.method == names(window)[place]
+
+
 def test_arrows_step_frames_again_when_the_key_is_let_go(window, qtbot):
     document = window.document
     QTest.keyPress(window, Qt.Key.Key_C)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from dataclasses import replace
 
 import pytest
 
@@ -61,3 +62,15 @@ def test_a_proposal_under_way_while_samples_move_is_not_used(slow, qtbot):
     go_on.set()
     qtbot.waitUntil(lambda: proposals.get(first, "auto") is not None, timeout=WAIT)
     assert begun == [first.marker, first.marker]
+
+
+def test_a_note_spoils_no_proposal(slow, qtbot):
+    proposals, ask, artifacts, begun, _, go_on = slow
+    go_on.set()
+    ask(artifacts[0])
+    qtbot.waitUntil(lambda: proposals.get(artifacts[0], "auto") is not None, timeout=WAIT)
+    noted = replace(artifacts[0], note="wand in the way")
+    assert proposals.get(noted, "auto") is proposals.get(artifacts[0], "auto")
+    ask(noted)
+    qtbot.wait(60)
+    assert begun == [artifacts[0].marker]

@@ -407,8 +407,7 @@ def test_a_box_selects_and_ctrl_adds(scene, document, qtbot):
         Qt.KeyboardModifier.ControlModifier,
     )
     assert inside | {"STRN"} <= set(document.shown)
-    scene.setFocus()
-    qtbot.keyClick(scene, Qt.Key.Key_Escape)
+    scene.drop_tool()
     assert scene.buttons.tool == ""
     drag(qtbot, scene, QPoint(40, 0))
     assert scene.camera != camera

@@ -15,7 +15,6 @@ from markermend_app.actions.action import (
     editable,
     opened,
     redoable,
-    swept,
     undoable,
 )
 from markermend_app.actions.by_hand import HAND_WORK
@@ -73,8 +72,7 @@ ACTIONS: tuple[Action, ...] = (
         "|Edit",
         ("Esc",),
         "",
-        "Forget the swept range",
-        swept,
+        "Forget the swept range, or leave choosing and selecting in the 3D view",
     ),
     Action(
         "palette",

@@ -8,6 +8,7 @@ any change of them spoils it.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -56,11 +57,11 @@ class Proposals(QObject):
 
     def get(self, artifact: Artifact, method: str, references: tuple[str, ...] = ()) -> Any:
         """The proposal, or None while it is not there."""
-        return self._known.get((artifact, method, references))
+        return self._known.get(_told((artifact, method, references)))
 
     def keep(self, made: Mapping[Key, Any]) -> None:
         """Take over proposals that were made elsewhere."""
-        self._known.update(made)
+        self._known.update({_told(key): repair for key, repair in made.items()})
 
     def want(self, session: Session, mesh: Mesh, wanted: Sequence[Key]) -> None:
         """Make these proposals, in this order, unless they are there or under way.
@@ -69,9 +70,10 @@ class Proposals(QObject):
         the artifacts does not wait for all that were passed by. When the first is there already,
         the others wait until the window has painted it.
         """
+        wanted = tuple(map(_told, wanted))
         for key in self._asked.keys() - set(wanted):
             del self._asked[key]
-        self._begin = partial(self._submit, session, mesh, tuple(wanted))
+        self._begin = partial(self._submit, session, mesh, wanted)
         if wanted and wanted[0] in self._known:
             self._later.start(PAINTED_MS)
         else:
@@ -156,6 +158,11 @@ class Proposals(QObject):
             references=references,
             progress=report,
         )
+
+
+def _told(key: Key) -> Key:
+    """The same without the operator's note, on which no repair rests."""
+    return (replace(key[0], note=""), *key[1:])
 
 
 def _nothing() -> None:

@@ -110,7 +110,11 @@ class Comparison(QObject):
             return False
         if event.type() == QEvent.Type.ShortcutOverride:
             event.accept()
-        elif event.type() == QEvent.Type.KeyPress and watched.isWidgetType():
+            return True
+        if not watched.isWidgetType():
+            # The desktop gives keys to the window's frame, which hands them on to a widget.
+            return False
+        if event.type() == QEvent.Type.KeyPress:
             self.step(by)
         return True
 

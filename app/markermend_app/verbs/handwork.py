@@ -135,10 +135,6 @@ class HandWork(QObject):
                 ),
             )
 
-    def clear_selection(self) -> None:
-        """Forget the swept range."""
-        self._document.sweep(None)
-
     # A whole trajectory
 
     def rename_marker(self) -> None:

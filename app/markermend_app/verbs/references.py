@@ -41,6 +41,8 @@ class References(QObject):
                     current.marker
                 )
             )
+        else:
+            self.said.emit("")
         self.changed.emit(self.choosing)
 
     def toggle(self, marker: str) -> bool:

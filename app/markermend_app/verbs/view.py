@@ -6,7 +6,6 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
 from markermend.artifact import Kind
@@ -41,6 +40,7 @@ def view_verbs(window: MainWindow) -> dict[str, Callable[[], object]]:
         "to_start": lambda: document.go_to(0),
         "to_end": lambda: document.go_to(1 << 40),
         "note": lambda: _write_note(window),
+        "clear_selection": lambda: _let_go(window),
         "compare": lambda: window.comparison.start(shortcuts.table()["compare"]),
         "choose_references": lambda: window.references.choose(checked("choose_references")),
         "start_earlier": lambda: hand.nudge(-1, 0),
@@ -84,7 +84,17 @@ def _set_theme(name: str) -> None:
 def _write_note(window: MainWindow) -> None:
     """Put the cursor where a note is written."""
     window.show_dock("inspector")
-    window.inspector.artifact.note.setFocus(Qt.FocusReason.ShortcutFocusReason)
+    window.inspector.write_note()
+
+
+def _let_go(window: MainWindow) -> None:
+    """Leave what was begun with the mouse, what lies on top first."""
+    if window.references.choosing:
+        window.references.choose(False)
+    elif window.scene.buttons.tool:
+        window.scene.drop_tool()
+    else:
+        window.document.sweep(None)
 
 
 def _open_palette(window: MainWindow) -> None:

@@ -416,8 +416,8 @@
         <translation>Auswahl aufheben</translation>
     </message>
     <message>
-        <source>Forget the swept range</source>
-        <translation>Den überstrichenen Bereich vergessen</translation>
+        <source>Forget the swept range, or leave choosing and selecting in the 3D view</source>
+        <translation>Den markierten Bereich vergessen oder das Wählen in der 3D-Ansicht verlassen</translation>
     </message>
     <message>
         <source>Find a command, marker or artifact…</source>

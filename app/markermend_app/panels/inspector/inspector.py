@@ -58,6 +58,14 @@ class Inspector(QWidget):
         holder = self._pages.currentWidget()
         return holder.widget() if isinstance(holder, QScrollArea) else None
 
+    def write_note(self) -> None:
+        """Put the cursor where a note on the artifact is written, and that into sight."""
+        self._swept = False
+        self._choose()
+        note = self.artifact.note
+        self._holders[self.artifact].ensureWidgetVisible(note)
+        note.setFocus(Qt.FocusReason.ShortcutFocusReason)
+
     def _all(self) -> tuple[QWidget, ...]:
         return (self.artifact, self.selection, self.take)
 
@@ -67,6 +75,7 @@ class Inspector(QWidget):
         now = None if current is None else current.id
         if now != self._seen:
             self._swept = False
+            self._holders[self.artifact].verticalScrollBar().setValue(0)
         self._seen = now
         self._choose()
 

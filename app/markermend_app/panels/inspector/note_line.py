@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 from markermend_app.document import Document
+from markermend_app.panels.own_escape import wants_escape
 
 
 class NoteLine(QLineEdit):
@@ -22,6 +23,10 @@ class NoteLine(QLineEdit):
         self.editingFinished.connect(self._keep)
         document.current_changed.connect(self._refresh)
         self._refresh()
+
+    def event(self, event: QEvent) -> bool:
+        """Keep Esc for the line."""
+        return wants_escape(event) or super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Leave the line."""

@@ -9,9 +9,11 @@ from PySide6.QtCore import (
     QItemSelectionModel,
     QModelIndex,
     QPersistentModelIndex,
+    QPoint,
     QSize,
     QSortFilterProxyModel,
     Qt,
+    Signal,
 )
 from PySide6.QtGui import QPainter, QResizeEvent
 from PySide6.QtWidgets import (
@@ -19,6 +21,7 @@ from PySide6.QtWidgets import (
     QApplication,
     QHBoxLayout,
     QHeaderView,
+    QMenu,
     QStackedWidget,
     QStyle,
     QStyledItemDelegate,
@@ -32,6 +35,7 @@ from PySide6.QtWidgets import (
 from markermend.review.edits import Change
 from markermend_app.document import Document
 from markermend_app.panels.markers.badge import counts_width, hint, paint_counts
+from markermend_app.panels.markers.marker_menu import add_marker_verbs
 from markermend_app.panels.markers.marker_model import (
     COUNTS,
     LABEL,
@@ -54,8 +58,15 @@ class MarkerTree(QWidget):
     """Markers in body hierarchy, or flat with the worst on top.
 
     A click shows a marker alone in the plots; a check mark, Ctrl or Shift shows it beside others.
-    A check mark at what is no marker shows it in a row of its own below the plots.
+    A check mark at what is no marker shows it in a row of its own below the plots. The right button
+    offers what can be done to the marker.
+
+    Signals
+    -------
+    verb_requested(str) : name of the action to be done to the foremost marker
     """
+
+    verb_requested = Signal(str)
 
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -94,6 +105,8 @@ class MarkerTree(QWidget):
         header.setSectionResizeMode(MISSING, QHeaderView.ResizeMode.Fixed)
         header.resizeSection(MISSING, 42)
         self.view.selectionModel().selectionChanged.connect(self._selected)
+        self.view.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self.view.customContextMenuRequested.connect(self._show_menu)
         self.view.expanded.connect(self._span)
         self.view.collapsed.connect(self._span)
 
@@ -216,6 +229,18 @@ class MarkerTree(QWidget):
             self._syncing = True
             self._document.show(labels)
             self._syncing = False
+
+    def _show_menu(self, at: QPoint) -> None:
+        """Offer what can be done to the marker under the pointer, or under the cursor by key."""
+        index = self.view.indexAt(at)
+        label = self._model.node(self._proxy.mapToSource(index)).label if index.isValid() else ""
+        if not label:
+            return
+        self._document.show_too([label])
+        menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        add_marker_verbs(menu, self._document, self.verb_requested.emit)
+        menu.popup(self.view.viewport().mapToGlobal(at))
 
     def _labels(self, rows: Sequence[QModelIndex]) -> list[str]:
         """Markers of selected rows, the one clicked last foremost."""

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QMenu, QWidget
 from markermend.artifact import Artifact, Kind, Status
 from markermend_app.actions.menus import entry
 from markermend_app.document import Document
+from markermend_app.panels.markers.marker_menu import add_marker_verbs
 from markermend_app.style import theme
 from markermend_app.words import tr as _tr
 
@@ -89,11 +90,8 @@ def plot_menu(do: Callable[[str], None], document: Document, parent: QWidget) ->
     """What can be done where there is nothing: to the view, and to the foremost marker."""
     menu = QMenu(parent)
     entry(menu, "fit", partial(do, "fit"))
-    if document.shown:
-        menu.addSeparator()
-        _title(menu, document.shown[0])
-        for name in ("smooth", "rename_marker", "merge_marker"):
-            entry(menu, name, partial(do, name)).setEnabled(document.editable)
+    menu.addSeparator()
+    add_marker_verbs(menu, document, do)
     return menu
 
 

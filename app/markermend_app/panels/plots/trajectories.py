@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 
-from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtCore import QEvent, Signal
 from PySide6.QtWidgets import QStackedLayout, QVBoxLayout, QWidget
 
 from markermend.review.edits import Change
@@ -171,13 +170,6 @@ class TrajectoryPanel(QWidget):
         """Bring the source's samples forward, or the working ones."""
         for row in self.rows:
             row.set_before(before)
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Esc forgets the swept range."""
-        if event.key() == Qt.Key.Key_Escape and self.document.selection is not None:
-            self.document.sweep(None)
-        else:
-            super().keyPressEvent(event)
 
     # What the document says
 

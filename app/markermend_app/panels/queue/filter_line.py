@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAction, QKeyEvent
 from PySide6.QtWidgets import QLineEdit, QWidget
 
+from markermend_app.panels.own_escape import wants_escape
 from markermend_app.style import theme
 
 
@@ -28,6 +29,10 @@ class FilterLine(QLineEdit):
         self.addAction(self._search, QLineEdit.ActionPosition.LeadingPosition)
         theme.watcher.changed.connect(self._recolour)
         self._recolour()
+
+    def event(self, event: QEvent) -> bool:
+        """Keep Esc for the line."""
+        return wants_escape(event) or super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Leave the line, or clear it."""

@@ -58,7 +58,6 @@ class Looks:
         changed: Callable[[], None],
     ) -> None:
         """Offer everything in a menu; ``changed`` is called when something else is to be seen."""
-        menu.clear()
 
         def add(text: str, checked: bool, do: Callable[[], object]) -> None:
             action = menu.addAction(text)

@@ -21,6 +21,7 @@ from markermend.arrays import FloatArray
 from markermend.measures import differing
 from markermend_app import units
 from markermend_app.document import Document
+from markermend_app.panels.markers.marker_menu import add_marker_verbs
 from markermend_app.panels.scene import paint
 from markermend_app.panels.scene.buttons import SceneButtons
 from markermend_app.panels.scene.camera import Camera
@@ -31,7 +32,6 @@ from markermend_app.panels.scene.stage import Stage, centre_at, set_stage
 from markermend_app.style import theme
 
 PICK_PX = 14.0
-TRAIL_S = 0.5
 SCRUB_S_PER_PX = 0.02
 RADIUS_MM = 13.0
 MANY_LABELS = 40
@@ -46,6 +46,7 @@ class Scene(QWidget):
     time. A click shows the nearest marker in the plots, with Ctrl beside the others, unless
     ``pick`` takes it for something else; a double click beside the markers shows everything. With
     the box or the lasso chosen, a left drag shows the markers inside, with Ctrl beside the others.
+    The right button offers what can be done to a marker, by ``do``, and what can be seen.
     """
 
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
@@ -53,6 +54,7 @@ class Scene(QWidget):
         self._document = document
         self.camera = Camera()
         self.pick: Callable[[str], bool] = lambda marker: False
+        self.do: Callable[[str], None] = lambda action: None
         self.stage: Stage | None = None
         self._vertical: int | None = None
         self.looks = Looks()
@@ -96,14 +98,19 @@ class Scene(QWidget):
         self.buttons.fit_wanted.connect(self.reset)
         self.buttons.follow_changed.connect(self.reset)
         self.buttons.changed.connect(self.update)
-        self.buttons.menu.aboutToShow.connect(lambda: self._fill(self.buttons.menu))
+        self.buttons.menu.aboutToShow.connect(lambda: self._fill(self.buttons.menu, None))
         row = QHBoxLayout(self)
         row.setContentsMargins(4, 4, 4, 4)
         row.addStretch(1)
         row.addWidget(self.buttons, 0, Qt.AlignmentFlag.AlignTop)
 
-    def _fill(self, menu: QMenu) -> None:
-        """Offer what can be seen."""
+    def _fill(self, menu: QMenu, marker: str | None) -> None:
+        """Offer what can be done to a marker, and what can be seen."""
+        menu.clear()
+        if marker is not None:
+            self._document.show_too([marker])
+            add_marker_verbs(menu, self._document, self.do)
+            menu.addSeparator()
         self.looks.fill(menu, self._vertical, self.set_vertical, self.update)
 
     # What is seen
@@ -128,6 +135,12 @@ class Scene(QWidget):
         self._choosing = choosing
         self.update()
 
+    def drop_tool(self) -> None:
+        """Let a drag turn the view again; an outline under way is forgotten."""
+        self.buttons.drop_tool()
+        self._outline = None
+        self.update()
+
     def set_vertical(self, axis: int | None) -> None:
         """Say which axis points up (0, 1, 2), or None to guess it from the take."""
         self._vertical = axis
@@ -141,8 +154,7 @@ class Scene(QWidget):
         session = self._document.session
         self.stage, self._followed, self._vertical = None, None, None
         self.buttons.setVisible(session is not None)
-        self.buttons.drop_tool()
-        self._outline = None
+        self.drop_tool()
         if session is not None:
             take = session.original
             self.stage, self.camera = set_stage(take), Camera()
@@ -218,7 +230,7 @@ class Scene(QWidget):
     ) -> None:
         """Paint the other version, before or after the repairs, where it differs."""
         frame = self._document.frame
-        near = slice(*self._near(len(positions)))
+        near = self.seen.near()
         color = theme.blend(theme.current().original, theme.current().text, 0.2)
         for column in shown:
             mine, other = positions[near, column], others[near, column]
@@ -228,18 +240,11 @@ class Scene(QWidget):
         apart = differing(now, other)
         paint.paint_other(sight, now[apart], other[apart], color)
 
-    def _near(self, frames: int) -> tuple[int, int]:
-        """First frame and the one after the last of what trails show."""
-        session = self._document.session
-        rate = 100.0 if session is None else session.original.rate
-        reach, frame = max(2, round(TRAIL_S * rate)), self._document.frame
-        return max(0, frame - reach), min(frames, frame + reach + 1)
-
     def _paint_trails(
         self, sight: paint.Sight, positions: FloatArray, shown: dict[int, int]
     ) -> None:
         """Paint where markers come from and go to."""
-        near = positions[slice(*self._near(len(positions)))]
+        near = positions[self.seen.near()]
         if self.trails.isChecked():
             color = theme.faded(theme.current().muted, 0.5)
             paint.paint_trails(sight, near.transpose(1, 0, 2), color, 1.0)
@@ -321,13 +326,10 @@ class Scene(QWidget):
         marker = self.marker_at(event.position())
         if marker is None or self.pick(marker):
             return
-        shown = self._document.shown
-        if not event.modifiers() & Qt.KeyboardModifier.ControlModifier:
-            self._document.show([marker])
-        elif marker in shown:
-            self._document.show([s for s in shown if s != marker])
-        else:
-            self._document.show([*shown, marker])
+        beside = event.modifiers() & Qt.KeyboardModifier.ControlModifier
+        shown = self._document.shown if beside else ()
+        kept = [s for s in shown if s != marker]
+        self._document.show(kept if marker in shown else [*shown, marker])
 
     def _show_inside(self, outline: Outline, held: Qt.KeyboardModifier) -> None:
         """Show the markers inside an outline, with Ctrl beside the others."""
@@ -358,16 +360,13 @@ class Scene(QWidget):
             return
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self._fill(menu)
+        self._fill(menu, self.marker_at(QPointF(event.pos())))
         menu.popup(event.globalPos())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Turn, move and zoom; Esc lets the selecting tool go."""
+        """Turn, move and zoom."""
         moved = self.camera.by_key(Qt.Key(event.key()), event.modifiers(), self.height())
-        if event.key() == Qt.Key.Key_Escape and self.buttons.tool:
-            self.buttons.drop_tool()
-            self._outline = None
-        elif moved is not None:
+        if moved is not None:
             self.camera = moved
         else:
             super().keyPressEvent(event)

@@ -14,6 +14,8 @@ from markermend.take import Take, is_unlabelled
 from markermend_app.document import Document
 from markermend_app.panels.markers.naming import short_names
 
+TRAIL_S = 0.5
+
 
 class Seen:
     """Worked out when it is asked for, and kept until :meth:`forget`.
@@ -47,6 +49,12 @@ class Seen:
         pairs = () if mesh is None else mesh.links
         self.links = np.array(pairs, dtype=np.int64).reshape(-1, 2)
         self._lengths = None
+
+    def near(self) -> slice:
+        """Frames around the current one that trails show."""
+        session, frame = self._document.session, self._document.frame
+        reach = 0 if session is None else max(2, round(TRAIL_S * session.original.rate))
+        return slice(max(0, frame - reach), frame + reach + 1)
 
     def forget(self) -> None:
         """Samples or artifacts changed."""
