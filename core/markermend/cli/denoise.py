@@ -11,7 +11,8 @@ import numpy as np
 
 import markermend as mm
 from markermend.cli.console import STDOUT, Bar, check_outputs, count, say, table, warn
-from markermend.errors import ExportError
+from markermend.errors import ExportError, MethodError
+from markermend.poses import Pose
 from markermend.poses.restore import Restored
 
 
@@ -28,10 +29,12 @@ def run(options: argparse.Namespace) -> int:
         raise ExportError(
             f"“{options.output}” should end in {', '.join(WRITABLE)}, to tell what to write."
         )
-    prior = shipped_prior() if options.prior is None else load_prior(Path(options.prior))
     pose = mm.read_pose(options.pose, skeleton=options.skeleton, rate=options.rate)
     for warning in pose.warnings:
         warn(warning)
+    if options.network is not None:
+        return _by_network(pose, options)
+    prior = shipped_prior() if options.prior is None else load_prior(Path(options.prior))
     with Bar() as bar:
         restored = restore(pose, prior=prior, progress=bar)
     mm.write_pose(restored.pose, options.output)
@@ -49,6 +52,22 @@ def run(options: argparse.Namespace) -> int:
     never = [joint for i, joint in enumerate(pose.joints) if not pose.seen[:, i].any()]
     if never:
         warn(f"Never seen, and left so: {', '.join(never)}.")
+    say(f"Written: {options.output}, {count(pose.frames, 'pose')}.")
+    return 0
+
+
+def _by_network(pose: Pose, options: argparse.Namespace) -> int:
+    """Let a trained network do it."""
+    from markermend.poses.by_network import denoise_by_network
+    from markermend.poses.network import load_networks
+
+    path, name = options.network
+    networks = load_networks(Path(path))
+    if name not in networks:
+        raise MethodError(f"{path} has no network “{name}”; there are: {', '.join(networks)}.")
+    with Bar() as bar:
+        cleaned = denoise_by_network(pose, networks[name], progress=bar)
+    mm.write_pose(cleaned, options.output)
     say(f"Written: {options.output}, {count(pose.frames, 'pose')}.")
     return 0
 

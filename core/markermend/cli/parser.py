@@ -213,6 +213,12 @@ def _add_denoise(p: argparse.ArgumentParser) -> None:
     p.add_argument(
         "--prior", metavar="FILE", help="how bodies move, of “train prior”, instead of our own"
     )
+    p.add_argument(
+        "--network",
+        metavar=("FILE", "NAME"),
+        nargs=2,
+        help="let a network of “train pose” do it instead, as Goncalves and others (2024) do",
+    )
     p.add_argument("--list", action="store_true", help="show what was done to every joint")
     _force(p)
 
