@@ -36,8 +36,9 @@ def missing_share(
     first, low, high = _bins(len(origin), columns, start, stop)
     lost = (origin[low:high] == Origin.MISSING).view(np.uint8)
     count = np.maximum(np.diff(np.append(first, high - low)), 1)
-    # A sum of 8-bit numbers overflows, hence the wider type.
-    share = np.add.reduceat(lost, first, axis=0, dtype=np.int32) / count[:, None]
+    # A sum of more than 255 ones overflows eight bits, which are three times as fast.
+    wide = np.uint8 if count.max(initial=0) < 256 else np.int32
+    share = np.add.reduceat(lost, first, axis=0, dtype=wide) / count[:, None]
     share = np.where(share > 0, np.maximum(share, LEAST_SHARE), 0.0)
     return np.asarray(share.T, dtype=np.float64)
 

@@ -108,7 +108,8 @@ def test_the_difference_row_shows_how_far_a_repair_moved_what_was_measured(windo
     peak = document.current
     qtbot.keyClick(window, Qt.Key.Key_F)
     session = document.session
-    way = way_of(session.take, peak.marker, original=session.original)
+    source = session.original.positions[:, session.original.index(peak.marker)]
+    way = way_of(session.take, peak.marker, source=source)
     moved = QUANTITIES["difference"].of(way)
     assert moved[peak.start] == pytest.approx(25.0, abs=2.0)
     assert np.nanmax(np.delete(moved, peak.start)) == 0.0

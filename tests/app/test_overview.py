@@ -10,7 +10,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from markermend.artifact import Artifact, Kind, Status
+from markermend.heat import missing_share
 from markermend.mesh import Group, Mesh
+from markermend.review import hand
 from markermend.review.file import open_session
 from markermend.take import Take
 from markermend_app.document import Document
@@ -325,3 +327,24 @@ def test_long_takes_with_many_markers_are_quick(make):
     panel.grab()
     assert time.process_time() - began < 0.5
     assert panel.document.session.artifact(artifacts[3].id).status is Status.ACCEPTED
+
+
+def test_what_is_missing_is_counted_anew_where_samples_changed_only(overview, monkeypatch):
+    counted = []
+
+    def count(origin, *more):
+        counted.append(origin.shape[1])
+        return missing_share(origin, *more)
+
+    overview.grab()
+    monkeypatch.setattr("markermend_app.panels.overview.missing.missing_share", count)
+    document = overview.document
+    document.do(lambda s: hand.cut(s, "C7", 10, 60))
+    overview.grab()
+    assert counted == [1]
+    take, (width, span, share) = document.session.take, overview._missing._known
+    assert np.array_equal(share, missing_share(take.origin, width, *span))
+    assert share[take.index("C7")].max() == 1.0
+    overview.set_span(0, 100)
+    overview.grab()
+    assert counted == [1, take.markers]

@@ -13,11 +13,13 @@ from PySide6.QtTest import QTest
 from markermend.artifact import Kind, Status
 from markermend.measures import acceleration, distance, speed
 from markermend.mesh import infer_mesh
+from markermend.review import hand
 from markermend.review.file import open_session
 from markermend.take import Analog, Event, Points, Take
 from markermend_app.document import Document
 from markermend_app.panels.plots.quantity import QUANTITIES, can_show
 from markermend_app.panels.plots.range import value_range
+from markermend_app.panels.plots.row import PlotRow
 from markermend_app.panels.plots.trajectories import TrajectoryPanel
 from markermend_app.style import theme
 
@@ -334,3 +336,34 @@ def test_cameras_that_were_never_counted_are_no_row(panel, damaged):
     assert not can_show(
         replace(take, cameras=np.zeros(take.present.shape, dtype=np.uint8)), "cameras"
     )
+
+
+def test_markers_that_stay_are_not_drawn_anew(panel, monkeypatch):
+    document, drawn = panel.document, []
+    refresh = PlotRow.refresh
+
+    def note(row, name, shown):
+        drawn.append(name)
+        refresh(row, name, shown)
+
+    monkeypatch.setattr(PlotRow, "refresh", note)
+    document.show(["CLAV", "STRN"])
+    assert drawn == ["STRN"] * 3
+    x = panel.rows[0]
+    kept = x.traces["CLAV"].measured.yData
+    document.do(lambda s: hand.cut(s, "CLAV", 100, 110))
+    assert drawn == ["STRN"] * 3 + ["CLAV"] * 3
+    assert np.isfinite(kept[100:110]).all()
+    assert np.isnan(x.traces["CLAV"].measured.yData[100:110]).all()
+    document.show(["STRN", "CLAV"])
+    assert np.array_equal(x.traces["STRN"].measured.yData, x.values_of["STRN"], equal_nan=True)
+    assert np.isnan(x.value_at("CLAV", 105))
+
+
+def test_distances_are_drawn_anew_when_their_partner_moves(panel):
+    document = panel.document
+    panel.choose_partner("STRN")
+    before = panel.rows[-1].value_at("CLAV", 100)
+    document.do(lambda s: hand.cut(s, "STRN", 95, 105))
+    assert np.isfinite(before)
+    assert np.isnan(panel.rows[-1].value_at("CLAV", 100))

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import importlib
 import json
+import sys
 
 import numpy as np
 import pytest
@@ -16,6 +18,7 @@ from markermend.artifact import Artifact, Kind, Status
 from markermend.errors import MarkermendError
 from markermend.patch import Patch
 from markermend.review.edits import SetSamples
+from markermend.review.file import open_session
 from markermend_app import settings
 from markermend_app.actions.table import ACTIONS
 from markermend_app.dialogs import ask as dialogs
@@ -371,6 +374,28 @@ def test_a_cut_off_file_is_told_of_and_shown(window, qtbot, take_path, tmp_path)
     told.close()
     qtbot.waitUntil(lambda: not window.lane.busy, timeout=WAIT)
     assert "cut short" in window.status.findChild(QLabel).text()
+
+
+def test_a_review_that_is_opened_first_loads_the_repairs_on_the_worker(
+    window, qtbot, take_path, damaged, monkeypatch
+):
+    file = open_session(mm.read(take_path))
+    file.session.add_detected(damaged[1], "truth")
+    file.save()
+    file.close()
+    # As in a window that has just started; both are put back.
+    monkeypatch.setattr(mm, "repairs", importlib.import_module("markermend.repairs"))
+    monkeypatch.delitem(sys.modules, "markermend.repairs")
+    begun = []
+    window.lane.started.connect(begun.append)
+    loaded = []
+    window.document.current_changed.connect(
+        lambda: loaded.append((window.document.current, "markermend.repairs" in sys.modules))
+    )
+    window.commands.open_path(take_path)
+    qtbot.waitUntil(lambda: window.document.current is not None, timeout=WAIT)
+    assert all(there for current, there in loaded if current is not None)
+    assert begun[:2] == ["Opening box.c3d"] * 2
 
 
 def test_an_open_take_fits_small_screens_too(reviewed, qtbot):

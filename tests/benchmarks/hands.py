@@ -199,8 +199,9 @@ class Operator:
         """Show several markers in five rows, look around, and go back to what was there."""
         self.turns.doing = "more rows and markers"
         before, chosen = self.document.shown, self.window.trajectories.chosen
-        self.window.trajectories.choose_rows(ROWS)
-        wait(50)
+        for count in range(4, len(ROWS) + 1):
+            self.window.trajectories.choose_rows(ROWS[:count])
+            wait(50)
         labels = self.document.session.original.labels
         for count in range(2, 6):
             self.document.show(dict.fromkeys((*before, *labels[:count])))

@@ -46,6 +46,17 @@ def test_cutting_opens_a_gap_that_joins_the_one_beside_it():
         hand.cut(session, "B", 12, 15)
 
 
+def test_hand_work_copies_only_the_markers_it_touches():
+    session = Session(make_take())
+    hand.cut(session, "B", 20, 28)
+    state, read = session.state, session.original.positions
+    own = [not np.shares_memory(state.base(i)[0], read) for i in range(session.original.markers)]
+    assert own == [label == "B" for label in session.original.labels]
+    session.undo()
+    column = session.original.index("B")
+    assert np.array_equal(state.base(column)[0], read[:, column], equal_nan=True)
+
+
 def test_a_filled_cut_that_is_reopened_is_cut_again():
     session = Session(make_take())
     hand.cut(session, "A", 30, 40)

@@ -38,8 +38,7 @@ def state_of(session: Session) -> tuple:
     return (
         session.positions.tobytes(),
         session.origin.tobytes(),
-        session.state.base_positions.tobytes(),
-        session.state.base_origin.tobytes(),
+        *(a.tobytes() for i in range(session.original.markers) for a in session.state.base(i)),
         session.original.labels,
         session.artifacts,
         tuple(sorted((i, n.method) for i, n in session.notes.items())),

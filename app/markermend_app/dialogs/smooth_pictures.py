@@ -35,8 +35,8 @@ class SmoothPictures(pg.GraphicsLayoutWidget):
         self.setAccessibleName(self.tr("Curve, spectrum and residuals before and after"))
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._time = TimeAxis()
-        self.way = pg.PlotItem(axisItems={"bottom": self._time})
-        self.spectrum, self.residual = pg.PlotItem(), pg.PlotItem()
+        self.way = pg.PlotItem(axisItems={"bottom": self._time}, enableMenu=False)
+        self.spectrum, self.residual = (pg.PlotItem(enableMenu=False) for _ in range(2))
         self.addItem(self.way, 0, 0, 1, 2)
         self.addItem(self.spectrum, 1, 0)
         self.addItem(self.residual, 1, 1)
@@ -56,7 +56,6 @@ class SmoothPictures(pg.GraphicsLayoutWidget):
         self.spectrum.setLogMode(y=True)
         for plot in (self.way, self.spectrum, self.residual):
             plot.hideButtons()
-            plot.setMenuEnabled(False)
             plot.showGrid(x=True, y=True, alpha=1.0)
             plot.getAxis("left").setWidth(72)
         self.way.getViewBox().setAutoVisible(y=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
@@ -84,7 +85,7 @@ class Commands(QObject):
             settings.add_recent(path)
             self._tell_opened()
             if opened.file.session.artifacts:
-                self._document.step(1)
+                self._look_at_first(opened.file, label)
             if opened.mesh is None:
                 self._learn_body(opened.file)
 
@@ -99,6 +100,21 @@ class Commands(QObject):
 
         label = self.tr("Opening {0}").format(path.name)
         self._lane.submit(label, work, done, failed, dropped)
+
+    def _look_at_first(self, file: SessionFile, label: str) -> None:
+        """Put the first artifact under review, once the methods that are listed are loaded."""
+
+        def work(progress: Progress) -> None:
+            import markermend.repairs  # noqa: F401
+
+        def done(_: None) -> None:
+            if self._document.file is file and self._document.current is None:
+                self._document.step(1)
+
+        if "markermend.repairs" in sys.modules:
+            done(None)
+        else:
+            self._lane.submit(label, work, done, self.show_problem)
 
     def _learn_body(self, file: SessionFile) -> None:
         """Look how the body moves, and for artifacts in a take that is new."""

@@ -39,6 +39,10 @@ class Smoothing(QObject):
         self._lane.progressed.connect(self._progressed)
         self._last: tuple[str, dict[str, Any]] = ("auto", {})
         self.dialog: SmoothDialog | None = None
+        self._stale = False
+        document.data_changed.connect(self._note_change)
+        document.opened.connect(self._note_change)
+        document.mesh_changed.connect(self._get_ready)
 
     def smooth(self) -> None:
         """Ask what to smooth and how, with a preview."""
@@ -51,7 +55,8 @@ class Smoothing(QObject):
             first, last = (session.original.frame_number(i) for i in (swept.start, swept.stop - 1))
             text = self.tr("Frames {0}–{1} of {2}").format(first, last, marker)
             where = (Scope(text, frozenset({marker}), swept.start, swept.stop), *where)
-        take = session.take.viewing(session.positions.copy(), session.origin.copy())
+        # No copy, which takes long: what changes under the dialog is noticed, and nothing done.
+        take, self._stale = session.take, False
         dialog = SmoothDialog(take, where, marker, self._document.frame, *self._last, self._window)
         dialog.wanted.connect(lambda: self._work_out(dialog, take))
         dialog.look_wanted.connect(lambda: self._inspect(dialog, take))
@@ -59,6 +64,14 @@ class Smoothing(QObject):
         dialog.finished.connect(self._closed)
         self.dialog = dialog
         dialog.open()
+
+    def _note_change(self, *_: object) -> None:
+        """What the dialog shows rests on samples that are others now."""
+        self._stale = True
+
+    def _get_ready(self) -> None:
+        """Load the smoothers on the worker, which the first dialog would wait for."""
+        self._lane.submit("Smoothing", _load_smoothers, _let_be, _let_be)
 
     def _work_out(self, dialog: SmoothDialog, take: Take) -> None:
         """Smooth what the dialog says, on the worker."""
@@ -119,10 +132,7 @@ class Smoothing(QObject):
         if session is None or answer is None:
             return
         columns = [take.index(s) for s in answer.markers]
-        same = session.original.labels == take.labels and np.array_equal(
-            session.positions[:, columns], take.positions[:, columns], equal_nan=True
-        )
-        if not same:
+        if self._stale:
             self.said.emit(self.tr("The review changed meanwhile; do it again."))
             return
         part = np.ix_(range(answer.start, answer.stop), columns)
@@ -134,3 +144,11 @@ class Smoothing(QObject):
         ):
             self._document.sweep(None)
             self.said.emit(self.tr("{0}.").format(told(session.history[-1])))
+
+
+def _load_smoothers(progress: Progress) -> None:
+    import markermend.smoothers  # noqa: F401
+
+
+def _let_be(_: object) -> None:
+    """What matters is that it was loaded; a failure shows when it is needed."""

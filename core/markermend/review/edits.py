@@ -40,18 +40,32 @@ class State:
     ----------
     original : the take as it was read, under the names its markers have now
     positions, origin : the working samples
-    base_positions, base_origin : what a repair that is taken back returns to: the samples as
-        read, until hand work changes them
     """
 
     def __init__(self, take: Take) -> None:
         self.original = take
         self.positions: FloatArray = take.positions.copy()
         self.origin: ByteArray = take.origin.copy()
-        self.base_positions: FloatArray = take.positions
-        self.base_origin: ByteArray = take.origin
+        self._base: dict[int, tuple[FloatArray, ByteArray]] = {}
         self.artifacts: dict[str, Artifact] = {}
         self.notes: dict[str, RepairNote] = {}
+
+    def base(self, column: int) -> tuple[FloatArray, ByteArray]:
+        """What a repair that is taken back returns to: samples as read, or as hand work left them.
+
+        Returns
+        -------
+        (frames, 3) float64 mm and (frames,) uint8 of a marker, not to be changed
+        """
+        read = self.original.positions[:, column], self.original.origin[:, column]
+        return self._base.get(column, read)
+
+    def own_base(self, column: int) -> tuple[FloatArray, ByteArray]:
+        """The same, to be changed by hand work; a copy of this marker's samples only."""
+        if column not in self._base:
+            positions, origin = self.base(column)
+            self._base[column] = positions.copy(), origin.copy()
+        return self._base[column]
 
 
 @dataclass(frozen=True)
@@ -84,14 +98,10 @@ class SetBase:
 
     def apply(self, state: State) -> SetBase:
         """Write the patches; each names all axes, so that none can fail."""
-        if not state.base_positions.flags.writeable:
-            # A review without hand work does without a second copy of its samples.
-            state.base_positions = state.base_positions.copy()
-            state.base_origin = state.base_origin.copy()
-        undo = [
-            apply_patch(state.base_positions, state.base_origin, state.original.index(p.marker), p)
-            for p in self.patches
-        ]
+        undo = []
+        for patch in self.patches:
+            positions, origin = state.own_base(state.original.index(patch.marker))
+            undo.append(apply_patch(positions[:, None], origin[:, None], 0, patch))
         return SetBase(tuple(reversed(undo)))
 
 

@@ -235,7 +235,7 @@ def _artifacts_after(session: Session, patches: Sequence[Patch]) -> dict[str, Ar
     for marker in dict.fromkeys(p.marker for p in patches):
         mine = [p for p in patches if p.marker == marker]
         start, stop = min(p.start for p in mine), max(p.stop for p in mine)
-        absent = ~session.take.present[:, session.original.index(marker)]
+        absent = session.origin[:, session.original.index(marker)] == Origin.MISSING
         for p in mine:
             absent[p.start : p.stop] = np.isnan(p.values[:, 0])
         gaps = []

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
@@ -16,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from markermend.artifact import Kind
+from markermend.take import Origin
 from markermend_app.actions.menus import hint_of
 from markermend_app.document import Document
 from markermend_app.panels.markers.badge import kind_icon
@@ -198,7 +198,7 @@ class TakePage(QWidget):
         """Tell how much is missing now."""
         session = self._document.session
         if session is not None and session.positions.size and self.isVisible():
-            share = float(np.isnan(session.positions[:, :, 0]).mean())
+            share = float((session.origin == Origin.MISSING).mean())
             self._gaps.setText(self.tr("{0:.2f} % of all samples").format(100 * share))
 
     def showEvent(self, event: QShowEvent) -> None:

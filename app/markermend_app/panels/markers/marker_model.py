@@ -14,7 +14,7 @@ from PySide6.QtGui import QFont
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend.mesh import Mesh
-from markermend.take import Take, is_unlabelled
+from markermend.take import Origin, Take, is_unlabelled
 from markermend_app.panels.markers.badge import dot_icon
 from markermend_app.panels.plots.beside import analog_key, point_key
 from markermend_app.style import theme
@@ -191,9 +191,9 @@ class MarkerModel(QAbstractItemModel):
     def set_missing(self, take: Take, labels: Iterable[str]) -> None:
         """Work out the share of frames without these markers."""
         nodes = [self._by_label[label] for label in labels if label in self._by_label]
-        for node in nodes:
-            x = take.positions[:, take.index(node.label), 0]
-            node.missing = float(np.isnan(x).mean()) if len(x) else 0.0
+        lost = take.origin[:, [take.index(node.label) for node in nodes]] == Origin.MISSING
+        for node, count in zip(nodes, np.count_nonzero(lost, axis=0).tolist(), strict=True):
+            node.missing = count / max(1, take.frames)
         self._announce(MISSING, nodes)
 
     def set_shown(self, shown: tuple[str, ...]) -> None:

@@ -19,13 +19,14 @@ from PySide6.QtWidgets import QToolTip, QWidget
 
 from markermend.arrays import FloatArray
 from markermend.artifact import Artifact
-from markermend.heat import missing_share, worst
+from markermend.heat import worst
 from markermend.review.edits import Change
 from markermend.take import Take
 from markermend_app import units
 from markermend_app.document import Document
 from markermend_app.panels.inspector.artifact_text import describe
 from markermend_app.panels.overview.marks import paint_groups, paint_scale, paint_time
+from markermend_app.panels.overview.missing import Missing
 from markermend_app.panels.overview.mode import ModeButton
 from markermend_app.panels.overview.picture import (
     MOST_MM,
@@ -64,6 +65,7 @@ class Overview(QWidget):
         self._rows: Rows | None = None
         self._artifacts: tuple[Artifact, ...] = ()
         self._image: QImage | None = None
+        self._missing = Missing()
         self._column_of: dict[str, int] = {}
         self._place = np.zeros((0, 3), dtype=np.int64)
         self.setAccessibleName(self.tr("Overview of the whole take"))
@@ -129,7 +131,7 @@ class Overview(QWidget):
         """Put the markers of one body part beside one another."""
         take = self._take
         self._rows = None if take is None else arrange(take.markers, self.document.mesh)
-        self._missing = np.zeros((0, 0))
+        self._missing.forget()
         self._reread()
 
     def _reread(self) -> None:
@@ -151,6 +153,8 @@ class Overview(QWidget):
     def _refresh(self, change: Change) -> None:
         """Paint changed samples anew."""
         self.residuals.note(change)
+        if (take := self._take) is not None:
+            self._missing.note(take, [self._column_of[m] for m in change.markers])
         self._repaint()
 
     def _move_cursor(self, frame: int) -> None:
@@ -336,7 +340,7 @@ class Overview(QWidget):
     def _levels(self, take: Take, width: int) -> FloatArray:
         """(markers, width) in [0, 1]: what the picture shows behind each pixel."""
         if self.mode.mode != "residual":
-            return missing_share(take.origin, width, *self._span)
+            return self._missing.share(take, width, self._span)
         session = self.document.session
         if session is not None:
             self.residuals.want(session)

@@ -11,7 +11,7 @@ import numpy as np
 from markermend.arrays import FloatArray
 from markermend.measures import acceleration, distance, speed
 from markermend.patch import Patch
-from markermend.take import AXES, Take
+from markermend.take import AXES, Origin, Take
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,7 +54,7 @@ def way_of(
     marker: str,
     partner: str | None = None,
     predicted: FloatArray | None = None,
-    original: Take | None = None,
+    source: FloatArray | None = None,
 ) -> Way:
     """A marker's way in a take.
 
@@ -64,17 +64,20 @@ def way_of(
     marker : its label
     partner : the marker that distances are measured to
     predicted : (frames, 3) mm, where the body says the marker is
-    original : the recording before any repair
+    source : (frames, 3) mm, the samples before any repair; by default the way's own
     """
     column = take.index(marker)
     residuals = None if take.residuals is None else take.residuals[:, column].astype(np.float64)
     cameras = None
     if take.cameras is not None:
         # A count of a sample that was not seen says nothing.
-        cameras = np.where(take.present[:, column], take.cameras[:, column].astype(float), np.nan)
+        seen = take.origin[:, column] != Origin.MISSING
+        cameras = np.where(seen, take.cameras[:, column].astype(float), np.nan)
     other = None if partner is None else take.positions[:, take.index(partner)]
-    source = None if original is None else original.positions[:, column]
-    return Way(take.positions[:, column], take.rate, residuals, cameras, other, predicted, source)
+    # Every row reads them several times, which is slow across other markers' and axes' samples.
+    positions = np.asfortranarray(take.positions[:, column])
+    source = positions if source is None else source
+    return Way(positions, take.rate, residuals, cameras, other, predicted, source)
 
 
 @dataclass(frozen=True, eq=False)

@@ -35,7 +35,7 @@ class Shown:
 
     Attributes
     ----------
-    now, before : its way as it stands, and as it was in the file
+    now, before : its way as it stands, and as it was in the file; one object where they agree
     origin : (frames,) uint8, see :class:`markermend.take.Origin`
     """
 
@@ -91,7 +91,7 @@ class PlotRow(PlotFrame):
         self._pool: list[Trace] = []
         self.traces: dict[str, Trace] = {}
         self.values_of: dict[str, FloatArray] = {}
-        self._ways: dict[str, Way] = {}
+        self._shown: dict[str, Shown] = {}
         self._before = False
         for item in (self.intervals, self.band):
             self.plot.addItem(item, ignoreBounds=True)
@@ -114,15 +114,24 @@ class PlotRow(PlotFrame):
             for item in trace.items():
                 _fill(item)
         self.traces = dict(zip(shown, self._pool, strict=False))
-        self.values_of, self._ways = {}, {}
+        values, self.values_of = self.values_of, {}
+        before, self._shown = self._shown, {}
+        same = {a for a, b in zip(before, shown, strict=False) if a == b}
         for name, marker in shown.items():
-            self.refresh(name, marker)
+            if name in same and before[name] is marker:
+                # What is in its curves already need not be worked out again.
+                self._shown[name] = marker
+                if name in values:
+                    self.values_of[name] = values[name]
+            else:
+                self.refresh(name, marker)
 
     def refresh(self, name: str, shown: Shown) -> None:
         """Draw the samples of one marker as they stand now."""
         trace = self.traces[name]
-        self._ways[name] = shown.now
-        values, source = self.quantity.of(shown.now), self.quantity.of(shown.before)
+        self._shown[name] = shown
+        values = self.quantity.of(shown.now)
+        source = values if shown.before is shown.now else self.quantity.of(shown.before)
         if values is None or source is None:
             self.values_of.pop(name, None)
             for item in trace.items():
@@ -130,11 +139,15 @@ class PlotRow(PlotFrame):
             return
         self.values_of[name] = values
         mended = (shown.origin == Origin.FILLED) | (shown.origin == Origin.EDITED)
-        _fill_whole(trace.measured, np.where(mended, np.nan, values))
+        measured = np.where(mended, np.nan, values) if mended.any() else values
+        _fill_whole(trace.measured, measured)
         _fill_pieces(trace.changed, values, mended)
         _fill_pieces(trace.lone, values, lone_samples(values), join=0)
-        same = (values == source) | (np.isnan(values) & np.isnan(source))
-        _fill_pieces(trace.original, source, ~same)
+        if source is values:
+            _fill(trace.original)
+        else:
+            same = (values == source) | (np.isnan(values) & np.isnan(source))
+            _fill_pieces(trace.original, source, ~same)
 
     def show_prediction(self, predicted: Mapping[str, FloatArray]) -> None:
         """Draw predicted positions, (frames, 3) by marker; others get none."""
@@ -205,10 +218,10 @@ class PlotRow(PlotFrame):
 
     def joined(self, patch: Patch) -> tuple[FloatArray, FloatArray] | None:
         """What a patch would make of the values, with one known value on either side."""
-        way, reach = self._ways.get(patch.marker), self.quantity.reach
-        if way is None or reach < 0 or set(patch.axes).isdisjoint(self.quantity.axes):
+        shown, reach = self._shown.get(patch.marker), self.quantity.reach
+        if shown is None or reach < 0 or set(patch.axes).isdisjoint(self.quantity.axes):
             return None
-        near, first = way.patched(patch, 2 * reach + 1)
+        near, first = shown.now.patched(patch, 2 * reach + 1)
         values = self.quantity.of(near)
         if values is None:
             return None

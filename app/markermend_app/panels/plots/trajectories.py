@@ -17,12 +17,13 @@ from markermend_app.panels.floating_buttons import FloatingButtons
 from markermend_app.panels.markers.naming import short_names
 from markermend_app.panels.plots.beside import channel, grouped
 from markermend_app.panels.plots.crosshair import Crosshair
+from markermend_app.panels.plots.drawn import Drawn
 from markermend_app.panels.plots.frame import PlotFrame, events_of
 from markermend_app.panels.plots.gestures import Gestures
 from markermend_app.panels.plots.header import PlotHeader
 from markermend_app.panels.plots.partner import partner_of
 from markermend_app.panels.plots.prediction import Predictions
-from markermend_app.panels.plots.quantity import COORDINATES, QUANTITIES, can_show, way_of
+from markermend_app.panels.plots.quantity import COORDINATES, QUANTITIES, can_show
 from markermend_app.panels.plots.range import time_range
 from markermend_app.panels.plots.row import PlotRow, Shown
 from markermend_app.panels.plots.rows_menu import fill_rows_menu
@@ -56,6 +57,7 @@ class TrajectoryPanel(QWidget):
         self._predicting = False
         self.fit_when_proposed = False
         self._view = (0.0, 1.0)
+        self._known = Drawn()
         self.setAccessibleName(self.tr("Trajectories"))
 
         self.header = PlotHeader()
@@ -181,6 +183,7 @@ class TrajectoryPanel(QWidget):
     def _opened(self) -> None:
         """Start over with another take."""
         self.predictions.forget()
+        self._known.forget()
         self.chosen_partner = None
         self._lay_rows()
         if (take := self.take) is not None:
@@ -231,6 +234,7 @@ class TrajectoryPanel(QWidget):
         self.header.show_markers(shown)
         if session is not None:
             drawn = {name: self._drawn(name) for name in shown}
+            self._known.keep(shown)
             for row in self.rows:
                 row.show_markers(drawn)
             self._name_distance()
@@ -246,14 +250,9 @@ class TrajectoryPanel(QWidget):
         """A marker as the rows draw it."""
         session = self.document.session
         assert session is not None
-        take, original = session.take, session.original
-        partner, predicted = self.partner, self.predictions.known.get(name)
-        partner = None if partner == name else partner
-        return Shown(
-            way_of(take, name, partner, predicted, original),
-            way_of(original, name, partner, predicted, original),
-            take.origin[:, take.index(name)],
-        )
+        partner = self.partner if self.canvas.row("distance") is not None else None
+        predicted = self.predictions.known.get(name)
+        return self._known.of(session, name, None if partner == name else partner, predicted)
 
     def _name_distance(self) -> None:
         """Say to which marker distances are measured."""
@@ -266,6 +265,7 @@ class TrajectoryPanel(QWidget):
         """Draw changed samples anew."""
         if self.document.session is None:
             return
+        self._known.note(change.markers)
         everyone = self.partner in change.markers and self.canvas.row("distance") is not None
         for name in self.document.shown:
             if everyone or name in change.markers:

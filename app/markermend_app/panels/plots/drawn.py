@@ -1,0 +1,58 @@
+"""What the rows draw of the shown markers, kept while nothing of it changes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from markermend.arrays import FloatArray
+from markermend.review.session import Session
+from markermend_app.panels.plots.quantity import way_of
+from markermend_app.panels.plots.row import Shown
+
+
+class Drawn:
+    """Gives the same object for a marker as long as it looks the same, so that rows can tell."""
+
+    def __init__(self) -> None:
+        self._known: dict[str, tuple[str | None, FloatArray | None, Shown]] = {}
+
+    def forget(self) -> None:
+        """Start over with another take."""
+        self._known.clear()
+
+    def note(self, changed: Iterable[str]) -> None:
+        """Let go of markers whose samples changed, and of those measured to them."""
+        names = set(changed)
+        for name in [n for n, k in self._known.items() if n in names or k[0] in names]:
+            del self._known[name]
+
+    def keep(self, names: Iterable[str]) -> None:
+        """Let go of all but these markers."""
+        self._known = {name: self._known[name] for name in names}
+
+    def of(
+        self, session: Session, name: str, partner: str | None, predicted: FloatArray | None
+    ) -> Shown:
+        """A marker as it stands.
+
+        Parameters
+        ----------
+        session : the review
+        name : the marker's label
+        partner : the marker that distances are measured to, or None
+        predicted : (frames, 3) mm, where the body says the marker is, or None
+        """
+        known = self._known.get(name)
+        if known is not None and known[0] == partner and known[1] is predicted:
+            return known[2]
+        take = session.take
+        before = way_of(session.original, name, partner, predicted)
+        now = way_of(take, name, partner, predicted, before.positions)
+        if np.array_equal(now.positions, before.positions, equal_nan=True):
+            # What was not repaired need not be worked out twice.
+            before = now
+        shown = Shown(now, before, take.origin[:, take.index(name)].copy())
+        self._known[name] = partner, predicted, shown
+        return shown
