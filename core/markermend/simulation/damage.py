@@ -282,7 +282,11 @@ def _frozen(site: _Site, i: int) -> Damage:
         size = float(np.linalg.norm(away, axis=1).max())
         if size >= _FROZEN_MM:
             why = "simulated frozen stretch"
-            return added(site.take, marker, "xyz", start, away, Kind.STEP, size, why)
+            planned = added(site.take, marker, "xyz", start, away, Kind.STEP, size, why)
+            # What is added to each sample rounds; a repeated position is the same to the last bit.
+            (patch,) = planned.patches
+            same = replace(patch, values=np.repeat(rows[:1], length, axis=0))
+            return replace(planned, patches=(same,))
         site.free(start, length, marker)
     raise DataError("No marker of the take moves enough to freeze it.")
 
