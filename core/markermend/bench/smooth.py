@@ -23,8 +23,8 @@ from markermend.smoothers.bands import acceleration, velocity
 from markermend.take import Take
 
 ORACLE = "oracle"
-# Frames this near to the ends do not count.
-_ENDS_S = 0.1
+ENDS_S = 0.1
+"""Frames this near to the ends do not count."""
 # A take's truth is the take under a Gaussian window whose gain is a half here; no method uses it.
 _HARD_HZ = 10.0
 _KICK_S, _KICK_MM = 0.5, 800.0
@@ -149,31 +149,48 @@ def compare(
     seed : of the noise
     progress : told the share done; may raise ``Cancelled``
     """
+    rows: list[SmoothRow] = []
+    with threadpool_limits(1):
+        for truth, kind, noise_mm, values in noisy(
+            truths, noises_mm=noises_mm, kinds=kinds, seed=seed, progress=progress
+        ):
+            for method, setting, error in _errors(truth, values):
+                rows.append(SmoothRow(truth.name, kind, noise_mm, method, setting, *error))
+    return tuple(rows)
+
+
+def noisy(
+    truths: Iterable[Truth],
+    *,
+    noises_mm: Sequence[float],
+    kinds: Sequence[str],
+    seed: int,
+    progress: Progress | None = None,
+) -> Iterator[tuple[Truth, str, float, FloatArray]]:
+    """Truths, kind and size of the noise, and the truth's positions with it, one after the other.
+
+    Arguments are those of :func:`compare`.
+    """
     report = progress or quiet
     cases = [
         (truth, kind, noise_mm) for truth in truths for kind in kinds for noise_mm in noises_mm
     ]
-    rows: list[SmoothRow] = []
-    with threadpool_limits(1):
-        for i, (truth, kind, noise_mm) in enumerate(cases):
-            report(i / len(cases), f"{truth.name}, {kind} noise of {noise_mm:g} mm")
-            rng = np.random.default_rng(seed)
-            noise = make_noise(truth.positions.shape, truth.rate, kind, rng)
-            noisy = truth.positions + noise_mm * noise
-            for method, setting, error in _errors(truth, noisy):
-                rows.append(SmoothRow(truth.name, kind, noise_mm, method, setting, *error))
+    for i, (truth, kind, noise_mm) in enumerate(cases):
+        report(i / len(cases), f"{truth.name}, {kind} noise of {noise_mm:g} mm")
+        rng = np.random.default_rng(seed)
+        noise = make_noise(truth.positions.shape, truth.rate, kind, rng)
+        yield truth, kind, noise_mm, truth.positions + noise_mm * noise
     report(1.0, "Compared")
-    return tuple(rows)
 
 
 def _errors(
-    truth: Truth, noisy: FloatArray
+    truth: Truth, values: FloatArray
 ) -> Iterator[tuple[str, str, tuple[float, float, float]]]:
     """Method, setting and errors, one after the other."""
     off = partial(_off, truth)
-    yield "nothing", "", _means(off(noisy))
-    signals = Signals.of(noisy, truth.rate)
-    for method, (fixed, choices) in _settings(truth, noisy).items():
+    yield "nothing", "", _means(off(values))
+    signals = Signals.of(values, truth.rate)
+    for method, (fixed, choices) in _settings(truth).items():
         run = partial(_run, signals, method)
         for setting in fixed:
             text = " ".join(f"{name}={value:g}" for name, value in setting.items())
@@ -183,10 +200,10 @@ def _errors(
             yield method, ORACLE, _means(best)
 
 
-def _settings(truth: Truth, noisy: FloatArray) -> dict[str, tuple[Settings, Settings]]:
+def _settings(truth: Truth) -> dict[str, tuple[Settings, Settings]]:
     """Fixed settings of each method, and those an oracle may choose from."""
     cutoffs = [{"cutoff_hz": float(f)} for f in np.geomspace(1.0, 0.25 * truth.rate, 28)]
-    points = np.geomspace(0.01, 0.6, 24) * len(noisy)
+    points = np.geomspace(0.01, 0.6, 24) * len(truth.positions)
     windows = [w for w in range(7, 120, 6) if w * truth.rate / 100 > 8]
     return {
         "moving_average": (
@@ -196,7 +213,7 @@ def _settings(truth: Truth, noisy: FloatArray) -> dict[str, tuple[Settings, Sett
         "savgol": ([{"window": 13, "order": 5}], [{"window": w} for w in windows]),
         "butterworth": ([{"cutoff_hz": 6.0}, {"cutoff_hz": 12.0}], cutoffs),
         "bspline": (
-            [{"control_points": round(0.1 * len(noisy))}],
+            [{"control_points": round(0.1 * len(truth.positions))}],
             [{"control_points": round(m)} for m in points],
         ),
         "kalman": (
@@ -218,7 +235,7 @@ def _run(signals: Signals, method: str, setting: Mapping[str, Any]) -> FloatArra
 
 def _off(truth: Truth, found: FloatArray) -> FloatArray:
     """(3, channels) root mean square errors in mm, mm/s and m/s²."""
-    ends = max(1, round(_ENDS_S * truth.rate))
+    ends = max(1, round(ENDS_S * truth.rate))
     error = found - truth.positions
     kinds = (error, velocity(error) * truth.rate, acceleration(error) * truth.rate**2 / 1000.0)
     return np.stack([np.sqrt(np.mean(kind[ends:-ends] ** 2, axis=0)).ravel() for kind in kinds])

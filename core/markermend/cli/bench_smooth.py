@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import markermend as mm
 from markermend.cli.console import STDOUT, Bar, check_outputs, say, write_text
+
+if TYPE_CHECKING:
+    from markermend.bench.smooth import Truth
 
 SUMMARY = "rerun the published tables, and smooth noisy takes whose truth is known"
 
@@ -20,7 +24,13 @@ def add_smooth(p: argparse.ArgumentParser) -> None:
         help="recordings to smooth hard and make noisy again, beside two simulated ones",
     )
     p.add_argument("--amc", metavar="FILE", nargs="+", help="motions whose hips to smooth as well")
-    p.add_argument("--published", action="store_true", help="the published tables only")
+    only = p.add_mutually_exclusive_group()
+    only.add_argument("--published", action="store_true", help="the published tables only")
+    only.add_argument(
+        "--bands",
+        action="store_true",
+        help="only whether error bands hold nine in ten errors, at rest and in motion",
+    )
     p.add_argument(
         "--noise",
         metavar="MM",
@@ -37,25 +47,40 @@ def add_smooth(p: argparse.ArgumentParser) -> None:
 
 def run_smooth(options: argparse.Namespace) -> int:
     """Smooth, and show how smooth or how far off the results are."""
-    from markermend.bench.smooth import compare, hard_smoothed, kick, performer
+    from markermend.bench.smooth import compare
+    from markermend.bench.smooth_bands import bands_csv, bands_table, hold
     from markermend.bench.smooth_paper import kick_rows, read_root, sine_rows
     from markermend.bench.smooth_text import paper_table, smooth_csv, truth_table
 
     check_outputs([options.csv], source=None, force=options.force)
-    published = list(sine_rows(seed=options.seed))
-    if options.amc:
-        published += kick_rows([read_root(path) for path in options.amc])
-    lines = paper_table(published)
+    lines: list[str] = []
+    if not options.bands:
+        published = list(sine_rows(seed=options.seed))
+        if options.amc:
+            published += kick_rows([read_root(path) for path in options.amc])
+        lines += paper_table(published)
     if not options.published:
-        n = max(1, options.markers)
-        truths = [kick(markers=n), performer(markers=n)]
-        truths += [hard_smoothed(mm.read(path), Path(path).stem, n) for path in options.takes]
+        truths = _truths(options)
         with Bar() as bar:
-            rows = compare(truths, noises_mm=options.noise, seed=options.seed, progress=bar)
-        lines += truth_table(rows)
+            if options.bands:
+                held = hold(truths, noises_mm=options.noise, seed=options.seed, progress=bar)
+                text, more = bands_csv(held), bands_table(held)
+            else:
+                rows = compare(truths, noises_mm=options.noise, seed=options.seed, progress=bar)
+                text, more = smooth_csv(rows), truth_table(rows)
+        lines += more
         if options.csv is not None:
-            write_text(options.csv, smooth_csv(rows))
+            write_text(options.csv, text)
     if options.csv != STDOUT:
         for line in lines:
             say(line)
     return 0
+
+
+def _truths(options: argparse.Namespace) -> list[Truth]:
+    """Two simulated trajectories, and the takes named."""
+    from markermend.bench.smooth import hard_smoothed, kick, performer
+
+    n = max(1, options.markers)
+    takes = [hard_smoothed(mm.read(path), Path(path).stem, n) for path in options.takes]
+    return [kick(markers=n), performer(markers=n), *takes]

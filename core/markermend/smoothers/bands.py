@@ -7,53 +7,68 @@ from functools import lru_cache
 import numpy as np
 
 from markermend.arrays import FloatArray
-from markermend.smoothers.levels import ORDER
+from markermend.smoothers.levels import ORDER, Levels
 from markermend.smoothers.penalised import LOWEST, weight_of
 
 # The reference for stretch ends: frames and cut-off of a stretch solved in full.
 _FRAMES, _CUTOFF = 240, 0.05
+# Recordings' motion falls off beyond the cut-off by some 18 dB an octave, not by the 24 dB of the
+# fourth difference: by how much an order less.
+_SHALLOWER = 1
 
 
-def deviations(cutoffs: FloatArray, to_end: FloatArray) -> tuple[FloatArray, ...]:
-    """Standard deviations of position, velocity and acceleration for noise of one.
+def deviations(levels: Levels, rate: float, to_end: FloatArray) -> tuple[FloatArray, ...]:
+    """Standard deviations of smoothed position, velocity and acceleration.
 
     Parameters
     ----------
-    cutoffs : (...) halved frequency as share of the frame rate
-    to_end : (...) frames to the nearer end of the stretch
+    levels : what was found along the trajectories
+    rate : frames per second
+    to_end : (frames, markers, 3) frames to the nearer end of the stretch
 
     Returns
     -------
-    three (...) float64; velocity per frame, acceleration per frame squared
+    three (frames, markers, 3) float64: mm, mm per frame, mm per frame squared
 
     Notes
     -----
-    Away from ends the error of a locally stationary smoother of transfer H has the spectrum
-    s·H. Near ends it is larger; by how much depends on the distance in units of the cut-off's
-    period, and is read off one short stretch solved in full.
+    Variances are means over all states that the recording leaves possible, since the livelier
+    ones are what an acceleration may be off by. In each, the error of a locally stationary
+    smoother of transfer H has the spectrum H²·s + (1 − H)²·m, for noise s and motion m. Near ends
+    it is larger; by how much depends on the distance in units of the cut-off's period, and is
+    read off one short stretch solved in full.
     """
-    log_cutoffs, logs = _inside()
+    inside = variances(levels.states_hz / rate)
     distances, growths = _near_ends()
-    at = np.log(np.clip(cutoffs, LOWEST, 0.5))
-    along = to_end * cutoffs
+    along = to_end * levels.cutoff_hz / rate
     return tuple(
-        np.exp(np.interp(at, log_cutoffs, logs[k])) * np.interp(along, distances, growths[k])
+        np.sqrt(levels.mean_variance(inside[k])) * np.interp(along, distances, growths[k])
         for k in range(3)
     )
 
 
-@lru_cache(maxsize=1)
-def _inside() -> tuple[FloatArray, FloatArray]:
-    """(k,) log cut-offs, (3, k) log deviations away from ends."""
+def variances(cutoffs: FloatArray) -> FloatArray:
+    """Variances away from ends for noise of one.
+
+    Parameters
+    ----------
+    cutoffs : (k,) halved frequency as share of the frame rate
+
+    Returns
+    -------
+    (3, k) of position, velocity per frame and acceleration per frame squared
+    """
     from scipy.integrate import trapezoid
 
-    cutoffs = np.geomspace(LOWEST, 0.5, 80)
     omega = np.geomspace(1e-4, np.pi, 4000)
     chord = (2.0 * np.sin(omega / 2.0)) ** 2
-    power = 1.0 / (1.0 + weight_of(cutoffs, ORDER)[:, None] * chord**ORDER)
+    corner = (2.0 * np.sin(np.pi * np.clip(cutoffs, LOWEST, 0.5))) ** 2
+    motion = (corner[:, None] / chord) ** ORDER
+    kept = motion / (1.0 + motion)
+    beyond = np.where(motion < 1.0, (corner[:, None] / chord) ** (ORDER - _SHALLOWER), motion)
+    power = kept**2 + (1.0 - kept) ** 2 * beyond
     kinds = (np.ones_like(omega), np.sin(omega) ** 2, chord**2)
-    logs = [0.5 * np.log(trapezoid(power * kind, omega, axis=1) / np.pi) for kind in kinds]
-    return np.asarray(np.log(cutoffs), dtype=np.float64), np.array(logs, dtype=np.float64)
+    return np.stack([trapezoid(power * kind, omega, axis=1) / np.pi for kind in kinds])
 
 
 @lru_cache(maxsize=1)

@@ -47,11 +47,33 @@ class Levels:
     noise_mm : (frames, markers, 3) standard deviation of white noise as strong at the frequencies
         of the motion
     colour : (markers,) correlation of the noise from frame to frame
+    states_hz : (cutoffs,) those that were weighed against each other
+    chances : (blocks, cutoffs, channels) probability of each state times the variance of its
+        noise, mm²
+    block : frames of a block
     """
 
     cutoff_hz: FloatArray
     noise_mm: FloatArray
     colour: FloatArray
+    states_hz: FloatArray
+    chances: Float32Array
+    block: int
+
+    def mean_variance(self, of_state: FloatArray) -> FloatArray:
+        """Mean over all states of what noise of one becomes in each of them.
+
+        Parameters
+        ----------
+        of_state : (cutoffs,) variance for noise of one
+
+        Returns
+        -------
+        (frames, markers, 3) mm²
+        """
+        mean = np.einsum("bkc,k->bc", self.chances, of_state)
+        centres = _centres(len(mean), self.block)
+        return _between(mean, centres, len(self.cutoff_hz)).reshape(self.cutoff_hz.shape)
 
     @property
     def sample_noise_mm(self) -> FloatArray:
@@ -96,13 +118,17 @@ def find_levels(signals: Signals) -> Levels:
     eventful = np.zeros(blocks, dtype=bool)
     near = signals.event_frames // length
     eventful[near[(near >= 0) & (near < blocks)]] = True
-    log_cutoff, log_noise = _smooth_states(evidence, _usual_noise(white), np.log(grid), eventful)
-    centres = (np.arange(blocks) + 0.5) * length - 0.5
-    shape = (frames, markers, 3)
+    log_cutoff, log_noise, chances = _smooth_states(
+        evidence, _usual_noise(white), np.log(grid), eventful
+    )
+    centres, shape = _centres(blocks, length), (frames, markers, 3)
     return Levels(
         np.exp(_between(log_cutoff, centres, frames)).reshape(shape),
         np.exp(_between(log_noise, centres, frames)).reshape(shape),
         colour,
+        grid,
+        chances,
+        length,
     )
 
 
@@ -163,8 +189,11 @@ def _usual_noise(signals: Signals) -> FloatArray:
 
 def _smooth_states(
     evidence: _Evidence, noise: FloatArray, log_grid: FloatArray, eventful: BoolArray
-) -> tuple[FloatArray, FloatArray]:
-    """(blocks, channels) expected log cut-off and log noise; the usual noise is re-estimated."""
+) -> tuple[FloatArray, FloatArray, Float32Array]:
+    """(blocks, channels) expected log cut-off and log noise, and the chances of :class:`Levels`.
+
+    The usual noise is re-estimated.
+    """
     motion = _transitions(len(log_grid), _MOTION_CHANGES)
     change = _transitions(len(_NOISE), _NOISE_CHANGES)
     at_event = ((1 - _EVENT) * motion + _EVENT / len(log_grid)).astype(np.float32)
@@ -180,7 +209,8 @@ def _smooth_states(
         usual, noise = noise, np.maximum(np.sqrt(power / total), _FLOOR_MM)
     log_cutoff = np.einsum("bkc,k->bc", by_cutoff, log_grid)
     log_noise = np.einsum("bjc,j->bc", by_noise, np.log(_NOISE)) + np.log(usual)
-    return log_cutoff, log_noise
+    chances = np.einsum("bkjc,j->bkc", chance, (_NOISE**2).astype(np.float32))
+    return log_cutoff, log_noise, chances * (usual**2).astype(np.float32)
 
 
 def _forward_backward(
@@ -228,6 +258,11 @@ def _transitions(states: int, share: float) -> Float32Array:
     np.fill_diagonal(away, 0.0)
     away /= away.sum(axis=1, keepdims=True)
     return np.asarray(share * away + (1.0 - share) * np.eye(states), dtype=np.float32)
+
+
+def _centres(blocks: int, length: int) -> FloatArray:
+    """(blocks,) middle of each block, in frames."""
+    return np.asarray((np.arange(blocks) + 0.5) * length - 0.5)
 
 
 def _between(values: FloatArray, centres: FloatArray, frames: int) -> FloatArray:

@@ -140,9 +140,9 @@ def derivatives(
 
     Notes
     -----
-    The band is one standard deviation under the levels found at each frame; it does not include
-    that these are estimates, nor motion that is both smaller than the noise and faster than the
-    cut-off. At rest the acceleration's is too narrow by that, some mm/s².
+    The band is one standard deviation. It includes that the levels at each frame are estimates,
+    and motion that is both smaller than the noise and faster than the cut-off, as far as it falls
+    off with frequency as recorded motion does.
     """
     columns = _columns(take, markers)
     shape = (take.frames, len(columns), 3)
@@ -166,27 +166,34 @@ def _derive(signals: Signals) -> dict[str, FloatArray]:
     found = {
         f.name: np.full_like(position, np.nan) for f in fields(Derivatives) if f.name != "labels"
     }
+    bands = deviations(levels, rate, _to_end(signals))
     for frames, markers in signals.stretches():
         n = frames.stop - frames.start
         if n < LEAST:
             continue
         smoothed = position[frames, markers]
-        noise, cutoff = levels.noise_mm[frames, markers], levels.cutoff_hz[frames, markers]
-        to_end = np.minimum(np.arange(n), np.arange(n)[::-1])[:, None, None]
-        bands = deviations(cutoff / rate, np.broadcast_to(to_end, cutoff.shape))
         values = {
             "position": smoothed,
             "velocity": velocity(smoothed) * rate,
             "acceleration": acceleration(smoothed) * rate**2,
-            "position_band": bands[0] * noise,
-            "velocity_band": bands[1] * noise * rate,
-            "acceleration_band": bands[2] * noise * rate**2,
+            "position_band": bands[0][frames, markers],
+            "velocity_band": bands[1][frames, markers] * rate,
+            "acceleration_band": bands[2][frames, markers] * rate**2,
             "noise_mm": levels.sample_noise_mm[frames, markers],
-            "cutoff_hz": cutoff,
+            "cutoff_hz": levels.cutoff_hz[frames, markers],
         }
         for name, value in values.items():
             found[name][frames, markers] = value
     return found
+
+
+def _to_end(signals: Signals) -> FloatArray:
+    """(frames, markers, 3) frames to the nearer end of the stretch, 0 outside of any."""
+    to_end = np.zeros(signals.values.shape)
+    for frames, markers in signals.stretches():
+        there = np.arange(frames.stop - frames.start)
+        to_end[frames, markers] = np.minimum(there, there[::-1])[:, None, None]
+    return to_end
 
 
 def read_settings(
