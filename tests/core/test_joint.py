@@ -111,6 +111,49 @@ def test_a_peak_next_to_a_gap_is_found(performer):
     assert [(a.start, a.stop, a.axes) for a in found] == [(496, 497, "y")]
 
 
+@pytest.mark.parametrize("edge", ["begin", "end", "before a gap", "after a gap"])
+@pytest.mark.parametrize(
+    ("kind", "length"), [("peak", 1), ("peak", 4), ("step", 10), ("step", 25), ("noise", 14)]
+)
+def test_damage_in_the_first_and_last_frames_is_found(edge, kind, length, performer):
+    positions, truth = performer.positions.copy(), []
+    rng = np.random.default_rng(2)
+    gap = (500, 540)
+    for marker, away in enumerate((0, 1, 2, 3, 5, 9)):
+        column = 7 * marker
+        if edge in ("begin", "after a gap"):
+            start = away + (gap[1] if edge == "after a gap" else 0)
+        else:
+            start = (gap[0] if edge == "before a gap" else performer.frames) - away - length
+        high = np.full(length, 20.0) if kind != "noise" else 20.0 * rng.standard_normal(length)
+        positions[start : start + length, column, marker % 3] += high
+        if "gap" in edge:
+            positions[gap[0] : gap[1], column] = np.nan
+        truth.append((performer.labels[column], "xyz"[marker % 3], kind, start, start + length))
+    found = sudden(Take(positions, performer.labels, performer.rate))
+    if kind != "noise":
+        assert sorted((a.marker, a.axes, a.kind.value, a.start, a.stop) for a in found) == sorted(
+            truth
+        )
+        return
+    for label, axis, _, start, stop in truth:
+        (a,) = (a for a in found if a.marker == label)
+        assert (a.axes, a.kind) == (axis, Kind.NOISE)
+        both = min(a.stop, stop) - max(a.start, start)
+        assert both >= 0.5 * (max(a.stop, stop) - min(a.start, start))
+
+
+def test_a_frame_at_an_edge_that_may_be_wrong_by_itself_takes_back_only_what_is_as_large():
+    nothing = np.zeros(2, dtype=np.int64)
+
+    def paired(back):
+        two = Jumps(nothing, np.array([10, 40]), nothing, np.array([5.0, back]), np.full(2, 20.0))
+        return [p[:2] for p in pair_jumps(two, 100.0, (), {1})]
+
+    assert paired(-5.5) == [(0, 1)]
+    assert paired(-6.5) == []
+
+
 def test_a_step_cut_off_by_a_gap_is_found(performer):
     positions = performer.positions.copy()
     positions[500:540, 4] += [0.0, 18.0, 0.0]

@@ -128,6 +128,9 @@ def _edges(x: FloatArray, a: int, b: int) -> tuple[int, int]:
 
 def _first_surprise(x: FloatArray, rough: int) -> int:
     """First frame near ``rough`` that the frames before it do not foretell."""
+    if rough < PAST:
+        # Too near an end of the take for any frames before it.
+        return rough
     scan = np.arange(max(PAST, rough - 4), min(len(x), rough + 12))
     calm = np.arange(max(PAST, rough - 60), max(PAST, rough - 6))
     if not len(scan):

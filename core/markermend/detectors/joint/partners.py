@@ -18,6 +18,8 @@ CLEAR_SCORE, CLEAR_MM, FAINT_SCORE = 8.0, 0.8, 3.3
 """What the clear edge must be, and the score of one faint in the marker's own course; beside
 the neighbours it must be clear as well, since there all that they do apart stays in."""
 LARGEST_MISMATCH, SHORTEST = 0.3, 10
+FAINT_SIDE = 2
+"""Frames needed beyond a faint edge: a single one may as well be wrong by itself."""
 RIDGE = 1e-6
 """Keeps neighbours that move alike from being weighed against each other."""
 
@@ -60,8 +62,8 @@ def find_partners(
     for i in sorted(clear, key=lambda i: (-float(jumps.score[i]), i)):
         size, score = float(jumps.size[i]), float(jumps.score[i])
         channel, frame = int(jumps.channel[i]), int(jumps.frame[i])
-        first = max(int(begin[frame, channel]) + 1, frame - longest)
-        last = min(int(end[frame, channel]), frame + longest)
+        first = max(int(begin[frame, channel]) + FAINT_SIDE, frame - longest)
+        last = min(int(end[frame, channel]) - FAINT_SIDE + 1, frame + longest)
         at = np.arange(first, last, dtype=np.int64)
         at = at[np.abs(at - frame) >= SHORTEST]
         at = at[~np.isin(at, _edges_of_spikes(jumps, channel))]

@@ -113,5 +113,5 @@ def judge(
     return Judged(size, error, unit)
 
 
-LEAST_SIDE = 2
-"""Frames of the undamaged trajectory needed on each side of a shape."""
+LEAST_SIDE = 1
+"""Frames of the undamaged trajectory needed on each side of a shape: with less, a jump is none."""

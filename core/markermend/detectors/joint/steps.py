@@ -11,6 +11,7 @@ from markermend.detectors.joint.jumps import Jumps
 LONGEST_S = 2.0
 # What comes back differs by noise, and by the way the marker turns meanwhile.
 LARGEST_MISMATCH = 0.35
+LONE_MISMATCH = 0.1
 STRONG_SCORE, STRONG_MM = 15.0, 10.0
 """Jumps that can be nothing else, as those of a swap: they may return far off, and late."""
 LONGEST_STRONG_S = 10.0
@@ -19,7 +20,7 @@ SHORT_S = 0.3
 
 
 def pair_jumps(
-    jumps: Jumps, rate: float, explained: Collection[int] = ()
+    jumps: Jumps, rate: float, explained: Collection[int] = (), lone: Collection[int] = ()
 ) -> list[tuple[int, int, float]]:
     """Pair jumps with the jumps that take them back, the surest pair first.
 
@@ -28,6 +29,8 @@ def pair_jumps(
     jumps : in order of channel and frame; blocks are passed over
     rate : frames per second
     explained : jumps that need no other to take them back
+    lone : jumps with a single frame of the marker on one side. That frame may as well be wrong by
+        itself, so they only take back what is as large
 
     Returns
     -------
@@ -42,6 +45,8 @@ def pair_jumps(
         for j in alone[n + 1 :]:
             if jumps.channel[j] != jumps.channel[i] or jumps.frame[j] - jumps.frame[i] > longest:
                 break
+            if (i in lone or j in lone) and not _as_large(jumps, i, j):
+                continue
             score = _pair_score(jumps, i, j)
             if jumps.frame[j] - jumps.frame[i] > SHORT_S * rate:
                 score /= 1 + _rivals(jumps, i, j)
@@ -81,6 +86,12 @@ def _pair_score(jumps: Jumps, i: int, j: int) -> float:
     error = np.hypot(a / jumps.score[i], b / jumps.score[j])
     both = np.sqrt(jumps.score[i] * jumps.score[j])
     return float(both - max(0.0, abs(a + b) / error - 2.0))
+
+
+def _as_large(jumps: Jumps, i: int, j: int) -> bool:
+    """Whether two jumps add up to next to nothing."""
+    a, b = float(jumps.size[i]), float(jumps.size[j])
+    return bool(abs(a + b) <= LONE_MISMATCH * max(abs(a), abs(b)) + 0.3)
 
 
 def _strong(jumps: Jumps, i: int, j: int) -> bool:

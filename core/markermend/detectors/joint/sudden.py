@@ -36,7 +36,7 @@ SHORT_STEP = 2
 
 
 class Course(StrEnum):
-    """How a step begins and ends."""
+    """How a step begins and ends; a peak can be cut off as well."""
 
     LEVEL = "level"
     """It jumps off and jumps back."""
@@ -65,7 +65,7 @@ class Sudden:
     score : size over its standard error; for noise over the least that counts
     beside_mm : how far the nearest markers jump in that same frame, their median; 0 for noise,
         which is compared with theirs when it is found
-    course : how a step begins and ends
+    course : how it begins and ends
     """
 
     channel: int
@@ -108,8 +108,9 @@ def find_sudden(
     beside = _beside(signal, seen, neighbours, jumps, rate)
     own = beside <= SHARED * np.abs(jumps.size)
     slides = find_slides(jumps, own, signal, seen, rate)
-    slides = _unmatched(slides, pair_jumps(jumps, rate), jumps)
-    pairs = pair_jumps(jumps, rate, {s.jump for s in slides})
+    lone = _lone(jumps, seen)
+    slides = _unmatched(slides, pair_jumps(jumps, rate, (), lone), jumps)
+    pairs = pair_jumps(jumps, rate, {s.jump for s in slides}, lone)
     paired = {i for first, last, _ in pairs for i in (first, last)} | {s.jump for s in slides}
     alone = [int(i) for i in np.flatnonzero(jumps.length == 0) if int(i) not in paired]
     calm = seen.copy()
@@ -133,7 +134,7 @@ def find_sudden(
         size, moved = abs(float(jumps.size[i])), float(beside[i])
         found.append(Sudden(int(jumps.channel[i]), start, stop, Kind.STEP, size, clear, moved))
     paired |= {i for i, _, _ in partners}
-    found += _cut_off(jumps, paired, beside, signal, seen, neighbours, rate)
+    found += _cut_off(jumps, paired, beside, signal, seen, neighbours, rate, peak_frames)
     return sorted(_once(found), key=lambda s: (s.channel, s.start, s.stop))
 
 
@@ -193,8 +194,9 @@ def _cut_off(
     seen: BoolArray,
     neighbours: IntArray,
     rate: float,
+    peak_frames: int,
 ) -> list[Sudden]:
-    """Steps of which only one edge is seen: a gap or an end of the take hides the other."""
+    """Steps and peaks of which one edge is seen: a gap or an end of the take hides the other."""
     begin, end = segments(seen)
     found = []
     for i in np.flatnonzero(
@@ -221,9 +223,17 @@ def _cut_off(
             ):
                 continue
             course = Course.FALLEN
-        moved = float(beside[i])
-        found.append(Sudden(channel, start, stop, Kind.STEP, size, score, moved, course))
+        kind, moved = Kind.PEAK if stop - start <= peak_frames else Kind.STEP, float(beside[i])
+        found.append(Sudden(channel, start, stop, kind, size, score, moved, course))
     return found
+
+
+def _lone(jumps: Jumps, seen: BoolArray) -> set[int]:
+    """Jumps with a single frame between them and a gap or an end of the take."""
+    begin, end = segments(seen)
+    at = jumps.frame, jumps.channel
+    alone = (jumps.frame - begin[at] == 1) | (end[at] - jumps.frame == 1)
+    return {int(i) for i in np.flatnonzero(alone & (jumps.length == 0))}
 
 
 def _sliding(jumps: Jumps, slide: Slide, moved: float) -> Sudden:

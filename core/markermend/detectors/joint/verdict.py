@@ -99,6 +99,8 @@ def _explain(group: Sequence[Sudden], size: float, length: int, rate: float) -> 
     if surest.beside_mm >= NOTICED * size:
         beside = f"its neighbours by {in_mm(surest.beside_mm)} mm"
     clear = f"{surest.score:.0f} times its usual scatter"
+    if surest.course is Course.CUT_OFF:
+        return f"lies {mm} mm off for {lasting} beside a gap or an end, one jump away; {clear}"
     if surest.kind is Kind.PEAK:
         return f"sticks out by {mm} mm for {lasting}, {beside}; {clear}"
     if surest.course is Course.FALLEN:
@@ -106,8 +108,6 @@ def _explain(group: Sequence[Sudden], size: float, length: int, rate: float) -> 
             f"jumps {mm} mm in one frame, {beside}, and stays off for {lasting}, up to an end of "
             f"the take, at another distance from them: it moved on the body or fell off; {clear}"
         )
-    if surest.course is Course.CUT_OFF:
-        return f"lies {mm} mm off for {lasting} beside a gap or an end, one jump away; {clear}"
     if surest.course is Course.BUILDS_UP:
         return f"slides {mm} mm off within {lasting} and jumps back, {beside}; {clear}"
     if surest.course is Course.RELAXES:
