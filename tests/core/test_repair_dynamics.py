@@ -8,7 +8,7 @@ import pytest
 from markermend.arrays import FloatArray
 from markermend.artifact import Artifact, Kind
 from markermend.errors import Cancelled
-from markermend.repairs import advise, evidence_for, propose
+from markermend.repairs import advise, evidence_for, propose, propose_from
 from markermend.repairs.dynamics.bones import find_bones, pull
 from markermend.repairs.dynamics.system import System, improve, infer, learn, start_from
 from markermend.take import Take
@@ -172,3 +172,28 @@ def test_advice_measures_them_in_a_blackout_only() -> None:
         assert ({*NAMES} <= {a.method for a in advice}) == offered
     assert advice[0].repair.patches
     assert advice[0].error_mm is not None
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_blackout_is_learnt_once_for_all_markers(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from markermend.repairs.dynamics import methods
+
+    take, rounds = body(), []
+    positions = take.positions.copy()
+    positions[200:230] = np.nan
+    holed = Take(positions, take.labels, take.rate)
+    gaps = [Artifact(label, "xyz", 200, 230, Kind.GAP) for label in take.labels]
+    alone = [propose(Take(positions, take.labels, take.rate), g, method=name) for g in gaps]
+
+    def counted(*given: object) -> object:
+        rounds.append(given)
+        return learn(*given)
+
+    monkeypatch.setattr(methods, "learn", counted)
+    evidence = evidence_for(holed)
+    together = [propose_from(evidence, g, method=name) for g in gaps]
+    assert len(rounds) == 1
+    for one, other in zip(alone, together, strict=True):
+        np.testing.assert_array_equal(one.patches[0].values, other.patches[0].values)

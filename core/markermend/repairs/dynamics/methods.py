@@ -13,11 +13,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from typing import Any
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.artifact import Artifact
+from markermend.progress import Progress
 from markermend.repairs.bridge import bridge, context_of
 from markermend.repairs.dynamics.bones import find_bones, pull
 from markermend.repairs.dynamics.system import System, infer, learn, start_from
@@ -31,6 +33,8 @@ LEAST_FRAMES = 60
 LEAST_SEEN = 0.3
 # How often what the lengths give is taken for seen, and the states are inferred again.
 CONSTRAINED_ROUNDS = 3
+# Of each take the movement found last, and what it was found from.
+_LATEST: WeakKeyDictionary[Take, tuple[tuple[object, ...], FloatArray]] = WeakKeyDictionary()
 
 
 @dataclass(frozen=True)
@@ -56,8 +60,6 @@ def _method(name: str, constrained: bool) -> MethodFunction:
     """A repair method with or without bone lengths."""
 
     def run(evidence: Evidence, artifact: Artifact, params: Any) -> Repair:
-        from markermend.predictors.bridging import bridge as fill_in
-
         take, marker = evidence.take, evidence.take.index(artifact.marker)
         first, last = _window(take, artifact, params.reach_s)
         seen: BoolArray = np.all(evidence.trusted[first:last], axis=2)
@@ -72,17 +74,13 @@ def _method(name: str, constrained: bool) -> MethodFunction:
             )
             return refuse(name, reason, params)
         positions = take.positions[first:last, columns]
-        known = np.repeat(seen, 3, axis=1)
-        whole = fill_in(positions.reshape(len(positions), -1), known)
-        middle, size = whole.mean(axis=0), float(whole.std(axis=0).mean()) + 1e-6
-        scaled = (whole - middle) / size
-        start = start_from(scaled, min(HIDDEN, scaled.shape[1] - 1))
-        system, states = learn(scaled, known, start, params.rounds, evidence.progress)
-        found = (states.mean @ system.output.T) * size + middle
-        if constrained:
-            doubt = _doubt(system, states.spread) * size
-            found = _constrain(system, positions, found, doubt, seen, middle, size)
-        track = found.reshape(positions.shape)[:, own]
+        # Markers that are missing together, as in a blackout, ask for the same movement.
+        key = (constrained, params.rounds, first, last, columns.tobytes(), seen.tobytes())
+        latest = _LATEST.get(take)
+        if latest is None or latest[0] != key:
+            found = _movement(positions, seen, constrained, params.rounds, evidence.progress)
+            latest = _LATEST[take] = key, found
+        track = latest[1][:, own]
         begin, end = artifact.start - first, artifact.stop - first
         values = track[begin:end]
         beside = context_of(seen[:, own], begin, end, take.rate) if params.join else np.arange(0)
@@ -92,6 +90,25 @@ def _method(name: str, constrained: bool) -> MethodFunction:
         return make_repair(name, evidence, artifact, values, params)
 
     return run
+
+
+def _movement(
+    positions: FloatArray, seen: BoolArray, constrained: bool, rounds: int, progress: Progress
+) -> FloatArray:
+    """(n, markers, 3) what the system learnt from all that is seen says, mm."""
+    from markermend.predictors.bridging import bridge as fill_in
+
+    known = np.repeat(seen, 3, axis=1)
+    whole = fill_in(positions.reshape(len(positions), -1), known)
+    middle, size = whole.mean(axis=0), float(whole.std(axis=0).mean()) + 1e-6
+    scaled = (whole - middle) / size
+    start = start_from(scaled, min(HIDDEN, scaled.shape[1] - 1))
+    system, states = learn(scaled, known, start, rounds, progress)
+    found = (states.mean @ system.output.T) * size + middle
+    if constrained:
+        doubt = _doubt(system, states.spread) * size
+        found = _constrain(system, positions, found, doubt, seen, middle, size)
+    return np.asarray(found.reshape(positions.shape))
 
 
 def _constrain(
