@@ -37,7 +37,7 @@ def run(options: argparse.Namespace) -> int:
     prior = shipped_prior() if options.prior is None else load_prior(Path(options.prior))
     with Bar() as bar:
         restored = restore(pose, prior=prior, progress=bar)
-    mm.write_pose(restored.pose, options.output)
+    mm.write_pose(_as_asked(restored.pose, options), options.output)
     for line in _listing(restored) if options.list else ():
         say(line)
     kinds = Counter(fault.kind for fault in restored.faults)
@@ -56,6 +56,13 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
+def _as_asked(pose: Pose, options: argparse.Namespace) -> Pose:
+    """The recording, with all segments of the CMU skeleton where these are wanted."""
+    from markermend.poses.segments import to_cmu
+
+    return to_cmu(pose) if options.cmu else pose
+
+
 def _by_network(pose: Pose, options: argparse.Namespace) -> int:
     """Let a trained network do it."""
     from markermend.poses.by_network import denoise_by_network
@@ -67,7 +74,7 @@ def _by_network(pose: Pose, options: argparse.Namespace) -> int:
         raise MethodError(f"{path} has no network “{name}”; there are: {', '.join(networks)}.")
     with Bar() as bar:
         cleaned = denoise_by_network(pose, networks[name], progress=bar)
-    mm.write_pose(cleaned, options.output)
+    mm.write_pose(_as_asked(cleaned, options), options.output)
     say(f"Written: {options.output}, {count(pose.frames, 'pose')}.")
     return 0
 

@@ -219,6 +219,12 @@ def _add_denoise(p: argparse.ArgumentParser) -> None:
         nargs=2,
         help="let a network of “train pose” do it instead, as Goncalves and others (2024) do",
     )
+    p.add_argument(
+        "--cmu",
+        action="store_true",
+        help="write the 31 segments of the CMU skeleton, those that 17 joints do not tell of as"
+        " other bodies have them",
+    )
     p.add_argument("--list", action="store_true", help="show what was done to every joint")
     _force(p)
 

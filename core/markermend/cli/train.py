@@ -6,7 +6,7 @@ import argparse
 
 from markermend.cli.bench_takes import clean_takes
 from markermend.cli.console import Bar, check_outputs, say, table, write_json
-from markermend.cli.train_pose import run_networks, run_prior
+from markermend.cli.train_pose import run_networks, run_prior, run_segments
 
 
 def run(options: argparse.Namespace) -> int:
@@ -91,5 +91,6 @@ RUN = {
     "sudden": _run_sudden,
     "slow": _run_slow,
     "prior": run_prior,
+    "segments": run_segments,
     "pose": run_networks,
 }

@@ -8,6 +8,7 @@ MODELS = {
     "sudden": "how sure peaks, heavy noise and steps are: one curve a class",
     "slow": "how sure slow changes are: boosted trees on what is measured of each",
     "prior": "how bodies move, for “denoise”: from clean skeleton recordings",
+    "segments": "what the CMU skeleton has more than 17 joints, for “denoise --cmu”",
     "pose": "the network of Goncalves and others (2024), in its three trainings (extra “deep”)",
 }
 """What can be trained; :mod:`markermend.cli.train` has a function for each."""
@@ -21,6 +22,7 @@ def add_training(parser: argparse.ArgumentParser) -> None:
         "sudden": _add_sudden,
         "slow": _add_slow,
         "prior": _add_prior,
+        "segments": _add_prior,
         "pose": _add_pose,
     }
     names = parser.add_subparsers(dest="model", metavar="MODEL", required=True)

@@ -1,4 +1,4 @@
-"""``markermend train prior`` and ``train pose``: what is learnt from clean skeleton recordings."""
+"""``markermend train prior``, ``segments`` and ``pose``: learnt from clean skeleton recordings."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 import markermend as mm
-from markermend.cli.console import Bar, check_outputs, count, say
+from markermend.cli.console import Bar, check_outputs, count, say, table
 from markermend.poses import Pose
 from markermend.poses.nuitrack import to_nuitrack
 
@@ -24,6 +24,23 @@ def run_prior(options: argparse.Namespace) -> int:
     frames = sum(pose.frames for pose in poses.values())
     say(f"Learnt from {count(frames, 'pose')} in {count(len(poses), 'recording')}.")
     say(f"Written: {options.output}, {count(len(prior.joints), 'joint')}.")
+    return 0
+
+
+def run_segments(options: argparse.Namespace) -> int:
+    """Learn the segments that 17 joints do not tell of, and say how far off they are on others."""
+    from markermend.bench.segments import try_segments
+    from markermend.poses.segments import CARRIERS, learn_segments, save_segments
+
+    poses = _read(options)
+    with Bar() as bar:
+        save_segments(learn_segments(list(poses.values()), progress=bar), Path(options.output))
+    tried = [[a.name, f"{a.place_mm:.1f}", f"{a.turned_deg:.1f}"] for a in try_segments(poses)]
+    for line in (
+        table(["Of people left out", "End, mm", "Rotation, °"], tried, "lrr") if tried else ()
+    ):
+        say(line)
+    say(f"Written: {options.output}, {count(len(CARRIERS), 'segment')}.")
     return 0
 
 

@@ -5,13 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray
-from markermend.errors import DataError
 from markermend.poses.channels import to_channels, to_features
 from markermend.poses.network import Network, smoothed
 from markermend.poses.normal import denormalise
-from markermend.poses.nuitrack import PARENTS, mirrored, to_nuitrack
+from markermend.poses.nuitrack import PARENTS, mirrored
 from markermend.poses.pose import Pose
-from markermend.poses.prior import fitting, shipped_prior
+from markermend.poses.prior import right_handed
 from markermend.poses.quaternion import inverse, turn, upright
 from markermend.poses.restore import INFERRED
 from markermend.progress import Progress, quiet
@@ -43,13 +42,7 @@ def denoise_by_network(pose: Pose, network: Network, *, progress: Progress | Non
     """
     told = progress or quiet
     told(0.0, "network")
-    body = to_nuitrack(pose)
-    fits = fitting(body, shipped_prior())
-    if fits is None:
-        raise DataError("The joints stand elsewhere than in the bodies a network learns from.")
-    left_handed = fits[1]
-    if left_handed:
-        body = mirrored(body)
+    body, left_handed = right_handed(pose)
     channels = to_channels(body)
     known = channels.known.reshape(body.frames, -1, len(_UNSEEN))
     values = np.where(known, channels.values.reshape(known.shape), _UNSEEN)

@@ -115,6 +115,21 @@ def fitting(pose: Pose, prior: Prior) -> tuple[Moments, bool] | None:
     return (moments, apart[1] < apart[0]) if min(apart) < _ALIKE else None
 
 
+def right_handed(pose: Pose) -> tuple[Pose, bool]:
+    """The 17 joints of a recording in right-handed axes, and whether it had them left-handed.
+
+    Raises
+    ------
+    DataError
+        when joints are missing, or stand elsewhere than bodies have them
+    """
+    body = to_nuitrack(pose)
+    fits = fitting(body, shipped_prior())
+    if fits is None:
+        raise DataError("The joints stand elsewhere than in the bodies that were learnt from.")
+    return (mirrored(body), True) if fits[1] else (body, False)
+
+
 def _apart(pose: Pose, moments: Moments) -> float:
     """Mean distance of joints from where moments have them."""
     channels = to_channels(pose)

@@ -1,0 +1,250 @@
+"""From 17 joints back to the 31 segments of the CMU skeleton: the future work of goncalves2024."""
+
+from __future__ import annotations
+
+import io
+import zipfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib.resources import files
+from pathlib import Path
+from types import MappingProxyType
+from typing import IO
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from markermend.arrays import FloatArray
+from markermend.errors import DataError, FileFormatError
+from markermend.files.atomic import write_whole
+from markermend.poses.normal import Normal, normalise
+from markermend.poses.nuitrack import CMU_SEGMENTS, JOINTS, PARENTS, mirrored, to_nuitrack
+from markermend.poses.pose import Pose
+from markermend.poses.prior import right_handed
+from markermend.poses.quaternion import inverse, multiply, turn
+from markermend.progress import Progress, quiet
+
+INFERRED = 0.5
+"""Highest confidence of what was added."""
+
+_RIDGE = 0.01
+_STRIDE = 4
+_SHIPPED = ("models", "pose_segments.npz")
+
+
+def _tree() -> dict[str, str]:
+    """Parent of each segment, parents first."""
+    tree = {"root": ""}
+    chains = ["root lowerback upperback thorax lowerneck upperneck head"]
+    for side in "lr":
+        chains += [
+            f"root {side}hipjoint {side}femur {side}tibia {side}foot {side}toes",
+            f"thorax {side}clavicle {side}humerus {side}radius {side}wrist {side}hand",
+            f"{side}hand {side}fingers",
+            f"{side}wrist {side}thumb",
+        ]
+    for chain in chains:
+        names = chain.split()
+        tree |= dict(zip(names[1:], names, strict=False))
+    return tree
+
+
+PARENT_OF = MappingProxyType(_tree())
+NAMES = tuple(PARENT_OF)
+
+
+def _carriers() -> dict[str, str]:
+    """The joint in whose axes each segment that 17 joints do not tell of moves least."""
+    carriers = {"lowerback": "waist", "upperback": "torso", "thorax": "torso", "head": "head"}
+    limbs = {
+        "hipjoint": "waist",
+        "clavicle": "collar",
+        "radius": "{}_elbow",
+        "wrist": "{}_elbow",
+        "hand": "{}_wrist",
+        "fingers": "{}_wrist",
+        "thumb": "{}_wrist",
+        "foot": "{}_ankle",
+        "toes": "{}_ankle",
+    }
+    for side in ("left", "right"):
+        carriers |= {side[0] + name: joint.format(side) for name, joint in limbs.items()}
+    return carriers
+
+
+CARRIERS = MappingProxyType(_carriers())
+"""Segments whose end or rotation is added, and what they are added to."""
+
+_AT = {at: joint for joint, (at, _) in CMU_SEGMENTS.items()}
+_TURNED = {turned: joint for joint, (_, turned) in CMU_SEGMENTS.items()}
+
+
+@dataclass(frozen=True, eq=False)
+class Segments:
+    """Where added segments are, given how a body bends.
+
+    Attributes
+    ----------
+    bend : (48,) mean rotation vectors of the joints but the waist against their parents
+    place : (added, 3) mean end in the axes of its carrier, in mean bone lengths
+    turned : (added, 4) mean rotation in them
+    weights : (48, added, 6) what a bend adds to places and, as rotation vectors, rotations
+    """
+
+    bend: FloatArray
+    place: FloatArray
+    turned: FloatArray
+    weights: FloatArray
+
+
+def learn_segments(poses: Sequence[Pose], *, progress: Progress | None = None) -> Segments:
+    """Learn from recordings of the CMU skeleton, by ridge regression.
+
+    Parameters
+    ----------
+    poses : clean, of all 31 segments
+    progress : told the share of recordings read
+
+    Raises
+    ------
+    DataError
+        when there is none, or one has other segments
+    """
+    if not poses:
+        raise DataError("Segments need at least one recording to learn from.")
+    bends, places, turns = [], [], []
+    for n, pose in enumerate(poses):
+        (progress or quiet)(n / len(poses), f"Learning from recording {n + 1}")
+        if set(NAMES) - set(pose.joints):
+            raise DataError("Segments are learnt from recordings of the CMU skeleton only.")
+        features, normal = normalise(to_nuitrack(pose))
+        place, turned = _added(pose, features, normal)
+        bends.append(_bend(features)[::_STRIDE])
+        places.append(place[::_STRIDE])
+        turns.append(turned[::_STRIDE])
+    x, ends, rotations = (np.concatenate(part) for part in (bends, places, turns))
+    place = ends.mean(axis=0)
+    turned = np.stack([Rotation.from_quat(q).mean().as_quat() for q in rotations.swapaxes(0, 1)])
+    away = Rotation.from_quat(multiply(inverse(turned), rotations).reshape(-1, 4)).as_rotvec()
+    wanted = np.concatenate([ends - place, away.reshape(ends.shape)], axis=2).reshape(len(x), -1)
+    bend = x.mean(axis=0)
+    x = x - bend
+    weights = np.linalg.solve(x.T @ x + _RIDGE * len(x) * np.eye(x.shape[1]), x.T @ wanted)
+    return Segments(bend, place, turned, weights.reshape(len(bend), len(CARRIERS), 6))
+
+
+def to_cmu(pose: Pose, learnt: Segments | None = None) -> Pose:
+    """Add what the CMU skeleton has more than 17 joints.
+
+    Parameters
+    ----------
+    pose : of the 17 joints, right- or left-handed; clean it first, since nothing is added in
+        frames in which a joint was not seen
+    learnt : of other bodies; our own when not given
+
+    Returns
+    -------
+    Pose
+        of 31 segments; what the joints tell of them is exactly this
+        (:func:`~markermend.poses.nuitrack.to_nuitrack` gives it back). Where the end of a segment
+        was added, confidence is at most :data:`INFERRED`.
+
+    Raises
+    ------
+    DataError
+        when joints are missing, or stand elsewhere than bodies have them
+    """
+    learnt = learnt or shipped_segments()
+    body, left_handed = right_handed(pose)
+    features, normal = normalise(body)
+    bent = np.einsum("fb,bsc->fsc", _bend(features) - learnt.bend, learnt.weights)
+    carriers = [JOINTS.index(joint) for joint in CARRIERS.values()]
+    by = features[:, carriers, 3:]
+    lies = features[:, carriers, :3] + turn(by, learnt.place + bent[..., :3])
+    away = Rotation.from_rotvec(bent[..., 3:].reshape(-1, 3)).as_quat().reshape(by.shape)
+    forth = normal.rotation[:, None]
+    lies = turn(forth, lies * normal.scale) + normal.position[:, None]
+    turned = multiply(forth, multiply(by, multiply(learnt.turned, away)))
+    positions = np.empty((body.frames, len(NAMES), 3))
+    rotations = np.empty((body.frames, len(NAMES), 4))
+    confidence = np.empty(positions.shape[:2])
+    added = list(CARRIERS)
+    sure = np.minimum(body.confidence.min(axis=1), INFERRED)
+    for i, name in enumerate(NAMES):
+        at, by_joint = _AT.get(name), _TURNED.get(name)
+        if at is None:
+            positions[:, i], confidence[:, i] = lies[:, added.index(name)], sure
+        else:
+            joint = JOINTS.index(at)
+            positions[:, i], confidence[:, i] = body.positions[:, joint], body.confidence[:, joint]
+        if by_joint is None:
+            rotations[:, i] = turned[:, added.index(name)]
+        else:
+            rotations[:, i] = body.rotations[:, JOINTS.index(by_joint)]
+    parents = tuple(NAMES.index(name) if name else -1 for name in PARENT_OF.values())
+    whole = Pose(positions, rotations, NAMES, parents, body.rate, confidence)
+    return mirrored(whole) if left_handed else whole
+
+
+def _bend(features: FloatArray) -> FloatArray:
+    """(frames, 48) rotation vectors of all joints but the waist against their parents."""
+    pairs = [(joint, parent) for joint, parent in enumerate(PARENTS) if parent >= 0]
+    against = [multiply(inverse(features[:, p, 3:]), features[:, j, 3:]) for j, p in pairs]
+    flat = np.stack(against, axis=1).reshape(-1, 4)
+    known = ~np.isnan(flat[:, 0])
+    bend = np.full((len(flat), 3), np.nan)
+    bend[known] = Rotation.from_quat(flat[known]).as_rotvec()
+    return bend.reshape(len(features), -1)
+
+
+def _added(pose: Pose, features: FloatArray, normal: Normal) -> tuple[FloatArray, FloatArray]:
+    """(frames, added, 3) and (frames, added, 4): added segments in their carriers' axes."""
+    columns = [pose.index(name) for name in CARRIERS]
+    carriers = [JOINTS.index(joint) for joint in CARRIERS.values()]
+    back = inverse(normal.rotation)[:, None]
+    own = inverse(features[:, carriers, 3:])
+    place = turn(back, pose.positions[:, columns] - normal.position[:, None]) / normal.scale
+    rotation = multiply(back, pose.rotations[:, columns])
+    return turn(own, place - features[:, carriers, :3]), multiply(own, rotation)
+
+
+def save_segments(learnt: Segments, path: Path) -> None:
+    """Write what was learnt, in single precision."""
+    memory = io.BytesIO()
+    np.savez_compressed(
+        memory,
+        bend=learnt.bend.astype(np.float32),
+        place=learnt.place.astype(np.float32),
+        turned=learnt.turned.astype(np.float32),
+        weights=learnt.weights.astype(np.float32),
+    )
+
+    def put(file: IO[bytes]) -> None:
+        file.write(memory.getvalue())
+
+    write_whole(path, put, backup=False)
+
+
+def load_segments(path: Path) -> Segments:
+    """Read what :func:`save_segments` wrote.
+
+    Raises
+    ------
+    FileFormatError
+        when the file holds no segments
+    """
+    try:
+        with np.load(path, allow_pickle=False) as file:
+            arrays = [file[key].astype(float) for key in ("bend", "place", "turned", "weights")]
+        if arrays[3].shape != (3 * (len(JOINTS) - 1), len(CARRIERS), 6):
+            raise ValueError("its sizes do not fit")
+    except (ValueError, KeyError, OSError, zipfile.BadZipFile) as error:
+        raise FileFormatError(f"{path.name} holds no segments: {error}.") from error
+    return Segments(*arrays)
+
+
+@lru_cache(maxsize=1)
+def shipped_segments() -> Segments:
+    """Ours, of subjects 01 to 03 of the CMU database."""
+    return load_segments(Path(str(files("markermend_resources").joinpath(*_SHIPPED))))
