@@ -367,6 +367,7 @@ class Document(Looking):
                 change = Change(session.original.labels, 0, session.original.frames, True)
             if change.names:
                 self._rename(dict(zip(labels, session.original.labels, strict=True)))
+            self.proposals.invalidate(change, session.original.rate)
             self._announce(change, moving=moving and problem is None)
         if problem is not None:
             self.failed.emit(problem)
@@ -389,7 +390,6 @@ class Document(Looking):
 
     def _announce(self, change: Change, moving: bool) -> None:
         """Emit the signals of a change."""
-        self.proposals.invalidate(change.markers)
         if change.markers:
             self.data_changed.emit(change)
         if change.artifacts:

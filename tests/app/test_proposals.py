@@ -9,8 +9,9 @@ import pytest
 
 from markermend.mesh import infer_mesh
 from markermend.repairs.registry import Repair
+from markermend.review.edits import Change
 from markermend.review.session import Session
-from markermend_app.background.proposals import Proposals
+from markermend_app.background.proposals import REACH_S, Proposals
 
 WAIT = 10_000
 
@@ -57,7 +58,7 @@ def test_a_proposal_under_way_while_samples_move_is_not_used(slow, qtbot):
     first = artifacts[0]
     ask(first)
     assert entered.wait(5)
-    proposals.invalidate([artifacts[1].marker])
+    proposals.invalidate(Change((artifacts[1].marker,), 0, 10), 100.0)
     ask(first)
     go_on.set()
     qtbot.waitUntil(lambda: proposals.get(first, "auto") is not None, timeout=WAIT)
@@ -74,3 +75,39 @@ def test_a_note_spoils_no_proposal(slow, qtbot):
     ask(noted)
     qtbot.wait(60)
     assert begun == [artifacts[0].marker]
+
+
+def test_a_proposal_under_way_goes_on_while_damage_it_knows_of_is_repaired(slow, qtbot):
+    proposals, ask, artifacts, begun, entered, go_on = slow
+    first, other = artifacts[:2]
+    ask(first)
+    assert entered.wait(5)
+    proposals.invalidate(Change((other.marker,), other.start, other.stop, artifacts=True), 100.0)
+    ask(first)
+    go_on.set()
+    qtbot.waitUntil(lambda: proposals.get(first, "auto") is not None, timeout=WAIT)
+    assert begun == [first.marker]
+
+
+def test_a_proposal_is_made_anew_only_where_its_own_marker_moved_nearby(slow, qtbot):
+    proposals, ask, artifacts, _, _, go_on = slow
+    gap, rate = artifacts[0], 10.0
+    go_on.set()
+    ask(gap)
+    qtbot.waitUntil(lambda: proposals.get(gap, "auto") is not None, timeout=WAIT)
+    reach = round(REACH_S * rate)
+    far = Change((gap.marker,), gap.stop + reach, gap.stop + reach + 5)
+    proposals.invalidate(far, rate)
+    proposals.invalidate(Change((gap.marker,), 0, gap.start - reach), rate)
+    proposals.invalidate(Change((artifacts[1].marker,), gap.start, gap.stop), rate)
+    assert proposals.get(gap, "auto") is not None
+    proposals.invalidate(Change((gap.marker,), far.start - 1, far.stop), rate)
+    assert proposals.get(gap, "auto") is None
+
+
+def test_a_proposal_that_follows_markers_chosen_by_hand_rests_on_all_of_them(slow):
+    proposals, _, artifacts, *_ = slow
+    key = artifacts[0], "auto", ("STRN",)
+    proposals.keep({key: Repair("pattern", (), reason="none")})
+    proposals.invalidate(Change(("STRN",), 390, 400), 1.0)
+    assert proposals.get(*key) is None

@@ -1,23 +1,25 @@
 """Repairs proposed ahead of the operator, made on a worker thread of their own.
 
-A proposal that is there holds while its artifact and the samples of its marker are what they
-were; changes of other markers do not spoil it. One under way reads the working samples, so that
-any change of them spoils it.
+A proposal that is there holds while its artifact and the samples of its marker around it are what
+they were; changes of other markers, or far away, do not spoil it. One under way reads the working
+samples, so that a change spoils it unless it was told that these samples are not to be believed,
+which is so where an artifact that it knows of is repaired.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from markermend.artifact import Artifact
+from markermend.artifact import Artifact, Status
 from markermend.errors import Cancelled
 from markermend.mesh import Mesh
 from markermend.progress import Progress
+from markermend.review.edits import Change
 from markermend.review.session import Session
 from markermend.take import Take
 from markermend_app.background.jobs import Lane
@@ -26,6 +28,31 @@ Key = tuple[Artifact, str, tuple[str, ...]]
 """Artifact, method, and the markers to follow where they were chosen by hand."""
 
 PAINTED_MS = 40
+REACH_S = 2.0
+"""How far around an artifact repairs look closely; further away a few samples of many matter."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Request:
+    """What was asked of the worker.
+
+    Attributes
+    ----------
+    artifacts : all that were known then
+    """
+
+    artifacts: tuple[Artifact, ...]
+
+    def disbelieves(self, change: Change) -> bool:
+        """Whether samples that change were not to be believed before either."""
+        flagged = {
+            a.marker
+            for a in self.artifacts
+            if a.status in (Status.PENDING, Status.ACCEPTED)
+            and a.start <= change.start
+            and change.stop <= a.stop
+        }
+        return flagged.issuperset(change.markers)
 
 
 class Proposals(QObject):
@@ -47,9 +74,9 @@ class Proposals(QObject):
         self._lane = Lane("proposals", self)
         self._lane.progressed.connect(lambda _share, doing: self.progressed.emit(doing))
         self._known: dict[Key, Any] = {}
-        # The object that marks one request; a request made anew after a change gets another, so
-        # that the answer to the old one is not taken for the new.
-        self._asked: dict[Key, object] = {}
+        # A request made anew after a change gets another object, so that the answer to the old one
+        # is not taken for the new.
+        self._asked: dict[Key, _Request] = {}
         self._begin: Callable[[], None] = _nothing
         self._later = QTimer(self)
         self._later.setSingleShot(True)
@@ -86,22 +113,34 @@ class Proposals(QObject):
         for key in wanted:
             if key in self._known or key in self._asked:
                 continue
-            token = object()
-            self._asked[key] = token
+            token = self._asked[key] = _Request(artifacts)
             self._lane.submit(
                 "Propose",
-                partial(self._work, take, key, token, artifacts, mesh),
+                partial(self._work, take, key, token, mesh),
                 partial(self._came, key, token),
                 partial(self._broke, key, token),
             )
 
-    def invalidate(self, markers: Iterable[str]) -> None:
-        """Forget proposals that rest on changed samples of these markers, and all under way."""
-        touched = set(markers)
-        if touched:
-            self._asked.clear()
-        for key in [k for k in self._known if touched & {*k[0].markers, *k[2]}]:
+    def invalidate(self, change: Change, rate: float) -> None:
+        """Forget proposals that rest on changed samples, those under way included.
+
+        Parameters
+        ----------
+        change : what has become of the samples
+        rate : of the take, Hz
+        """
+        touched, reach = set(change.markers), round(REACH_S * rate)
+        start, stop = change.start - reach, change.stop + reach
+
+        def spoiled(key: Key) -> bool:
+            # Which markers to follow was chosen by hand: all of what they do counts.
+            mine = touched & {*key[0].markers, *key[2]}
+            return bool(mine) and (bool(key[2]) or key[0].overlaps(start, stop))
+
+        for key in [k for k in self._known if spoiled(k)]:
             del self._known[key]
+        for key in [k for k, r in self._asked.items() if spoiled(k) or not r.disbelieves(change)]:
+            del self._asked[key]
 
     def forget(self) -> None:
         """Forget everything and stop what is under way."""
@@ -115,14 +154,14 @@ class Proposals(QObject):
         """End the worker."""
         self._lane.close()
 
-    def _came(self, key: Key, token: object, repair: Any) -> None:
+    def _came(self, key: Key, token: _Request, repair: Any) -> None:
         """Keep a proposal unless it was invalidated meanwhile."""
         if self._asked.get(key) is token:
             del self._asked[key]
             self._known[key] = repair
             self.ready.emit(key[0].id)
 
-    def _broke(self, key: Key, token: object, error: Exception) -> None:
+    def _broke(self, key: Key, token: _Request, error: Exception) -> None:
         """Tell of a proposal that could not be made."""
         if self._asked.get(key) is token:
             del self._asked[key]
@@ -132,8 +171,7 @@ class Proposals(QObject):
         self,
         take: Take,
         key: Key,
-        token: object,
-        artifacts: tuple[Artifact, ...],
+        token: _Request,
         mesh: Mesh,
         progress: Progress,
     ) -> Any:
@@ -152,7 +190,7 @@ class Proposals(QObject):
         return propose(
             take,
             artifact,
-            artifacts,
+            token.artifacts,
             method=method,
             mesh=mesh,
             references=references,

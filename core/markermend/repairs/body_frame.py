@@ -7,8 +7,8 @@ import numpy as np
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.take import Take, is_unlabelled
 
-# Distances are compared on every 4th frame: they change slowly.
-STRIDE = 4
+# Distances are compared on every 4th frame: they change slowly. In long takes so many are enough.
+STRIDE, COMPARED = 4, 4000
 # A reference that would cost more than this share of the frames to learn from is passed over; the
 # second holds where there are fewer than three otherwise.
 LOSS, MOST_LOSS = 0.2, 0.8
@@ -45,8 +45,9 @@ def rank_references(
         if usable[column] and (is_unlabelled(label) or take.subject(label) != subject):
             usable[column] = False
     columns = np.flatnonzero(usable)
-    sparse = take.positions[::STRIDE]
-    both = seen[::STRIDE, columns] & seen[::STRIDE, marker, None]
+    every = slice(None, None, max(STRIDE, take.frames // COMPARED))
+    sparse = take.positions[every]
+    both = seen[every, columns] & seen[every, marker, None]
     distance = np.linalg.norm(sparse[:, columns] - sparse[:, marker, None], axis=2)
     distance[~both] = np.nan
     often = both.sum(axis=0) >= 3
