@@ -18,7 +18,7 @@ from markermend.poses.normal import bone_lengths
 from markermend.poses.nuitrack import to_nuitrack
 from markermend.poses.quaternion import between, turn
 from markermend.poses.restore import INFERRED, denoise, restore
-from markermend.poses.smoothing import noise_level, smooth
+from markermend.poses.smoothing import noise_level, smooth, smooth_again
 
 
 def arm(frames=400, rate=100.0):
@@ -94,6 +94,21 @@ def test_noise_is_told_from_movement_and_taken_out():
     assert np.abs(smooth(clean, np.full(28, 1e-4), 60.0) - clean).max() < 1e-3
 
 
+def test_smoothing_again_takes_bias_and_gaps_out_of_the_pilot():
+    random = np.random.default_rng(3)
+    t = np.arange(1200)[:, None] / 60
+    drivers = np.sin(2 * np.pi * t * [0.4, 0.9, 1.7, 2.3] + [0, 1, 2, 3])
+    clean = 0.4 * drivers @ random.normal(size=(4, 28))
+    noise = np.full(28, 0.02)
+    noisy = clean + random.normal(0, 0.02, clean.shape)
+    hidden = random.random(clean.shape) < 0.15
+    pilot = smooth(bridged(noisy, ~hidden), noise, 60.0)
+    again = smooth_again(np.where(hidden, pilot, noisy), pilot, noise, 60.0)
+    assert np.std(again - clean) < 0.9 * np.std(pilot - clean)
+    # It need not believe a pilot that is wrong.
+    assert np.std(smooth_again(noisy, 0.8 * clean, noise, 60.0) - clean) < 0.5 * 0.02
+
+
 def test_bones_keep_their_length_and_rotations_follow():
     pose = arm()
     features = np.concatenate([pose.positions, pose.rotations], axis=2)
@@ -151,6 +166,18 @@ def test_joints_never_seen_and_positions_alone():
     clean = restore(hide(bare, slice(100, 110), 2)).pose
     assert far(clean, bare).max() < 10
     assert np.isnan(clean.rotations).all()
+
+
+def test_noise_beside_a_joint_never_seen_is_taken_out():
+    truth = arm()
+    random = np.random.default_rng(5)
+    shaken = truth.positions + random.normal(0, 5.0, truth.positions.shape)
+    turned = truth.rotations + random.normal(0, 0.02, truth.rotations.shape)
+    noisy = hide(truth.with_samples(shaken, turned), slice(None), 4)
+    restored = restore(noisy).pose
+    assert np.isnan(restored.positions[:, 4]).all()
+    # The root stays as it was measured.
+    assert far(restored, truth)[:, 1:4].mean() < 0.9 * far(noisy, truth)[:, 1:4].mean()
 
 
 def test_too_little_is_said():

@@ -155,7 +155,10 @@ def fuse(features: FloatArray, bones: Bones, root: int) -> FloatArray:
     system[root] = np.eye(count)[root]
     right[:, root] = features[:, root, :3]
     out = features.copy()
-    out[..., :3] = np.einsum("ij,njk->nik", np.linalg.inv(system), right)
+    # A joint never seen has no bones, and must not take the others along.
+    never = np.isnan(right)
+    out[..., :3] = np.einsum("ij,njk->nik", np.linalg.inv(system), np.where(never, 0.0, right))
+    out[..., :3][never] = np.nan
     for parent, joint in _only_child(bones).items():
         if parent != root:
             pointing = turn(

@@ -73,6 +73,8 @@ def fill(
     variance = _time_variance(base, known, rate)
     estimate = base
     lengths = [gap.stop - gap.start for gap in gaps]
+    # In brief gaps a second pass changes nothing that shows.
+    passes = passes if max(lengths, default=0) >= _BRIEF_S * rate else 1
     for last in (False,) * (passes - 1) + (True,) if gaps else ():
         moments = pooled(learn(estimate, rate, lengths), prior)
         better = estimate.copy()

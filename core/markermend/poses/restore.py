@@ -8,7 +8,7 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import DataError
-from markermend.poses.bones import find_bones, fuse, keep_lengths, swing
+from markermend.poses.bones import Bones, find_bones, fuse, keep_lengths, swing
 from markermend.poses.channels import Channels, to_channels, to_features
 from markermend.poses.covariance import Moments
 from markermend.poses.faults import Fault, mend_faults
@@ -18,7 +18,7 @@ from markermend.poses.nuitrack import mirrored
 from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior, fitting, shipped_prior
 from markermend.poses.settling import settle
-from markermend.poses.smoothing import LEAST_NOISE, noise_level, smooth
+from markermend.poses.smoothing import LEAST_NOISE, noise_level, smooth, smooth_again
 from markermend.progress import Progress, quiet
 
 INFERRED = 0.5
@@ -118,7 +118,8 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     whole = np.zeros(channels.values.shape)
     whole[:, usable] = rough
     noise = noise_level(whole, channels.known)
-    if float(np.median(noise[usable])) < _WORTH:
+    level = float(np.median(noise[usable]))
+    if level < _WORTH:
         noise[:] = LEAST_NOISE
     else:
         tell(0.3, "Smoothing")
@@ -127,32 +128,49 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     filled = fill(values, known, pose.rate, prior)
     whole[:, usable] = filled.values
     whole[:, ~usable] = np.nan
-    tell(0.9, "Keeping bones")
     variance = np.full(channels.values.shape, np.nan)
     variance[:, usable] = filled.variance + (_LEFT * noise[usable]) ** 2
-    features = _with_bones(whole, variance, channels, pose, float(np.median(noise[usable])))
-    return _finished(pose, features, channels, noise, variance)
+    tell(0.7, "Keeping bones")
+    known_joints = _known_joints(channels, pose)
+    features, bones = _agreed(whole, variance, channels, pose, known_joints, level)
+    if level > _NOISY:
+        tell(0.8, "Smoothing again")
+        pilot = features[:, channels.joints].reshape(pose.frames, -1)[:, usable]
+        again = np.where(known, channels.values[:, usable], pilot)
+        whole[:, usable] = smooth_again(again, pilot, noise[usable], pose.rate)
+        features, bones = _agreed(whole, variance, channels, pose, known_joints, level)
+    seen, turned = known_joints
+    features[..., :3] = keep_lengths(features[..., :3], seen, bones)
+    return _finished(pose, swing(features, ~turned, bones), channels, noise, variance)
 
 
-def _with_bones(
-    values: FloatArray, variance: FloatArray, channels: Channels, pose: Pose, noise: float
-) -> FloatArray:
-    """(frames, joints, 7) in which bones keep their length and rotations follow them."""
-    features = to_features(values, channels)
-    root, count = channels.normal.root, len(pose.joints)
-    seen, turned = np.ones((2, pose.frames, count), dtype=bool)
+def _known_joints(channels: Channels, pose: Pose) -> tuple[BoolArray, BoolArray]:
+    """(frames, joints) bool each: positions and rotations that are known, the root's always."""
+    seen, turned = np.ones((2, pose.frames, len(pose.joints)), dtype=bool)
     seen[:, channels.joints] = channels.known[:, ::FEATURES]
     turned[:, channels.joints] = channels.known[:, FEATURES - 1 :: FEATURES]
-    bones = find_bones(features, seen, turned, pose.parents, _LEFT * noise)
-    if noise > _NOISY:
-        pilot = fuse(features, bones, root)
-        if pose.frames >= _SETTLES and not np.isnan(pilot).any():
-            unsure = np.ones(features.shape)
-            unsure[:, channels.joints] = variance.reshape(pose.frames, -1, FEATURES)
-            pilot = settle(features, unsure, pilot, pose.parents, pose.order)
-        features = pilot
-    features[..., :3] = keep_lengths(features[..., :3], seen, bones)
-    return swing(features, ~turned, bones)
+    return seen, turned
+
+
+def _agreed(
+    values: FloatArray,
+    variance: FloatArray,
+    channels: Channels,
+    pose: Pose,
+    known: tuple[BoolArray, BoolArray],
+    noise: float,
+) -> tuple[FloatArray, Bones]:
+    """(frames, joints, 7) in which noisy positions and rotations agree, and the bones found."""
+    features = to_features(values, channels)
+    bones = find_bones(features, *known, pose.parents, _LEFT * noise)
+    if noise <= _NOISY:
+        return features, bones
+    pilot = fuse(features, bones, channels.normal.root)
+    if pose.frames < _SETTLES or np.isnan(pilot).any():
+        return pilot, bones
+    unsure = np.ones(features.shape)
+    unsure[:, channels.joints] = variance.reshape(pose.frames, -1, FEATURES)
+    return settle(features, unsure, pilot, pose.parents, pose.order), bones
 
 
 def _finished(

@@ -15,7 +15,8 @@ from markermend.poses.quaternion import inverse, multiply, turn
 _LOCAL = 6
 # Directions in which a body varies less than this share of its largest are those it cannot move in.
 _LEAST = 1e-6
-_AT_ONCE = 256
+# Frames that share their slopes; groups of them that are solved at once.
+_ALIKE, _AT_ONCE = 4, 128
 
 
 def settle(
@@ -40,6 +41,7 @@ def settle(
     In its parent's axes a joint of a body keeps its place and turns about few axes: an elbow about
     one. A normal distribution over those local coordinates of the pilot, all joints together, is
     the prior; features are linearised at the pilot, and each frame is one least-squares problem.
+    A few frames in a row bend alike and share slopes and variances.
     """
     joints = [j for j in order if parents[j] >= 0]
     middle = _middles(pilot, parents, joints)
@@ -47,21 +49,34 @@ def settle(
     mean = start.mean(axis=0)
     spread, axes = np.linalg.eigh(np.cov(start.T))
     kept = spread > _LEAST * spread[-1]
-    spread, axes = spread[kept], axes[:, kept]
-    out = features.copy()
-    for first in range(0, len(features), _AT_ONCE):
+    scale = np.sqrt(spread[kept])
+    poses = _from_local(start, features, parents, joints, middle)
+    left = (features - poses)[:, joints].reshape(len(features), -1)
+    at = (start - mean) @ axes[:, kept] / scale
+    directions = axes[:, kept] * scale
+    firsts = np.arange(0, len(features), _ALIKE)
+    counts = np.diff(np.append(firsts, len(features)))
+    unsure = variance[:, joints].reshape(len(features), -1)
+    certain = 1.0 / np.sqrt(np.add.reduceat(unsure, firsts) / counts[:, None])
+    settled = np.empty_like(at)
+    for first in range(0, len(firsts), _AT_ONCE):
         some = slice(first, first + _AT_ONCE)
-        local = start[some]
-        poses, slopes = _linear(local, features[some], parents, joints, middle, axes)
-        unsure = np.sqrt(variance[some][:, joints]).reshape(len(local), -1)
-        left = (features[some] - poses)[:, joints].reshape(len(local), -1) / unsure
-        slopes /= unsure[..., None]
-        known = left[..., None] + slopes @ ((local - mean) @ axes)[..., None]
+        middles = firsts[some] + counts[some] // 2
+        rows = slice(firsts[first], firsts[some][-1] + counts[some][-1])
+        slopes = _linear(start[middles], features[middles], parents, joints, middle, directions)
+        slopes *= certain[some, :, None]
         across = slopes.transpose(0, 2, 1)
-        settled = np.linalg.solve(across @ slopes + np.diag(1.0 / spread), across @ known)
-        local = mean + settled[..., 0] @ axes.T
-        out[some] = _from_local(local, features[some], parents, joints, middle)
-    return out
+        wanted = across @ (_grouped(left[rows], _ALIKE) * certain[some, None]).transpose(0, 2, 1)
+        here = _grouped(at[rows], _ALIKE).transpose(0, 2, 1)
+        moved = np.linalg.solve(across @ slopes + np.eye(len(scale)), wanted - here) + here
+        settled[rows] = moved.transpose(0, 2, 1).reshape(-1, len(scale))[: len(at[rows])]
+    return _from_local(mean + settled @ directions.T, features, parents, joints, middle)
+
+
+def _grouped(rows: FloatArray, size: int) -> FloatArray:
+    """(groups, size, columns) of rows in turn, zeros after the last."""
+    padded = np.pad(rows, ((0, -len(rows) % size), (0, 0)))
+    return padded.reshape(-1, size, rows.shape[1])
 
 
 def _middles(
@@ -122,8 +137,8 @@ def _linear(
     joints: Sequence[int],
     middle: dict[int, FloatArray],
     directions: FloatArray,
-) -> tuple[FloatArray, FloatArray]:
-    """Poses, and (frames, joints · 7, directions) how they change along directions of local."""
+) -> FloatArray:
+    """(frames, joints · 7, directions) how poses change along directions of local."""
     poses = _from_local(local, like, parents, joints, middle)
     frames, columns = len(local), directions.shape[1]
     turning, moving = np.zeros((2, like.shape[1], frames, 3, columns))
@@ -138,7 +153,7 @@ def _linear(
         moving[joint] = moving[parent] - bone @ turning[parent] + axes @ directions[k + 3 : k + 6]
         slopes[:, n, :3] = moving[joint]
         slopes[:, n, 3:] = _by_turning(poses[:, joint, 3:]) @ turning[joint]
-    return poses, slopes.reshape(frames, -1, columns)
+    return slopes.reshape(frames, -1, columns)
 
 
 def _cross(v: FloatArray) -> FloatArray:

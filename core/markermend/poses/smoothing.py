@@ -25,6 +25,8 @@ _BLOCK, _CALM, _CALM_CHANNELS = 16, 0.1, 0.25
 # Cut-offs tried, as shares of the frame rate; the time over which they compete, and how sharply.
 _CUTOFFS = np.geomspace(0.002, 0.45, 16)
 _WINDOW_S, _SHARP = 0.6, 0.1
+# The same where a pilot tells the risk, which chance then has no part in.
+_PILOT_WINDOW_S, _PILOT_SHARP = 0.3, 0.2
 
 
 def noise_level(values: FloatArray, known: BoolArray) -> FloatArray:
@@ -126,31 +128,73 @@ def smooth(values: FloatArray, noise: FloatArray, rate: float) -> FloatArray:
     return np.asarray(found * noise + mean)
 
 
-def smooth_each(values: FloatArray, rate: float) -> FloatArray:
+def smooth_again(
+    values: FloatArray, pilot: FloatArray, noise: FloatArray, rate: float
+) -> FloatArray:
+    """Smooth once more, knowing about what comes out.
+
+    Parameters
+    ----------
+    values : (frames, channels) without NaN, as noisy as they were measured; the pilot's where they
+        were not
+    pilot : (frames, channels) near the truth
+    noise : (channels,) standard deviation of the white noise in each of the values
+    rate : frames per second
+
+    Returns
+    -------
+    (frames, channels)
+
+    Notes
+    -----
+    The pilot's velocities say what moves together, and what each filter would take from the pilot
+    is its expected bias. That is Wiener filtering in two steps; values that are the pilot's where
+    nothing was measured make it a step of expectation maximisation.
+    """
+    if len(values) < 2 * _ORDER + 2:
+        return values
+    mean = pilot.mean(axis=0)
+    near = (pilot - mean) / noise
+    steps = np.diff(near, axis=0)
+    _, axes = np.linalg.eigh(steps.T @ steps)
+    found = smooth_each((values - mean) / noise @ axes, rate, near @ axes)
+    return np.asarray(found @ axes.T * noise + mean)
+
+
+def smooth_each(values: FloatArray, rate: float, pilot: FloatArray | None = None) -> FloatArray:
     """Smooth channels of unit white noise, each by itself.
 
     Parameters
     ----------
     values : (frames, channels)
     rate : frames per second
+    pilot : the same near the truth, by which risks are told; by the values where not given
     """
     frames = len(values)
-    line = np.linspace(values[0], values[-1], frames)
+    guide = values if pilot is None else pilot
+    line = np.linspace(guide[0], guide[-1], frames)
     spectrum = dct(values - line, type=2, norm="ortho", axis=0)
+    guiding = spectrum if pilot is None else dct(pilot - line, type=2, norm="ortho", axis=0)
     pitch = (2.0 * np.sin(np.pi * np.arange(frames) / (2 * frames))) ** (2 * _ORDER)
-    window = min(2 * round(0.5 * _WINDOW_S * rate) + 1, frames)
+    window_s, sharp = (_WINDOW_S, _SHARP) if pilot is None else (_PILOT_WINDOW_S, _PILOT_SHARP)
+    window = min(2 * round(0.5 * window_s * rate) + 1, frames)
     # To leave a component as it is must be among the choices.
     total, weight = values.copy(), np.ones_like(values)
-    least = np.full(values.shape, 2.0)
+    least = np.full(values.shape, 2.0 if pilot is None else 1.0)
     for cutoff in _CUTOFFS[frames * _CUTOFFS > 1.0]:
         gain = 1.0 / (1.0 + pitch / (2.0 * np.sin(np.pi * cutoff)) ** (2 * _ORDER))
         out = idct(spectrum * gain[:, None], type=2, norm="ortho", axis=0) + line
-        risk = uniform_filter1d((values - out) ** 2, window, axis=0, mode="nearest")
-        risk += 2.0 * gain.mean()
+        taken = (
+            values - out
+            if pilot is None
+            else idct(guiding * (1.0 - gain[:, None]), type=2, norm="ortho", axis=0)
+        )
+        risk = uniform_filter1d(taken**2, window, axis=0, mode="nearest")
+        risk += 2.0 * gain.mean() if pilot is None else np.mean(gain**2)
         lower = np.maximum(least - risk, 0.0)
-        fall = np.exp(-_SHARP * window * lower)
+        fall = np.exp(-sharp * window * lower)
         least = np.minimum(least, risk)
-        share = np.exp(-_SHARP * window * (risk - least))
+        share = np.exp(-sharp * window * (risk - least))
         total = fall * total + share * out
         weight = fall * weight + share
     return total / weight
