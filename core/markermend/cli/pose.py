@@ -22,12 +22,18 @@ def run(options: argparse.Namespace) -> int:
         found = joint_centres(take, progress=bar)
     mm.write_pose(found.pose, options.output)
     rows = [
-        [joint.name, f"{joint.error_mm:.1f}", f"{joint.doubt_mm:.0f}", f"{joint.turning_deg:.1f}"]
+        [
+            joint.name,
+            f"{joint.error_mm:.1f}",
+            f"{joint.doubt_mm:.0f}",
+            f"{joint.turning_deg:.1f}",
+            joint.along or "movement",
+        ]
         for joint in found.joints
         if not joint.left_out
     ]
-    head = ["Joint between", "Error, mm", "Doubt, mm", "Least turning, °"]
-    for line in table(head, rows, "lrrr"):
+    head = ["Joint between", "Error, mm", "Doubt, mm", "Least turning, °", "Told by"]
+    for line in table(head, rows, "lrrrl"):
         say(line)
     left_out = [[joint.name, joint.left_out] for joint in found.joints if joint.left_out]
     if left_out:

@@ -21,8 +21,10 @@ LEAST_FRAMES = 20
 LEAST_WIDTH_MM = 10.0
 # Groups that turn less than this against each other about some axis, root mean square, are a hinge.
 LEAST_TURNING_DEG = 2.0
+# A joint that turns this many times less about one axis than about any other may be a hinge.
+HINGE = 2.0
 # A centre that the take leaves more open than this is of no use.
-MOST_DOUBT_MM = 100.0
+MOST_DOUBT_MM = 150.0
 
 
 @dataclass(frozen=True)
@@ -37,11 +39,13 @@ class Joint:
         the other does; NaN where the joint was left out. It tells how well two rigid bodies and
         one point describe the markers. A fault that skin makes alike in every frame is not in it.
     doubt_mm : how far the centre could be moved, in the direction that the movement tells least
-        about, until the squared error has doubled; NaN where it was not worked out. A bound rather
-        than an expectation.
+        about, until the squared error has doubled; of a hinge, how far off the markers are along
+        its axis, root mean square; NaN where it was not worked out. A bound rather than an
+        expectation.
     turning_deg : root mean square angle by which the groups turn against each other, in the
         direction in which it is least; NaN where it was not worked out
     left_out : why there is no centre, one clause; empty where there is one
+    along : what tells where along its axis the centre of a hinge is; empty where movement does
     """
 
     name: str
@@ -50,6 +54,7 @@ class Joint:
     doubt_mm: float = np.nan
     turning_deg: float = np.nan
     left_out: str = ""
+    along: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,11 +75,15 @@ class JointCentres:
 
 @dataclass(frozen=True, eq=False)
 class _Body:
-    """A group's movement: ``turn @ local + place`` is in the lab, where ``posed``."""
+    """A group's movement: ``turn @ local + place`` is in the lab, where ``posed``; its markers."""
 
     turn: FloatArray
     place: FloatArray
     posed: BoolArray
+    shape: FloatArray
+
+
+_Found = dict[tuple[int, int], tuple[Joint, FloatArray | None]]
 
 
 def joint_centres(
@@ -104,7 +113,10 @@ def joint_centres(
     -----
     Symmetrical centre of rotation estimation, Ehrig, Taylor, Duda and Heller 2006, J. Biomech.
     39, 2798-2809, equation 5: the least squares solution of R_i c_i + t_i = R_j c_j + t_j over all
-    frames, by singular values.
+    frames, by singular values. Of a joint that turns about one axis this leaves a line (Ehrig,
+    Taylor, Duda and Heller 2007, J. Biomech. 40, 2150-2157). Knees and elbows bend in a plane, so
+    the centre is put where the joints beside it lie along the axis; where none is known, midway
+    between the outermost markers of both groups.
     """
     if take.skeleton:
         raise DataError("This is a skeleton recording: its joints are in it already.")
@@ -115,16 +127,16 @@ def joint_centres(
     for done, group in enumerate(mesh.groups):
         report(done / len(mesh.groups), "joint centres")
         bodies.append(_body(take, group.markers, group.name))
-    joints: list[Joint] = []
-    places: list[FloatArray] = []
-    for child, group in enumerate(mesh.groups):
-        if group.parent is not None:
-            above = mesh.groups[group.parent]
-            name = f"{group.subject}:" * bool(group.subject) + f"{above.name}/{group.name}"
-            joint, place = _joint(name, (group.parent, child), bodies)
-            joints.append(joint)
-            if place is not None:
-                places.append(place)
+    pairs = [(g.parent, child) for child, g in enumerate(mesh.groups) if g.parent is not None]
+    found: dict[tuple[int, int], tuple[Joint, FloatArray | None]] = {}
+    # Hinges come after the joints that tell where along their axis they are.
+    for hinges in (False, True):
+        for pair in pairs:
+            tried = _joint(_name(mesh, pair), pair, bodies, found if hinges else None)
+            if not hinges or found[pair][1] is None or tried[0].doubt_mm < found[pair][0].doubt_mm:
+                found[pair] = tried
+    joints = [found[pair][0] for pair in pairs]
+    places = [place for pair in pairs if (place := found[pair][1]) is not None]
     report(1.0, "joint centres")
     if not places:
         why = f" {joints[0].name}: {joints[0].left_out}." if joints else ""
@@ -150,13 +162,25 @@ def _body(take: Take, markers: tuple[int, ...], name: str) -> _Body | str:
     width = np.linalg.svd(shape, compute_uv=False)[1] / np.sqrt(len(columns))
     if width < LEAST_WIDTH_MM:
         return f"the markers of {name} lie along one line"
-    return _Body(turn, place, posed)
+    return _Body(turn, place, posed, shape)
+
+
+def _name(mesh: Mesh, pair: tuple[int, int]) -> str:
+    """Both groups, the parent's first."""
+    above, below = (mesh.groups[g] for g in pair)
+    return f"{below.subject}:" * bool(below.subject) + f"{above.name}/{below.name}"
 
 
 def _joint(
-    name: str, groups: tuple[int, int], bodies: list[_Body | str]
+    name: str,
+    groups: tuple[int, int],
+    bodies: list[_Body | str],
+    known: _Found | None,
 ) -> tuple[Joint, FloatArray | None]:
-    """One joint, and where it is, (frames, 3) with NaN where neither group is posed."""
+    """One joint, and where it is, (frames, 3) with NaN where neither group is posed.
+
+    With ``known`` joints beside it, a hinge is found too.
+    """
     above, below = (bodies[g] for g in groups)
     if isinstance(above, str):
         return Joint(name, groups, left_out=above), None
@@ -165,36 +189,84 @@ def _joint(
     both = above.posed & below.posed
     if both.sum() < LEAST_FRAMES:
         return Joint(name, groups, left_out="its groups are hardly ever seen together"), None
-    centres, turning = centre_of_rotation(
+    centres, axes, turning = centre_of_rotation(
         above.turn[both], above.place[both], below.turn[both], below.place[both]
     )
-    if turning < LEAST_TURNING_DEG:
-        why = f"its groups turn against each other about some axis by {turning:.1f}° only"
-        return Joint(name, groups, turning_deg=turning, left_out=why), None
+    span, along, least, about = 0.0, "", float(turning[0]), "some"
+    if known is not None and turning[1] > HINGE * turning[0]:
+        centres, span, along = _along_axis(centres, axes, groups, (above, below), known)
+        least, about = float(turning[1]), "a second"
+        if not along:
+            why = "it turns least about the limb's own length, where no joint beside it tells of it"
+            return Joint(name, groups, turning_deg=turning[0], left_out=why), None
+    if least < LEAST_TURNING_DEG:
+        why = f"its groups turn against each other about {about} axis by {least:.1f}° only"
+        return Joint(name, groups, turning_deg=turning[0], left_out=why), None
+    place, error = _carried(centres, above, below)
+    # Moving the centre by a distance moves the two apart by that times the angle.
+    doubt = max(span, error / float(np.radians(least)))
+    if doubt > MOST_DOUBT_MM:
+        why = (
+            f"it could lie {doubt:.0f} mm off: {least:.1f}° is too little turning for an error"
+            f" of {error:.1f} mm"
+        )
+        return Joint(name, groups, doubt_mm=doubt, turning_deg=turning[0], left_out=why), None
+    return Joint(name, groups, error, doubt, turning[0], along=along), place
+
+
+def _carried(centres: FloatArray, above: _Body, below: _Body) -> tuple[FloatArray, float]:
+    """(frames, 3) midway between where both bodies carry a point, and how far apart that is."""
     carried = [
         to_lab(np.broadcast_to(centre, body.place.shape), body.turn, body.place)
         for centre, body in zip(centres, (above, below), strict=True)
     ]
+    both = above.posed & below.posed
     apart = carried[0][both] - carried[1][both]
-    error = float(np.sqrt(np.mean((apart**2).sum(axis=1))))
-    # Moving the centre by a distance moves the two apart by that times the angle.
-    doubt = error / float(np.radians(turning))
-    if doubt > MOST_DOUBT_MM:
-        why = (
-            f"it could lie {doubt:.0f} mm off: {turning:.1f}° is too little turning for an error"
-            f" of {error:.1f} mm"
-        )
-        return Joint(name, groups, doubt_mm=doubt, turning_deg=turning, left_out=why), None
     place = np.full(above.place.shape, np.nan)
     place[above.posed] = carried[0][above.posed]
     place[below.posed] = carried[1][below.posed]
     place[both] = (carried[0][both] + carried[1][both]) / 2
-    return Joint(name, groups, error, doubt, turning), place
+    return place, float(np.sqrt(np.mean((apart**2).sum(axis=1))))
+
+
+def _along_axis(
+    centres: FloatArray,
+    axes: FloatArray,
+    groups: tuple[int, int],
+    bodies: tuple[_Body, _Body],
+    known: _Found,
+) -> tuple[FloatArray, float, str]:
+    """Centres moved along a hinge's axis, how far from there the markers are, and what told.
+
+    Nothing tells where the joints beside it lie beyond the markers: the axis is not across the
+    limb.
+    """
+    reach = [
+        (body.shape - centre) @ axis
+        for body, centre, axis in zip(bodies, centres, axes, strict=True)
+    ]
+    markers = np.concatenate(reach)
+    told = []
+    for group, body, centre, axis in zip(groups, bodies, centres, axes, strict=True):
+        beside = [
+            float(np.nanmedian(np.einsum("fi,fij,j->f", place - body.place, body.turn, axis)[seen]))
+            - float(centre @ axis)
+            for pair, (_, place) in known.items()
+            if place is not None and group in pair and pair != groups
+            if (seen := body.posed & ~np.isnan(place[:, 0])).any()
+        ]
+        if beside:
+            told.append(np.mean(beside))
+    shift = float(np.mean(told)) if told else float(markers.min() + markers.max()) / 2
+    if not markers.min() <= shift <= markers.max():
+        return centres, np.nan, ""
+    span = float(np.sqrt(np.mean((markers - shift) ** 2)))
+    return centres + shift * axes, span, "the joints beside it" if told else "the markers' middle"
 
 
 def centre_of_rotation(
     turn: FloatArray, place: FloatArray, other_turn: FloatArray, other_place: FloatArray
-) -> tuple[FloatArray, float]:
+) -> tuple[FloatArray, FloatArray, FloatArray]:
     """The point that is fixed in two moving rigid bodies, by least squares.
 
     Parameters
@@ -205,15 +277,19 @@ def centre_of_rotation(
     Returns
     -------
     centres : (2, 3) the point in the axes of the one body and of the other, mm
-    turning : root mean square angle in degrees by which the bodies turn against each other, in the
-        direction in which it is least; 0 where they turn about one axis only
+    axes : (2, 3) the direction in each that the movement tells least about, of length 1
+    turning : (3,) root mean square angles in degrees by which the bodies turn against each other
+        in the directions in which it is least, second and third; the first is 0 where they turn
+        about one axis only, and the centre is then anywhere on it
     """
     stacked = np.concatenate([turn, -other_turn], axis=2).reshape(-1, 6)
-    solved, _, _, singular = np.linalg.lstsq(stacked, (other_place - place).reshape(-1), rcond=None)
+    _, singular, directions = np.linalg.svd(stacked, full_matrices=False)
     # A direction that turns by a root mean square angle a has 1 - a²/2 as its mean cosine, and the
     # smallest squared singular value is the number of frames times one minus that.
-    turning = float(np.degrees(np.sqrt(2.0 / len(turn)) * singular[-1]))
-    return solved.reshape(2, 3), turning
+    turning = np.degrees(np.sqrt(2.0 / len(turn)) * singular[:2:-1])
+    solved = np.linalg.lstsq(stacked, (other_place - place).reshape(-1), rcond=None)[0]
+    axes = directions[-1].reshape(2, 3)
+    return solved.reshape(2, 3), axes / np.linalg.norm(axes, axis=1, keepdims=True), turning
 
 
 def _pose(
