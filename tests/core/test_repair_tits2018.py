@@ -80,8 +80,10 @@ def test_principal_components_rebuild_a_rigid_combination() -> None:
     positions[200:240, 4] = np.nan
     wanted = np.zeros(600, dtype=bool)
     wanted[200:240] = True
-    values = reconstruct(positions, 4, wanted)
-    assert values is not None
+    rebuilt = reconstruct(positions, 4, wanted)
+    assert rebuilt is not None
+    values, learnt = rebuilt
+    assert learnt % 60 == 0
     spread = np.linalg.norm(truth - truth.mean(axis=0), axis=1).mean()
     assert np.linalg.norm(values - truth, axis=1).mean() < 0.5 * spread
 

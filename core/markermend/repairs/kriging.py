@@ -62,12 +62,15 @@ class _Prediction:
     mean, variance : (wanted, 3) mm, (wanted,) mm²
     miss, expected : (known, 3) mm, (known,) mm²; by how much the known frames would have been
         missed, were they hidden in blocks, and the variance expected of that
+    freedom : effective number of parameters for each coordinate, the trace of the smoother
+        (rasmussen2006, 2.6)
     """
 
     mean: FloatArray
     variance: FloatArray
     miss: FloatArray
     expected: FloatArray
+    freedom: float
 
 
 def condition(
@@ -77,7 +80,7 @@ def condition(
     noise_mm: float,
     block: int,
     near: BoolArray,
-) -> tuple[FloatArray, FloatArray]:
+) -> tuple[FloatArray, FloatArray, int]:
     """Predict the place of a marker in some frames from its place in others.
 
     Parameters
@@ -95,6 +98,8 @@ def condition(
     mean : (wanted, 3) mm
     deviation : (wanted,) standard deviation of each coordinate, mm, scaled so that a 90 % ball
         held nine in ten of the known frames when stretches as long as the interval were hidden
+    learnt : effective number of parameters, of all coordinates; the views' mean, as they are
+        averages of each other
     """
     known = len(near)
     time = _from_time(frames, rate, known)
@@ -111,7 +116,8 @@ def condition(
     ratio = np.linalg.norm(miss, axis=1) / np.sqrt(usual)
     scale = float(np.quantile(ratio, 0.9)) / BALL_90
     spread = _mix(variance[:, :, None], variance)[:, 0]
-    return _mix(np.array([p.mean for p in said]), variance), scale * np.sqrt(spread)
+    learnt = round(3 * float(np.mean([p.freedom for p in said])))
+    return _mix(np.array([p.mean for p in said]), variance), scale * np.sqrt(spread), learnt
 
 
 def _mix(values: FloatArray, variance: FloatArray) -> FloatArray:
@@ -141,7 +147,8 @@ def _predict(view: View, time: FloatArray, noise: float, blocks: IntArray) -> _P
     miss, expected = _hide(blocks, np.tril(inverse), weights)
     mean = to_lab(usual + across @ weights, view.rotation[known:], view.centre[known:])
     turned = np.einsum("fj,fij->fi", miss, view.rotation[:known])
-    return _Prediction(mean, variance, turned, expected)
+    freedom = known - noise * float(np.trace(inverse))
+    return _Prediction(mean, variance, turned, expected, freedom)
 
 
 def _from_pose(view: View, known: int) -> FloatArray:

@@ -2,9 +2,10 @@
 
 The marker is seen from three frames that move with its nearest references: one held by those that
 are rigid to it, two by the nearest three and four alike. In each its place is a Gaussian process of
-the references' pose and of time, conditioned on the frames near the interval and on an even sample
-of the rest of the take; the three are averaged, the surer ones the more. Over short intervals the
-marker's own movement, by the Kalman smoother, is averaged in.
+the references' pose and of time, conditioned on the frames near the interval, on an even sample
+of the rest of the take and, over intervals of about a second, on those in which the body is as it
+is there; the three are averaged, the surer ones the more. Over short intervals the marker's own
+movement, by the Kalman smoother, is averaged in.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from markermend.arrays import BoolArray, FloatArray, IntArray
+from markermend.arrays import BoolArray, FloatArray
 from markermend.artifact import Artifact
 from markermend.repairs.body_frame import (
     align,
@@ -29,6 +30,8 @@ from markermend.repairs.kriging import View, condition
 from markermend.repairs.pose import FORCE_S, describe_pose
 from markermend.repairs.registry import Evidence, Repair, register
 from markermend.repairs.result import make_repair, refuse
+from markermend.repairs.training_frames import choose_frames, near_interval
+from markermend.take import Take
 from markermend.vertical import up_axis
 
 METHOD = "local_regression"
@@ -36,9 +39,11 @@ METHOD = "local_regression"
 LEAST_FRAMES = 20
 # Markers that hold the second and the third of the frames from which the marker is seen.
 FRAME_MARKERS = (3, 4)
-# Within so many seconds of the interval every frame is learnt from, further away every second and
-# then every fourth: they tell nearly the same, and time grows with the cube of their number.
-DENSE_S, HALF_DENSE_S = 0.1, 0.25
+# Intervals of these lengths are likened to the rest of the take: a fourth of its even sample gives
+# way to twice as many frames in which the body is as it is in the interval, and distant references
+# count more in telling so. Shorter ones are told by the frames beside them, longer ones hold so
+# much of the movement that an even sample is as good.
+ALIKE_S, EVEN, ALIKE = (0.25, 1.25), 0.75, 0.5
 # How far around the interval the noise is estimated, and its limits.
 NOISE_S = 2.0
 # Up to here the marker's own movement has a say beside the body. Both err alike in part, so that
@@ -95,7 +100,18 @@ def repair_local_regression(evidence: Evidence, artifact: Artifact, params: Any)
         return refuse(METHOD, _too_few_references(artifact, len(places)), params)
     references, spread = ranked[places], spread[places]
     together: BoolArray = np.all(seen[:, references], axis=1)
-    known = _learn_from(together & seen[:, marker], artifact, take.rate, params)
+    likened = _likened(artifact, take)
+    beside = near_interval(take.frames, artifact, params.near_s * take.rate)
+    known = choose_frames(
+        together & seen[:, marker],
+        beside,
+        artifact,
+        take.rate,
+        take.positions,
+        references,
+        even=round(params.samples * (EVEN if likened else 1.0)),
+        alike=round(params.samples * ALIKE) if likened else 0,
+    )
     if len(known) < LEAST_FRAMES:
         return refuse(
             METHOD,
@@ -114,19 +130,25 @@ def repair_local_regression(evidence: Evidence, artifact: Artifact, params: Any)
     force = np.nan_to_num(earlier - 2.0 * cloud + later)
     own, up = take.positions[known, marker], up_axis(take)
     views = [
-        _view(cloud, force, own, spread, weight, up)
+        _view(cloud, force, own, spread, weight, up, likened)
         for weight in (holding(spread), *(nearest(spread, n) for n in FRAME_MARKERS))
     ]
     noise = _noise(take.positions[:, marker], seen[:, marker], artifact, take.rate)
-    near = _near(known, artifact, take.rate, params)
-    values, deviation = condition(frames, take.rate, views, noise, artifact.length, near)
+    values, deviation, learnt = condition(
+        frames, take.rate, views, noise, artifact.length, beside[known]
+    )
     if artifact.length <= OWN_COURSE_S * take.rate:
         values, deviation = _with_own_course(evidence, artifact, values, deviation)
     else:
         deviation = LONG_DOUBT * deviation
-    return make_repair(
-        METHOD, evidence, artifact, values, params, np.repeat(deviation[:, None], 3, axis=1)
-    )
+    coordinates = np.repeat(deviation[:, None], 3, axis=1)
+    return make_repair(METHOD, evidence, artifact, values, params, coordinates, weights=learnt)
+
+
+def _likened(artifact: Artifact, take: Take) -> bool:
+    """Whether an interval is likened to the rest of the take; with one side only it is not."""
+    inside = artifact.start > 0 and artifact.stop < take.frames
+    return inside and ALIKE_S[0] <= artifact.length / take.rate <= ALIKE_S[1]
 
 
 def _with_own_course(
@@ -151,6 +173,7 @@ def _view(
     spread: FloatArray,
     weight: FloatArray,
     up: int,
+    likened: bool,
 ) -> View:
     """Look at references and marker from a frame that is held by some weights."""
     rotation, centre = align(cloud, weight)
@@ -160,6 +183,7 @@ def _view(
         spread,
         rotation[:, up],
         np.einsum("fi,fij->fj", pushed, rotation),
+        distant=likened,
     )
     known = len(own)
     target = to_frame(own[:, None], rotation[:known], centre[:known])[:, 0]
@@ -174,27 +198,6 @@ def _too_few_references(artifact: Artifact, count: int) -> str:
         f"{seen} of the body {verb} seen all through the interval of {artifact.marker}; "
         "three are needed."
     )
-
-
-def _learn_from(
-    usable: BoolArray, artifact: Artifact, rate: float, params: LocalRegressionParams
-) -> IntArray:
-    """Frames to learn from: most near the interval, an even sample of the others."""
-    frames = np.flatnonzero(usable)
-    near = _near(frames, artifact, rate, params)
-    away = np.maximum(artifact.start - frames, frames - artifact.stop + 1) / rate
-    every = np.where(away <= DENSE_S, 1, np.where(away <= HALF_DENSE_S, 2, 4))
-    rest = frames[~near]
-    step = max(1, len(rest) // params.samples)
-    return np.sort(np.concatenate([frames[near & (frames % every == 0)], rest[step // 2 :: step]]))
-
-
-def _near(
-    frames: IntArray, artifact: Artifact, rate: float, params: LocalRegressionParams
-) -> BoolArray:
-    """Frames so near the interval that more of them are used."""
-    margin = params.near_s * rate
-    return (frames >= artifact.start - margin) & (frames < artifact.stop + margin)
 
 
 def _noise(own: FloatArray, seen: BoolArray, artifact: Artifact, rate: float) -> float:

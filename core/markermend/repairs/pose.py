@@ -19,7 +19,12 @@ LEAST = 1e-6
 
 
 def describe_pose(
-    points: FloatArray, spread: FloatArray, gravity: FloatArray, force: FloatArray
+    points: FloatArray,
+    spread: FloatArray,
+    gravity: FloatArray,
+    force: FloatArray,
+    *,
+    distant: bool = False,
 ) -> tuple[FloatArray, FloatArray]:
     """Describe the pose of the references, scaled for the parts of the process.
 
@@ -29,6 +34,8 @@ def describe_pose(
     spread : (points,) of each reference's distance to the marker, mm
     gravity : (frames, 3) direction that points up, in the moving frame
     force : (frames, 3) acceleration of the frame, in it, any unit
+    distant : let distant references count more for the non-linear part: they tell one movement
+        from another
 
     Returns
     -------
@@ -38,20 +45,21 @@ def describe_pose(
     coordinates = coordinates - coordinates.mean(axis=0)
     coordinates /= coordinates.std(axis=0) + LEAST
     weight = 1.0 / (spread + NEAR_MM)
-    coordinates *= np.repeat(weight / np.sqrt(np.mean(weight**2)), 3)
+    followed, compared = (
+        coordinates * np.repeat(w / np.sqrt(np.mean(w**2)), 3)
+        for w in (weight, np.sqrt(weight) if distant else weight)
+    )
     upright = gravity - gravity.mean(axis=0)
     pushed = force - force.mean(axis=0)
-    parts = [
-        (upright / (upright.std() + LEAST), *GRAVITY),
-        (pushed / (pushed.std(axis=0) + LEAST), *FORCE),
-    ]
+    upright /= upright.std() + LEAST
+    pushed /= pushed.std(axis=0) + LEAST
+    parts = [(upright, upright, *GRAVITY), (pushed, pushed, *FORCE)]
     first = 0
     for count, far, alike in GROUPS:
         last = coordinates.shape[1] if count is None else first + 3 * count
-        part = coordinates[:, first:last]
-        if part.shape[1]:
-            parts.append((part, far, alike))
+        if followed[:, first:last].shape[1]:
+            parts.append((followed[:, first:last], compared[:, first:last], far, alike))
         first = last
-    linear = [part * (far / np.sqrt(part.shape[1])) for part, far, _ in parts]
-    curved = [part * np.sqrt(alike / part.shape[1]) for part, _, alike in parts]
+    linear = [part * (far / np.sqrt(part.shape[1])) for part, _, far, _ in parts]
+    curved = [part * np.sqrt(alike / part.shape[1]) for _, part, _, alike in parts]
     return np.hstack(linear), np.hstack(curved)

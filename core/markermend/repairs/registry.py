@@ -57,7 +57,8 @@ class Repair:
     params : parameters used
     leaves : sudden artifacts that the detector would find there once it is carried out; None
         when it did not look
-    weights : how many numbers a network learnt for it; 0 for methods that learn none
+    weights : how many numbers were learnt for it: weights, coefficients, components; of processes
+        and kernels the effective number, the trace of the smoother; 0 for methods that learn none
     """
 
     method: str

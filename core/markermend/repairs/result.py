@@ -92,6 +92,8 @@ def make_repair(
     values: FloatArray,
     params: Any,
     deviation: FloatArray | None = None,
+    *,
+    weights: int = 0,
 ) -> Repair:
     """Turn values for the interval into a repair of the artifact's axes.
 
@@ -105,6 +107,7 @@ def make_repair(
     values : (stop - start, 3) float64, mm; axes that are not replaced may hold anything
     params : the method's parameters
     deviation : (stop - start, 3) expected standard deviation of each coordinate in mm, or None
+    weights : how many numbers were learnt for it
     """
     axes = axes_of(artifact)
     columns = axis_columns(axes)
@@ -116,5 +119,11 @@ def make_repair(
     if deviation is not None:
         band = np.sqrt(np.sum(deviation[:, columns] ** 2, axis=1))
         error = float(MEAN_OVER_RMS * band.mean())
-    patch = Patch(artifact.marker, axes, artifact.start, artifact.stop, wanted)
-    return Repair(method, (patch,), error_mm=error, band_mm=band, params=as_mapping(params))
+    return Repair(
+        method,
+        (Patch(artifact.marker, axes, artifact.start, artifact.stop, wanted),),
+        error_mm=error,
+        band_mm=band,
+        params=as_mapping(params),
+        weights=weights,
+    )

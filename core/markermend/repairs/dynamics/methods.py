@@ -21,7 +21,7 @@ from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.artifact import Artifact
 from markermend.progress import Progress
 from markermend.repairs.bridge import bridge, context_of
-from markermend.repairs.dynamics.bones import find_bones, pull
+from markermend.repairs.dynamics.bones import Bones, find_bones, pull
 from markermend.repairs.dynamics.system import System, infer, learn, start_from
 from markermend.repairs.registry import Evidence, MethodFunction, Repair, register
 from markermend.repairs.result import make_repair, refuse
@@ -34,7 +34,9 @@ LEAST_SEEN = 0.3
 # How often what the lengths give is taken for seen, and the states are inferred again.
 CONSTRAINED_ROUNDS = 3
 # Of each take the movement found last, and what it was found from.
-_LATEST: WeakKeyDictionary[Take, tuple[tuple[object, ...], FloatArray]] = WeakKeyDictionary()
+_LATEST: WeakKeyDictionary[Take, tuple[tuple[object, ...], tuple[FloatArray, int]]] = (
+    WeakKeyDictionary()
+)
 
 
 @dataclass(frozen=True)
@@ -80,22 +82,23 @@ def _method(name: str, constrained: bool) -> MethodFunction:
         if latest is None or latest[0] != key:
             found = _movement(positions, seen, constrained, params.rounds, evidence.progress)
             latest = _LATEST[take] = key, found
-        track = latest[1][:, own]
+        movement, learnt = latest[1]
+        track = movement[:, own]
         begin, end = artifact.start - first, artifact.stop - first
         values = track[begin:end]
         beside = context_of(seen[:, own], begin, end, take.rate) if params.join else np.arange(0)
         if len(beside):
             left = positions[beside, own] - track[beside]
             values = values + bridge(beside, left, begin, end, take.rate)[0]
-        return make_repair(name, evidence, artifact, values, params)
+        return make_repair(name, evidence, artifact, values, params, weights=learnt)
 
     return run
 
 
 def _movement(
     positions: FloatArray, seen: BoolArray, constrained: bool, rounds: int, progress: Progress
-) -> FloatArray:
-    """(n, markers, 3) what the system learnt from all that is seen says, mm."""
+) -> tuple[FloatArray, int]:
+    """(n, markers, 3) mm by the system learnt from all that is seen, and its parameters' number."""
     from markermend.predictors.bridging import bridge as fill_in
 
     known = np.repeat(seen, 3, axis=1)
@@ -105,10 +108,13 @@ def _movement(
     start = start_from(scaled, min(HIDDEN, scaled.shape[1] - 1))
     system, states = learn(scaled, known, start, rounds, progress)
     found = (states.mean @ system.output.T) * size + middle
+    learnt = system.parameters
     if constrained:
+        bones = find_bones(positions, seen)
+        learnt += bones.length.size + bones.spread.size
         doubt = _doubt(system, states.spread) * size
-        found = _constrain(system, positions, found, doubt, seen, middle, size)
-    return np.asarray(found.reshape(positions.shape))
+        found = _constrain(system, positions, found, doubt, seen, middle, size, bones)
+    return np.asarray(found.reshape(positions.shape)), learnt
 
 
 def _constrain(
@@ -119,9 +125,9 @@ def _constrain(
     seen: BoolArray,
     middle: FloatArray,
     size: float,
+    bones: Bones,
 ) -> FloatArray:
     """What the system gives, pulled towards usual lengths and smoothed again, by turns."""
-    bones = find_bones(positions, seen)
     known = np.repeat(seen, 3, axis=1)
     everywhere = np.ones_like(known)
     for _ in range(CONSTRAINED_ROUNDS):

@@ -41,6 +41,12 @@ class System:
     first: FloatArray
     first_spread: FloatArray
 
+    @property
+    def parameters(self) -> int:
+        """How many numbers are learnt; both covariances of h dimensions have h (h + 1) / 2."""
+        hidden = len(self.first)
+        return self.step.size + self.output.size + self.noise.size + hidden + hidden * (hidden + 1)
+
 
 @dataclass(frozen=True, eq=False)
 class States:

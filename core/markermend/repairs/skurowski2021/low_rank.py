@@ -112,7 +112,9 @@ def repair_low_rank(evidence: Evidence, artifact: Artifact, params: Any) -> Repa
         predicted = _solve(matrix[at], hidden, middle, basis)[:, mine]
         left = positions[beside, own] - predicted
         values = values + bridge(beside, left, start, stop, take.rate)[0]
-    return make_repair(METHOD, evidence, artifact, values, params)
+    # A mean and the components, each a number a column.
+    learnt = matrix.shape[1] * (1 + basis.shape[1])
+    return make_repair(METHOD, evidence, artifact, values, params, weights=learnt)
 
 
 def complete(

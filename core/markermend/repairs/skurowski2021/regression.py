@@ -12,7 +12,6 @@ take the frame before is that same one.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -114,8 +113,8 @@ def network_method(name: str, learn: Learn, count: Count) -> MethodFunction:
         if len(beside):
             left = track[beside] - predicted[beside]
             values = values + bridge(beside, left, start, stop, take.rate)[0]
-        made = make_repair(name, evidence, artifact, values, params)
-        return replace(made, weights=count(inputs.shape[1], params))
+        learnt = count(inputs.shape[1], params)
+        return make_repair(name, evidence, artifact, values, params, weights=learnt)
 
     return run
 

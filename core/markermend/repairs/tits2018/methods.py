@@ -43,7 +43,7 @@ def _method(name: str, models: tuple[str, ...]) -> MethodFunction:
             return refuse(name, f"{artifact.marker} is not seen anywhere else.", params)
         positions = np.where(trusted[:, :, None], take.positions[:, body], np.nan)
         scene = make_scene(positions, own, take.rate, constrain=params.constraints)
-        values = recover(scene, artifact.start, artifact.stop, models)
+        values, learnt = recover(scene, artifact.start, artifact.stop, models)
         if np.isnan(values).any():
             return refuse(
                 name,
@@ -51,7 +51,7 @@ def _method(name: str, models: tuple[str, ...]) -> MethodFunction:
                 f"{artifact.marker}.",
                 params,
             )
-        return make_repair(name, evidence, artifact, values, params)
+        return make_repair(name, evidence, artifact, values, params, weights=learnt)
 
     return run
 

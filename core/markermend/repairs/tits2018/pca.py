@@ -13,7 +13,9 @@ DISTAL = 0.5
 EXPLAINED = 0.99
 
 
-def reconstruct(positions: FloatArray, marker: int, wanted: BoolArray) -> FloatArray | None:
+def reconstruct(
+    positions: FloatArray, marker: int, wanted: BoolArray
+) -> tuple[FloatArray, int] | None:
     """Rebuild a marker from the principal components of the others.
 
     Parameters
@@ -24,7 +26,8 @@ def reconstruct(positions: FloatArray, marker: int, wanted: BoolArray) -> FloatA
 
     Returns
     -------
-    (wanted frames, 3) mm, or None when no other marker is whole or too few frames are complete
+    (wanted frames, 3) mm, and how many numbers were learnt for them: means, scales and both sets
+    of components; None when no other marker is whole or too few frames are complete
     """
     missing = np.isnan(positions[:, :, 0])
     distance = _mean_distance(positions, missing, marker)
@@ -53,7 +56,8 @@ def reconstruct(positions: FloatArray, marker: int, wanted: BoolArray) -> FloatA
     count = max(_enough(full_sizes), _enough(blind_sizes))
     full_axes, blind_axes = full_axes[:, :count], blind_axes[:, :count]
     rebuilt = asked @ blind_axes @ (full_axes.T @ blind_axes) @ full_axes[own].T
-    return np.asarray(mean[own] + rebuilt * scale[own] / weights[own])
+    learnt = 2 * whole.shape[1] * (1 + count)
+    return np.asarray(mean[own] + rebuilt * scale[own] / weights[own]), learnt
 
 
 def _mean_distance(positions: FloatArray, missing: BoolArray, marker: int) -> FloatArray:

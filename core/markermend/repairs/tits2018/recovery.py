@@ -23,7 +23,7 @@ from markermend.repairs.tits2018.local_frame import (
     out_of,
     rank_by_spread,
 )
-from markermend.repairs.tits2018.models import grnn, linear, polynomial, thin
+from markermend.repairs.tits2018.models import coefficients, freedom, grnn, linear, polynomial, thin
 from markermend.repairs.tits2018.pca import reconstruct
 from markermend.repairs.tits2018.smoothing import WINDOW_S, smooth
 
@@ -35,6 +35,9 @@ LINEAR_SPREAD_MM = 50.0
 LINEAR_FRAMES, LOCAL_FRAMES = 500, 1000
 # Fewer frames with the marker and its three references teach nothing.
 LEAST_FRAMES = 10
+
+# (frames + 2, 3) positions, and how many numbers were learnt for them.
+Fit = tuple[FloatArray, int]
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,7 +91,7 @@ def make_scene(positions: FloatArray, marker: int, rate: float, *, constrain: bo
     return Scene(positions, marker, centre, ranked, spread, ceil(WINDOW_S * rate), constrain)
 
 
-def recover(scene: Scene, start: int, stop: int, models: Sequence[str]) -> FloatArray:
+def recover(scene: Scene, start: int, stop: int, models: Sequence[str]) -> tuple[FloatArray, int]:
     """Recover a marker over an interval.
 
     Parameters
@@ -99,10 +102,13 @@ def recover(scene: Scene, start: int, stop: int, models: Sequence[str]) -> Float
 
     Returns
     -------
-    (stop - start, 3) mm, NaN where no three references are seen together
+    (stop - start, 3) mm, NaN where no three references are seen together; and how many numbers
+    all models learnt for it, those in the system of three references anew for each three
     """
     track = scene.own.copy()
-    whole = {n: WHOLE_BODY[n](scene, start, stop) for n in models if n in WHOLE_BODY}
+    fits = {n: WHOLE_BODY[n](scene, start, stop) for n in models if n in WHOLE_BODY}
+    whole = {n: None if fit is None else fit[0] for n, fit in fits.items()}
+    learnt = sum(fit[1] for fit in fits.values() if fit is not None)
     while True:
         missing = runs(np.isnan(track[start:stop, 0]))
         three = _pick_three(scene, start + missing)
@@ -111,12 +117,13 @@ def recover(scene: Scene, start: int, stop: int, models: Sequence[str]) -> Float
         local = _Local(scene, three)
         left = int(np.isnan(track[start:stop, 0]).sum())
         if len(local.rows) >= LEAST_FRAMES:
+            learnt += sum(local.learnt(name) for name in models)
             for first, last in start + missing:
                 _fill_piece(scene, local, whole, models, track, (int(first), int(last), start))
         if int(np.isnan(track[start:stop, 0]).sum()) == left:
             break
     smoothed = smooth(track, scene.window)
-    return smoothed[start:stop] + scene.centre[start:stop]
+    return smoothed[start:stop] + scene.centre[start:stop], learnt
 
 
 def _pick_three(scene: Scene, pieces: IntArray) -> IntArray | None:
@@ -189,6 +196,12 @@ class _Local:
         known = ~np.isnan(self.own).any(axis=1) & ~np.isnan(self.inputs).any(axis=1)
         self.rows = thin(np.flatnonzero(known), LOCAL_FRAMES)
 
+    def learnt(self, name: str) -> int:
+        """How many numbers a model learns here; none where it only interpolates."""
+        if name == "lpr":
+            return coefficients(9)
+        return freedom(self.inputs[self.rows]) if name == "lgrnn" else 0
+
     def candidate(self, name: str, start: int, stop: int) -> FloatArray:
         """(stop - start + 2, 3) of one model, the frames on either side included."""
         frames = np.clip(np.arange(start - 1, stop + 1), 0, len(self.own) - 1)
@@ -236,7 +249,7 @@ def _average(
     return result
 
 
-def _global_linear(scene: Scene, start: int, stop: int) -> FloatArray | None:
+def _global_linear(scene: Scene, start: int, stop: int) -> Fit | None:
     """Model 1 over the interval and a frame on either side; None without four markers."""
     frames = np.clip(np.arange(start - 1, stop + 1), 0, len(scene.own) - 1)
     there: BoolArray = np.all(~np.isnan(scene.positions[frames, :, 0]), axis=0)
@@ -249,23 +262,27 @@ def _global_linear(scene: Scene, start: int, stop: int) -> FloatArray | None:
     rows = thin(np.flatnonzero(known), LINEAR_FRAMES)
     if len(rows) < 2:
         return None
-    return linear(inputs[rows], scene.own[rows], inputs[frames])
+    values = linear(inputs[rows], scene.own[rows], inputs[frames])
+    return values, coefficients(inputs.shape[1])
 
 
-def _components(scene: Scene, start: int, stop: int) -> FloatArray | None:
+def _components(scene: Scene, start: int, stop: int) -> Fit | None:
     """Weighted PCA over the interval; the frames on either side repeat its first and last."""
     wanted: BoolArray = np.zeros(len(scene.own), dtype=bool)
     wanted[start:stop] = True
     usable = ~np.isnan(scene.positions[:, :, 0]).all(axis=0)
     places = np.flatnonzero(usable)
     column = int(np.searchsorted(places, scene.marker))
-    values = reconstruct(scene.positions[:, places], column, wanted)
-    return None if values is None else np.concatenate([values[:1], values, values[-1:]])
+    fit = reconstruct(scene.positions[:, places], column, wanted)
+    if fit is None:
+        return None
+    values, learnt = fit
+    return np.concatenate([values[:1], values, values[-1:]]), learnt
 
 
 LocalModel = Callable[[FloatArray, FloatArray, FloatArray], FloatArray]
 REGRESSIONS: dict[str, LocalModel] = {"lpr": polynomial, "lgrnn": grnn}
-WHOLE_BODY: dict[str, Callable[[Scene, int, int], FloatArray | None]] = {
+WHOLE_BODY: dict[str, Callable[[Scene, int, int], Fit | None]] = {
     "glr": _global_linear,
     "pca": _components,
 }
