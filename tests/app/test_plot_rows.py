@@ -139,7 +139,7 @@ def test_derived_rows_show_what_was_measured(panel):
     for row, expected in zip(
         panel.rows, (speed(way, take.rate), acceleration(way, take.rate)), strict=True
     ):
-        curve = row.traces["CLAV"].measured
+        curve = row.traces["CLAV"].item("measured")
         np.testing.assert_array_equal(curve.yData, expected)
         low, _ = row.view.viewRange()[1]
         assert low < 0 < 0.3 * np.nanmax(expected)
@@ -159,10 +159,12 @@ def test_filled_samples_are_drawn_apart_in_every_row(panel, qtbot):
     document.show(["CLAV"])
     for row in panel.rows:
         trace = row.traces["CLAV"]
-        assert np.isnan(trace.measured.yData[60:90]).all()
-        x = trace.changed.xData[np.isfinite(trace.changed.yData)]
+        assert np.isnan(trace.item("measured").yData[60:90]).all()
+        x = trace.item("changed").xData[np.isfinite(trace.item("changed").yData)]
         assert set(range(60, 90)) <= set(x.tolist())
-        assert trace.changed.opts["pen"].style() != trace.measured.opts["pen"].style()
+        assert (
+            trace.item("changed").opts["pen"].style() != trace.item("measured").opts["pen"].style()
+        )
 
 
 def test_distance_goes_to_the_second_marker_or_to_the_one_chosen(panel):
@@ -173,12 +175,12 @@ def test_distance_goes_to_the_second_marker_or_to_the_one_chosen(panel):
     assert row.title == "To LWRB"
     at = {name: take.positions[:, take.index(name)] for name in take.labels}
     apart = distance(at["LWRA"], at["LWRB"])
-    np.testing.assert_array_equal(row.traces["LWRA"].measured.yData, apart)
-    assert row.traces["LWRB"].measured.yData is None
+    np.testing.assert_array_equal(row.traces["LWRA"].item("measured").yData, apart)
+    assert row.traces["LWRB"].item("measured").yData is None
     panel.choose_partner("CLAV")
     assert row.title == "To CLAV"
     away = distance(at["LWRB"], at["CLAV"])
-    np.testing.assert_array_equal(row.traces["LWRB"].measured.yData, away)
+    np.testing.assert_array_equal(row.traces["LWRB"].item("measured").yData, away)
     # The step stands out of a distance that is constant otherwise.
     panel.choose_partner(None)
     low, high = row.view.viewRange()[1]
@@ -196,8 +198,8 @@ def test_the_residual_to_the_body_comes_from_a_thread(panel, qtbot):
     panel.document.show(["LWRA"])
     panel.choose_rows(["residual"])
     (row,) = panel.rows
-    assert row.traces["LWRA"].measured.yData is None
-    qtbot.waitUntil(lambda: row.traces["LWRA"].measured.yData is not None, timeout=20_000)
+    assert row.traces["LWRA"].item("measured").yData is None
+    qtbot.waitUntil(lambda: row.traces["LWRA"].item("measured").yData is not None, timeout=20_000)
     values = row.values_of["LWRA"]
     assert np.median(values[285:325]) > 20
     assert np.median(values[:250]) < 3
@@ -324,7 +326,7 @@ def test_distance_comes_with_the_mesh(qtbot, tmp_path, damaged):
     document.learn(infer_mesh(take))
     partner = take.index(panel.partner)
     expected = distance(take.positions[:, 0], take.positions[:, partner])
-    shown = panel.canvas.row("distance").traces["CLAV"].measured.yData
+    shown = panel.canvas.row("distance").traces["CLAV"].item("measured").yData
     assert np.nanmedian(shown) == pytest.approx(np.nanmedian(expected), abs=0.5)
     document.open(None, None)
     document.proposals.close()

@@ -103,7 +103,7 @@ def test_double_click_repairs_and_undo_restores(bench, qtbot):
     )
     trace = bench.panel.rows[0].traces.get("CLAV")
     if trace is not None:
-        assert np.isfinite(trace.changed.yData).any()
+        assert np.isfinite(trace.item("changed").yData).any()
     bench.document.undo()
     np.testing.assert_array_equal(bench.document.session.positions, before)
 
@@ -241,8 +241,8 @@ def test_menu_of_a_sweep_asks_the_window(bench, monkeypatch, qtbot):
 
 def test_gaps_stay_holes_and_originals_lie_beneath(bench):
     trace = bench.panel.rows[0].traces["CLAV"]
-    assert np.isnan(trace.measured.yData[60:90]).all()
-    assert trace.original.yData is None or not len(trace.original.yData)
+    assert np.isnan(trace.item("measured").yData[60:90]).all()
+    assert trace.item("original").yData is None or not len(trace.item("original").yData)
     session = bench.document.session
     from markermend.patch import Patch
     from markermend.repairs.registry import Repair
@@ -252,20 +252,20 @@ def test_gaps_stay_holes_and_originals_lie_beneath(bench):
     bench.document.repair_many(
         [(gap.id, Repair("test", (Patch("CLAV", "xyz", 60, 90, values),)))], ""
     )
-    assert np.isnan(trace.measured.yData[60:90]).all()
-    assert (trace.changed.xData[0], trace.changed.xData[-1]) == (59, 90)
-    assert set(trace.changed.yData[1:-1]) == {321.0}
+    assert np.isnan(trace.item("measured").yData[60:90]).all()
+    assert (trace.item("changed").xData[0], trace.item("changed").xData[-1]) == (59, 90)
+    assert set(trace.item("changed").yData[1:-1]) == {321.0}
 
 
 def test_prediction_comes_on_demand(bench, qtbot):
     row = bench.panel.rows[0]
     bench.panel.set_prediction_shown(True)
     qtbot.waitUntil(lambda: "CLAV" in bench.panel.predictions.known, timeout=20_000)
-    predicted = row.traces["CLAV"].predicted.yData
+    predicted = row.traces["CLAV"].item("predicted").yData
     truth = bench.document.session.positions[:, 0, 0]
     assert np.nanmedian(np.abs(predicted - truth)) < 20
     bench.panel.set_prediction_shown(False)
-    assert row.traces["CLAV"].predicted.getData()[0] is None
+    assert row.traces["CLAV"].item("predicted").getData()[0] is None
 
 
 def test_prediction_is_made_anew_when_what_it_learned_from_changes(bench, qtbot):
@@ -386,9 +386,9 @@ def test_curves_are_used_again_and_keep_nothing_of_the_marker_before(bench):
     names = take.labels[:5]
     bench.document.show(names)
     bench.document.show(names[2:4])
-    first = row.traces[names[2]].measured
+    first = row.traces[names[2]].item("measured")
     bench.document.show(names[4:])
-    assert row.traces[names[4]].measured is first
+    assert row.traces[names[4]].item("measured") is first
     wanted = take.positions[:, take.index(names[4]), 0]
     np.testing.assert_array_equal(first.yData, wanted)
     drawn = [i for i in row.plot.listDataItems() if i.xData is not None and len(i.xData) > 1]
@@ -417,3 +417,11 @@ def test_many_names_do_not_make_the_window_wider(bench):
     assert legend.chips[0].text() not in ("", "CLAV")
     legend.resize(900, 26)
     assert legend.chips[0].text() == "CLAV"
+
+
+def test_only_curves_with_something_to_show_are_made(bench):
+    names = bench.document.session.original.labels
+    bench.document.show(names)
+    row = bench.panel.rows[0]
+    assert all("measured" in row.traces[n].made for n in names)
+    assert not any("changed" in row.traces[n].made for n in names if n != "CLAV")

@@ -7,20 +7,20 @@ from dataclasses import dataclass
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import Qt
 
-from markermend.arrays import BoolArray, ByteArray, FloatArray
+from markermend.arrays import ByteArray, FloatArray
 from markermend.artifact import Artifact
 from markermend.patch import Patch
 from markermend.take import AXES, Origin
 from markermend_app import units
 from markermend_app.items.band import Band
-from markermend_app.items.curve import curve, dots, lone_samples, pieces, wear
+from markermend_app.items.curve import curve, lone_samples, wear
 from markermend_app.items.edges import Edges
 from markermend_app.items.intervals import Intervals
 from markermend_app.panels.plots.frame import PlotFrame
 from markermend_app.panels.plots.quantity import Quantity, Way
 from markermend_app.panels.plots.range import value_range
+from markermend_app.panels.plots.trace import Trace
 from markermend_app.style import theme
 from markermend_app.words import tr
 
@@ -42,30 +42,6 @@ class Shown:
     now: Way
     before: Way
     origin: ByteArray
-
-
-@dataclass(frozen=True, eq=False)
-class Trace:
-    """The curves of one marker in one row.
-
-    Attributes
-    ----------
-    measured : samples as recorded
-    changed : samples that were filled or edited, drawn apart
-    original : samples of the source where the working ones differ
-    lone : samples without neighbours
-    predicted : where the rest of the body says the marker is
-    """
-
-    measured: pg.PlotDataItem
-    changed: pg.PlotDataItem
-    original: pg.PlotDataItem
-    lone: pg.PlotDataItem
-    predicted: pg.PlotDataItem
-
-    def items(self) -> tuple[pg.PlotDataItem, ...]:
-        """All of them."""
-        return (self.original, self.measured, self.changed, self.lone, self.predicted)
 
 
 class PlotRow(PlotFrame):
@@ -105,14 +81,12 @@ class PlotRow(PlotFrame):
     def show_markers(self, shown: Mapping[str, Shown]) -> None:
         """Draw these markers and no others."""
         for trace in self._pool[max(len(shown), _SPARE) :]:
-            for item in trace.items():
-                self.plot.removeItem(item)
+            trace.remove()
         del self._pool[max(len(shown), _SPARE) :]
         for i in range(len(self._pool), len(shown)):
-            self._pool.append(self._new_trace(i))
+            self._pool.append(Trace(self.plot, i, self._before))
         for trace in self._pool[len(shown) :]:
-            for item in trace.items():
-                _fill(item)
+            trace.clear()
         self.traces = dict(zip(shown, self._pool, strict=False))
         values, self.values_of = self.values_of, {}
         before, self._shown = self._shown, {}
@@ -134,34 +108,33 @@ class PlotRow(PlotFrame):
         source = values if shown.before is shown.now else self.quantity.of(shown.before)
         if values is None or source is None:
             self.values_of.pop(name, None)
-            for item in trace.items():
-                _fill(item)
+            trace.clear()
             return
         self.values_of[name] = values
         mended = (shown.origin == Origin.FILLED) | (shown.origin == Origin.EDITED)
         measured = np.where(mended, np.nan, values) if mended.any() else values
-        _fill_whole(trace.measured, measured)
-        _fill_pieces(trace.changed, values, mended)
-        _fill_pieces(trace.lone, values, lone_samples(values), join=0)
+        trace.fill_whole("measured", measured)
+        trace.fill_pieces("changed", values, mended)
+        trace.fill_pieces("lone", values, lone_samples(values), join=0)
         if source is values:
-            _fill(trace.original)
+            trace.fill("original")
         else:
             same = (values == source) | (np.isnan(values) & np.isnan(source))
-            _fill_pieces(trace.original, source, ~same)
+            trace.fill_pieces("original", source, ~same)
 
     def show_prediction(self, predicted: Mapping[str, FloatArray]) -> None:
         """Draw predicted positions, (frames, 3) by marker; others get none."""
         for name, trace in self.traces.items():
             if name in predicted and self.column is not None:
-                _fill_whole(trace.predicted, predicted[name][:, self.column])
+                trace.fill_whole("predicted", predicted[name][:, self.column])
             else:
-                _fill(trace.predicted)
+                trace.fill("predicted")
 
     def set_before(self, before: bool) -> None:
         """Bring the source's samples forward and let the repairs step back, or not."""
         self._before = before
-        for i, trace in enumerate(self._pool):
-            self._style(trace, i)
+        for trace in self._pool:
+            trace.style(self._before)
 
     def set_title(self, title: str) -> None:
         """Call what is shown something else."""
@@ -206,7 +179,7 @@ class PlotRow(PlotFrame):
                 self.plot.addItem(item)
                 self._proposals.append(item)
             item = self._proposals[len(self.proposed)]
-            _fill(item, *joined)
+            item.setData(*joined)
             self.proposed.append(item)
             if self.column is not None and i == 0 and band_mm is not None:
                 inner = np.arange(patch.start, patch.stop, dtype=np.float64)
@@ -214,7 +187,8 @@ class PlotRow(PlotFrame):
                 if len(band_mm) == len(inner):
                     self.band.set_data(inner, values, band_mm)
         for item in self._proposals[len(self.proposed) :]:
-            _fill(item)
+            if item.xData is not None:
+                item.setData(_NONE, _NONE)
 
     def joined(self, patch: Patch) -> tuple[FloatArray, FloatArray] | None:
         """What a patch would make of the values, with one known value on either side."""
@@ -268,57 +242,12 @@ class PlotRow(PlotFrame):
         self.band.set_color(theme.faded(accent, 0.22))
         for item in self._proposals:
             wear(item, accent, width=2)
-        for i, trace in enumerate(self._pool):
-            self._style(trace, i)
+        for trace in self._pool:
+            trace.style(self._before)
         self.intervals.update()
-
-    def _new_trace(self, index: int) -> Trace:
-        """Empty curves for a marker."""
-        color = theme.marker_color(index)
-        trace = Trace(curve(color), curve(color), curve(color), dots(color), curve(color))
-        for depth, item in enumerate(trace.items()):
-            item.setZValue(10 - index * 0.1 + depth * 0.01)
-            self.plot.addItem(item)
-        self._style(trace, index)
-        return trace
-
-    def _style(self, trace: Trace, index: int) -> None:
-        """Give a marker's curves their pens."""
-        look, color = theme.current(), theme.marker_color(index)
-        mended = theme.blend(color, look.accent, 0.55)
-        original = color if self._before else look.original
-        wear(trace.measured, color)
-        wear(trace.original, original)
-        style = Qt.PenStyle.DotLine if self._before else Qt.PenStyle.DashLine
-        wear(trace.changed, look.original if self._before else mended, style=style)
-        trace.lone.setSymbolBrush(color)
-        faint = theme.blend(look.accent, color, 0.3)
-        wear(trace.predicted, faint, style=Qt.PenStyle.DotLine)
 
     def _resized(self, *_: object) -> None:
         """Work out anew how many samples a pixel stands for."""
         for trace in self.traces.values():
-            for item in trace.items():
+            for item in trace.made.values():
                 item.viewRangeChanged()
-
-
-def _fill_whole(item: pg.PlotDataItem, values: FloatArray) -> None:
-    """Give a curve one value a frame; a curve without any is emptied."""
-    if np.isnan(values).all():
-        _fill(item)
-    else:
-        _fill(item, np.arange(len(values), dtype=np.float64), values)
-
-
-def _fill_pieces(item: pg.PlotDataItem, values: FloatArray, mask: BoolArray, join: int = 1) -> None:
-    """Give a curve the masked stretches of some values."""
-    if mask.any():
-        _fill(item, *pieces(values, mask, join))
-    else:
-        _fill(item)
-
-
-def _fill(item: pg.PlotDataItem, x: FloatArray = _NONE, y: FloatArray = _NONE) -> None:
-    """Give a curve its points; one that is empty already is left alone, which most are."""
-    if len(x) or item.xData is not None:
-        item.setData(x, y)

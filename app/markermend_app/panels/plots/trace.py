@@ -1,0 +1,102 @@
+"""The curves of one marker in one plot, each made when it first has something to show."""
+
+from __future__ import annotations
+
+import numpy as np
+import pyqtgraph as pg
+from PySide6.QtCore import Qt
+
+from markermend.arrays import BoolArray, FloatArray
+from markermend_app.items.curve import curve, dots, pieces, wear
+from markermend_app.style import theme
+
+PARTS = ("original", "measured", "changed", "lone", "predicted")
+"""From the back to the front: the source where the working samples differ, samples as recorded,
+those filled or edited, those without neighbours, and where the body says the marker is."""
+_NONE: FloatArray = np.zeros(0)
+
+
+class Trace:
+    """Making a curve takes a millisecond, and most of a marker's curves stay empty.
+
+    Parameters
+    ----------
+    plot : where they are drawn
+    index : the marker's place among those shown; gives its colour
+    before : whether the source's samples stand in front of the working ones
+
+    Attributes
+    ----------
+    made : the curves that were made so far, by part
+    """
+
+    def __init__(self, plot: pg.PlotItem, index: int, before: bool) -> None:
+        self._plot, self._index, self._before = plot, index, before
+        self.made: dict[str, pg.PlotDataItem] = {}
+
+    def item(self, part: str) -> pg.PlotDataItem:
+        """The curve of one of :data:`PARTS`."""
+        if part not in self.made:
+            self.made[part] = self._make(part)
+        return self.made[part]
+
+    def fill(self, part: str, x: FloatArray = _NONE, y: FloatArray = _NONE) -> None:
+        """Give a curve its points; one that is empty already is left alone, which most are."""
+        if len(x) or (part in self.made and self.made[part].xData is not None):
+            self.item(part).setData(x, y)
+
+    def fill_whole(self, part: str, values: FloatArray) -> None:
+        """Give a curve one value a frame; a curve without any is emptied."""
+        if np.isnan(values).all():
+            self.fill(part)
+        else:
+            self.fill(part, np.arange(len(values), dtype=np.float64), values)
+
+    def fill_pieces(self, part: str, values: FloatArray, mask: BoolArray, join: int = 1) -> None:
+        """Give a curve the masked stretches of some values."""
+        if mask.any():
+            self.fill(part, *pieces(values, mask, join))
+        else:
+            self.fill(part)
+
+    def clear(self) -> None:
+        """Empty all curves."""
+        for part in self.made:
+            self.fill(part)
+
+    def remove(self) -> None:
+        """Take all curves out of the plot."""
+        for item in self.made.values():
+            self._plot.removeItem(item)
+
+    def style(self, before: bool) -> None:
+        """Give the curves their pens; the source's samples in front, or the working ones."""
+        self._before = before
+        for part, item in self.made.items():
+            self._wear(part, item)
+
+    def _make(self, part: str) -> pg.PlotDataItem:
+        """An empty curve in its place and look."""
+        color = theme.marker_color(self._index)
+        item = dots(color) if part == "lone" else curve(color)
+        item.setZValue(10 - self._index * 0.1 + PARTS.index(part) * 0.01)
+        self._plot.addItem(item)
+        self._wear(part, item)
+        return item
+
+    def _wear(self, part: str, item: pg.PlotDataItem) -> None:
+        look, color = theme.current(), theme.marker_color(self._index)
+        dotted, dashed = Qt.PenStyle.DotLine, Qt.PenStyle.DashLine
+        if part == "lone":
+            item.setSymbolBrush(color)
+        elif part == "predicted":
+            wear(item, theme.blend(look.accent, color, 0.3), style=dotted)
+        elif part == "changed":
+            mended = theme.blend(color, look.accent, 0.55)
+            wear(
+                item,
+                look.original if self._before else mended,
+                style=dotted if self._before else dashed,
+            )
+        else:
+            wear(item, look.original if part == "original" and not self._before else color)
