@@ -352,13 +352,15 @@ def test_markers_that_stay_are_not_drawn_anew(panel, monkeypatch):
     document.show(["CLAV", "STRN"])
     assert drawn == ["STRN"] * 3
     x = panel.rows[0]
-    kept = x.traces["CLAV"].measured.yData
+    kept = x.traces["CLAV"].item("measured").yData
     document.do(lambda s: hand.cut(s, "CLAV", 100, 110))
     assert drawn == ["STRN"] * 3 + ["CLAV"] * 3
     assert np.isfinite(kept[100:110]).all()
-    assert np.isnan(x.traces["CLAV"].measured.yData[100:110]).all()
+    assert np.isnan(x.traces["CLAV"].item("measured").yData[100:110]).all()
     document.show(["STRN", "CLAV"])
-    assert np.array_equal(x.traces["STRN"].measured.yData, x.values_of["STRN"], equal_nan=True)
+    assert np.array_equal(
+        x.traces["STRN"].item("measured").yData, x.values_of["STRN"], equal_nan=True
+    )
     assert np.isnan(x.value_at("CLAV", 105))
 
 

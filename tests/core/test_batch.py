@@ -230,6 +230,13 @@ def test_takes_are_found_and_named(tmp_path: Path, monkeypatch: pytest.MonkeyPat
         names("out")
 
 
+def test_exports_beside_their_source_are_not_takes(tmp_path: Path) -> None:
+    for name in ("walk.C3D", "walk_clean.c3d", "run.trc", "run_clean.c3d", "room_clean.c3d"):
+        (tmp_path / name).touch()
+    assert [s.name for s in find_takes([tmp_path])] == ["room_clean", "run", "walk"]
+    assert [s.name for s in find_takes([tmp_path / "walk_clean.c3d"])] == ["walk_clean"]
+
+
 def test_results_never_replace_takes_or_each_other(tmp_path: Path) -> None:
     source = tmp_path / "takes" / "a.c3d"
     source.parent.mkdir()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from PySide6.QtCore import QElapsedTimer, Qt, QTimer
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QComboBox,
     QGridLayout,
@@ -19,10 +20,12 @@ from PySide6.QtWidgets import (
 from markermend_app.actions import shortcuts
 from markermend_app.actions.shortcuts import KeyTip
 from markermend_app.document import Document
+from markermend_app.panels.spared import show_if_it_fits, spare
 from markermend_app.style import theme
 
 SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
 TICK_MS = 15
+_MARGIN = 8
 
 
 class Transport(QWidget):
@@ -93,22 +96,31 @@ class Transport(QWidget):
 
     def _lay_out(self) -> None:
         """Slider above, buttons and fields below: fits a narrow dock."""
-        buttons = QHBoxLayout()
+        self._row = buttons = QHBoxLayout()
         buttons.setSpacing(0)
         for button in (self.first, self.back, self.play, self.forward, self.last, self.loop):
             buttons.addWidget(button)
         buttons.addSpacing(4)
         buttons.addWidget(self.speed)
         buttons.addSpacing(4)
-        buttons.addStretch(1)
-        buttons.addWidget(self.time)
+        self.time.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        spare(self.time)
+        buttons.addWidget(self.time, 1)
         grid = QGridLayout(self)
-        grid.setContentsMargins(8, 4, 8, 4)
+        grid.setContentsMargins(_MARGIN, 4, _MARGIN, 4)
         grid.setVerticalSpacing(4)
         grid.setHorizontalSpacing(8)
         grid.addWidget(self.slider, 0, 0)
         grid.addWidget(self.number, 0, 1)
         grid.addLayout(buttons, 1, 0, 1, 2)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Leave the time to the plots, which tell it too, where room is scarce."""
+        super().resizeEvent(event)
+        self._fit_time()
+
+    def _fit_time(self) -> None:
+        show_if_it_fits(self.time, self._row, self.contentsRect().width() - 2 * _MARGIN)
 
     # Playing
 
@@ -212,6 +224,7 @@ class Transport(QWidget):
             self.time.setText("")
         else:
             self.time.setText(f"{frame / take.rate:.2f} / {take.duration_s:.2f} s")
+        self._fit_time()
         if self.playing and not self._moving:
             self._rebase()
 

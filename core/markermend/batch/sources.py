@@ -12,6 +12,8 @@ from markermend.errors import MarkermendError
 
 # In a folder; a CSV there may be any table, so it is taken only when named or matched.
 _SUFFIXES = (".c3d", ".trc")
+# What exports are named by themselves.
+_EXPORTED = "_clean"
 
 
 @dataclass(frozen=True)
@@ -35,8 +37,8 @@ def find_takes(
 
     Parameters
     ----------
-    given : files; folders, searched with all below for ``.c3d`` and ``.trc``; and patterns such
-        as ``day1/**/walk*.c3d``
+    given : files; folders, searched with all below for ``.c3d`` and ``.trc``, without the exports
+        ``NAME_clean`` beside their source; and patterns such as ``day1/**/walk*.c3d``
     leave_out : a folder whose files are passed over, such as the one that is written to
 
     Returns
@@ -83,7 +85,9 @@ def _expand(item: str) -> Iterator[tuple[Path, Path]]:
         for below in sorted(path.rglob("*")):
             inside = below.relative_to(path)
             hidden = any(step.startswith(".") for step in inside.parts)
-            if below.suffix.lower() in _SUFFIXES and below.is_file() and not hidden:
+            if below.suffix.lower() not in _SUFFIXES or hidden or _is_export(below):
+                continue
+            if below.is_file():
                 yield below, inside
     elif path.is_file():
         yield path, Path(path.name)
@@ -94,6 +98,13 @@ def _expand(item: str) -> Iterator[tuple[Path, Path]]:
         for match in sorted(glob.glob(item, recursive=True)):
             if Path(match).is_file():
                 yield Path(match), Path(match).relative_to(root)
+
+
+def _is_export(path: Path) -> bool:
+    """Whether a file is named as the repaired copy of one beside it."""
+    source = path.stem.removesuffix(_EXPORTED)
+    endings = (e for s in _SUFFIXES for e in (s, s.upper()))
+    return source != path.stem and any(path.with_name(source + e).exists() for e in endings)
 
 
 def _key(name: PurePosixPath) -> str:

@@ -319,7 +319,9 @@ class MarkerModel(QAbstractItemModel):
         """Column of the share of frames missing."""
         if role == Qt.ItemDataRole.DisplayRole and node.missing:
             percent = 100 * node.missing
-            return "<0.1" if percent < 0.1 else f"{percent:.1f}"
+            # With a decimal all of them would not fit.
+            exact = "100" if percent >= 99.95 else f"{percent:.1f}"
+            return "<0.1" if percent < 0.1 else exact
         if role == Qt.ItemDataRole.FontRole:
             font = QFont()
             font.setPointSize(theme.SMALL_PT)

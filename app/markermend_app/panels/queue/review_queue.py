@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QMenu,
-    QSizePolicy,
     QStackedWidget,
     QToolButton,
     QVBoxLayout,
@@ -41,13 +40,17 @@ from markermend_app.panels.queue.model import (
     count_decided,
 )
 from markermend_app.panels.queue.view import QueueView
+from markermend_app.panels.spared import show_if_it_fits, spare
 from markermend_app.style import theme
 
 _WIDTHS = (80, 100, 100, 54, 90, 66, 60, 88, 92, 180, 60)
 _SPARED = (TIME, LENGTH, AXES, SIZE, FRAMES, STATUS)
 """Columns that are left out one after the other where room is scarce; tooltips tell them."""
 _WHY_LEAST = 200
-_ROOMY = 680
+_STYLES = (
+    Qt.ToolButtonStyle.ToolButtonTextBesideIcon,
+    Qt.ToolButtonStyle.ToolButtonIconOnly,
+)
 _OPEN = frozenset({Status.PENDING})
 _DECIDED = frozenset({Status.ACCEPTED, Status.REJECTED, Status.REPAIRED})
 _ACCEPTED = frozenset({Status.ACCEPTED})
@@ -86,7 +89,9 @@ class ReviewQueue(QWidget):
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 4, 0, 0)
         whole.setSpacing(4)
-        whole.addLayout(self._make_filters())
+        self._row = self._make_filters()
+        whole.addLayout(self._row)
+        self.setMinimumWidth(self._width_with(_STYLES[-1]))
         whole.addWidget(self._pages, 1)
 
         self.view.selectionModel().currentRowChanged.connect(self._row_changed)
@@ -130,7 +135,6 @@ class ReviewQueue(QWidget):
             button = QToolButton()
             button.setCheckable(True)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-            button.setToolTip(self.tr("Only: {0}").format(theme.kind_name(kind)))
             button.setAccessibleName(self.tr("Only: {0}").format(theme.kind_name(kind)))
             button.toggled.connect(self._filter)
             self.kinds[kind] = button
@@ -142,16 +146,29 @@ class ReviewQueue(QWidget):
         self.progress = QLabel()
         self.progress.setProperty("role", "muted")
         self.progress.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        # While it is seen it must not keep the window from being made narrow.
-        self.progress.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        spare(self.progress)
         row.addWidget(self.progress, 1)
         return row
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Leave the progress to the status line, which says it too, where room is scarce."""
+        """Leave out what is told elsewhere too where room is scarce."""
         super().resizeEvent(event)
-        self.progress.setVisible(self.width() >= _ROOMY)
+        self._fit_filters()
         self._fit_columns()
+
+    def _fit_filters(self) -> None:
+        """Do without the progress, which the status line tells, then without the counts."""
+        for style in _STYLES:
+            if self._width_with(style) <= self.width():
+                break
+        show_if_it_fits(self.progress, self._row, self.width())
+
+    def _width_with(self, style: Qt.ToolButtonStyle) -> int:
+        """The least width of the filters when the buttons of the classes look like that."""
+        for button in self.kinds.values():
+            button.setToolButtonStyle(style)
+        self._row.invalidate()
+        return self._row.minimumSize().width()
 
     # Verbs on the selected rows
 
@@ -325,6 +342,10 @@ class ReviewQueue(QWidget):
         pending = Counter(a.kind for a in artifacts if a.status is Status.PENDING)
         for kind, button in self.kinds.items():
             button.setText(str(pending[kind]))
+            number = self.tr("{0} open").format(pending[kind])
+            only = self.tr("Only: {0}").format(theme.kind_name(kind))
+            button.setToolTip(f"{only} ({number})")
+        self._fit_filters()
 
     def set_doing(self, label: str) -> None:
         """Be told what is worked on, empty for nothing: found may be what is not listed yet."""
