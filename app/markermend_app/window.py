@@ -17,8 +17,6 @@ from PySide6.QtWidgets import (
     QMainWindow,
     QSplitter,
     QStackedWidget,
-    QToolBar,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -42,6 +40,7 @@ from markermend_app.panels.queue.review_queue import ReviewQueue
 from markermend_app.panels.scene.scene import Scene
 from markermend_app.panels.status import StatusLine
 from markermend_app.panels.take_list import TakeList
+from markermend_app.panels.toolbar import Toolbar
 from markermend_app.panels.transport import Transport
 from markermend_app.panels.welcome import Welcome
 from markermend_app.preferred import Preferred
@@ -183,25 +182,15 @@ class MainWindow(QMainWindow):
         self.actions_by_name = menus.build(self, self.document, self._run)
         bar = self.menuBar()
         self.menus = menus.fill_menus(bar, self.actions_by_name)
-        toolbar = QToolBar(self.tr("Toolbar"))
-        toolbar.setObjectName("toolbar")
-        toolbar.setMovable(False)
-        toolbar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        menus.fill_toolbar(toolbar, self.actions_by_name)
-        for name in ("undo", "redo", "previous", "next"):
-            button = toolbar.widgetForAction(self.actions_by_name[name])
-            if isinstance(button, QToolButton):
-                button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
-        for name, text in (
-            ("open", self.tr("Open")),
-            ("export", self.tr("Export")),
-            ("detect", self.tr("Detect")),
-            ("before_after", self.tr("Before")),
-            ("prediction", self.tr("Prediction")),
-        ):
-            self.actions_by_name[name].setIconText(text)
-        self.toolbar = toolbar
-        self.addToolBar(toolbar)
+        short = {
+            "open": self.tr("Open"),
+            "export": self.tr("Export"),
+            "detect": self.tr("Detect"),
+            "before_after": self.tr("Before"),
+            "prediction": self.tr("Prediction"),
+        }
+        self.toolbar = Toolbar(self.tr("Toolbar"), self.actions_by_name, short, self)
+        self.addToolBar(self.toolbar)
 
         panels = self.menus["View"].addMenu(self.tr("Panels"))
         for dock in self.docks.values():

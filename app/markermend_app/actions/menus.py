@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QWidget
@@ -91,7 +91,7 @@ def fill_menus(bar: QMenuBar, made: dict[str, QAction]) -> dict[str, QMenu]:
     return menus
 
 
-def fill_toolbar(bar: QToolBar, made: dict[str, QAction]) -> None:
+def fill_toolbar(bar: QToolBar, made: Mapping[str, QAction]) -> None:
     """Put those meant for it into the toolbar."""
     for spec in ACTIONS:
         if spec.toolbar:

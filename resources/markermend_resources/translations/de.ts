@@ -2972,6 +2972,10 @@
         <translation>{0} von {1} entschieden</translation>
     </message>
     <message>
+        <source>{0} open</source>
+        <translation>{0} offen</translation>
+    </message>
+    <message>
         <source>Open a take to review its artifacts here.</source>
         <translation>Eine Aufnahme öffnen, um hier ihre Artefakte durchzusehen.</translation>
     </message>

@@ -129,6 +129,8 @@ class PlotFrame:
         else:
             self.values.setLabel("", **style)
         self.values.showLabel(fits)
+        # Else it stays where a name of another length, or none, had its middle.
+        self.values.resizeEvent()
         self.caption.say([*([] if fits else [(text, color)]), *self.words()])
 
     def _let_go(self) -> None:

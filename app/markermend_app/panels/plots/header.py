@@ -14,6 +14,7 @@ from markermend_app.sight import Sight
 from markermend_app.style import theme
 
 _MOST, _GAP = 6, 4
+_MARGIN, _SPACING = 8, 6
 
 
 class PlotHeader(QWidget):
@@ -29,6 +30,7 @@ class PlotHeader(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._markers: tuple[str, ...] = ()
+        self._said = ""
         self._sight: Sight | None = None
         self.legend = Legend()
         self.legend.chosen.connect(self.chosen)
@@ -38,7 +40,8 @@ class PlotHeader(QWidget):
         # Else the longest readout would be the least width of the window.
         self.readout.setMinimumWidth(60)
         layout = QHBoxLayout(self)
-        layout.setContentsMargins(8, 4, 8, 4)
+        layout.setContentsMargins(_MARGIN, 4, _MARGIN, 4)
+        layout.setSpacing(_SPACING)
         self.plots = QToolButton()
         self.plots.setText(self.tr("Plots"))
         self.plots.setIconSize(QSize(14, 14))
@@ -62,8 +65,28 @@ class PlotHeader(QWidget):
 
     def read_out(self, text: str) -> None:
         """Say what lies under mouse or cursor."""
-        self.readout.setText(text)
+        self._said = text
+        self._fit_readout()
         self.readout.show()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Say as much as has room now."""
+        super().resizeEvent(event)
+        self._fit_readout()
+
+    def _fit_readout(self) -> None:
+        """Leave out the time, the frame, and the name, rather than cut off the values."""
+        taken = [self.plots, self.back] if self.back.isVisible() else [self.plots]
+        room = self.width() - self.legend.minimumWidth() - 2 * _MARGIN
+        room -= sum(button.sizeHint().width() + _SPACING for button in taken) + _SPACING
+        frame, _, rest = self._said.partition(" · ")
+        values = rest.partition(" · ")[2]
+        bare = values if " · " in values else values.partition(" ")[2]
+        for text in (self._said, f"{frame} · {values}", values, bare) if values else (self._said,):
+            self.readout.setText(text)
+            if self.readout.sizeHint().width() <= room:
+                break
+        self.readout.setToolTip(self._said)
 
     def clear(self) -> None:
         """Read nothing out."""
@@ -78,6 +101,7 @@ class PlotHeader(QWidget):
     def _offer_back(self) -> None:
         lost = None if self._sight is None else self._sight.lost
         self.back.setVisible(lost is not None)
+        self._fit_readout()
         if lost is not None:
             kind = theme.kind_name(lost.kind, within=True)
             self.back.setIcon(kind_icon(lost.kind))

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QAction, QKeyEvent
+from PySide6.QtGui import QAction, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 from markermend_app.panels.own_escape import wants_escape
 from markermend_app.style import theme
+
+_BESIDE = 48
+"""Pixels that the icon and the frame take."""
 
 
 class FilterLine(QLineEdit):
@@ -21,7 +24,7 @@ class FilterLine(QLineEdit):
 
     def __init__(self, text: str, target: QWidget, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._target = target
+        self._target, self._text = target, text
         self.setPlaceholderText(text)
         self.setAccessibleName(text)
         self.setClearButtonEnabled(True)
@@ -29,6 +32,12 @@ class FilterLine(QLineEdit):
         self.addAction(self._search, QLineEdit.ActionPosition.LeadingPosition)
         theme.watcher.changed.connect(self._recolour)
         self._recolour()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Let the icon say it alone where the words have no room."""
+        super().resizeEvent(event)
+        fits = self.fontMetrics().horizontalAdvance(self._text) + _BESIDE <= self.width()
+        self.setPlaceholderText(self._text if fits else "")
 
     def event(self, event: QEvent) -> bool:
         """Keep Esc for the line."""

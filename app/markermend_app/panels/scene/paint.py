@@ -226,11 +226,11 @@ def paint_focus(sight: Sight, focused: bool) -> None:
 
 
 def paint_note(sight: Sight, text: str) -> None:
-    """Write a small line in the lower right corner."""
+    """Write a small line in the lower right corner, left of the buttons."""
     painter = sight.painter
     painter.setFont(_font(painter, QFont.Weight.Normal))
     painter.setPen(theme.current().muted)
-    box = QRectF(0, sight.height - 24, sight.width - 8, 20)
+    box = QRectF(0, sight.height - 24, sight.width - 40, 20)
     painter.drawText(box, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, text)
 
 

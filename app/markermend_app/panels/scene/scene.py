@@ -67,7 +67,7 @@ class Scene(QWidget):
         self._last = QPointF()
         self._dragged = False
         self._scrub_from = 0
-        self.setMinimumSize(200, 160)
+        self.setMinimumWidth(200)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName(self.tr("3D view"))
         self._make_buttons()

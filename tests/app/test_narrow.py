@@ -1,0 +1,69 @@
+"""Half a screen, 960 pixels wide: nothing needed is cut off, and what is left out comes back."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication
+
+HALF = 960
+WORDS = Qt.ToolButtonStyle.ToolButtonTextBesideIcon
+
+
+@pytest.fixture
+def window(review, damaged):
+    return review(*damaged)
+
+
+def widen(window, width, height=700):
+    window.resize(width, height)
+    for _ in range(4):
+        QApplication.processEvents()
+
+
+def test_the_window_fits_half_a_screen(window):
+    widen(window, 400)
+    assert window.width() <= HALF
+    widen(window, HALF)
+    assert window.width() == HALF
+    assert window.toolbar.sizeHint().width() <= window.toolbar.width()
+    assert window.queue._row.minimumSize().width() <= window.queue.width()
+    row = window.transport._row
+    assert row.minimumSize().width() <= window.transport.width()
+    assert window.inspector.decisions.minimumSizeHint().width() <= window.inspector.width()
+
+
+def test_words_and_counts_are_left_out_where_they_have_no_room(window):
+    queue, button = window.queue, next(iter(window.queue.kinds.values()))
+    open_button = window.toolbar._buttons[0]
+    widen(window, 1500, 900)
+    assert button.toolButtonStyle() == open_button.toolButtonStyle() == WORDS
+    assert queue.progress.isVisible()
+    widen(window, 400)
+    assert open_button.toolButtonStyle() != WORDS
+    assert button.toolButtonStyle() != WORDS
+    assert "1 open" in button.toolTip()
+    assert queue.progress.isHidden()
+    widen(window, 1500, 900)
+    assert button.toolButtonStyle() == open_button.toolButtonStyle() == WORDS
+
+
+def test_the_readout_says_what_has_room(window):
+    header = window.trajectories.header
+    widen(window, 1500, 900)
+    header.read_out("Frame 12345 · 123.456 s · CLAV -1234.5, 1234.5, 1234.5 mm (edited)")
+    assert header.readout.text().startswith("Frame 12345 · 123.456 s · CLAV")
+    widen(window, HALF)
+    assert header.readout.text().endswith("1234.5 mm (edited)")
+    assert header.readout.sizeHint().width() <= header.readout.width()
+    assert "123.456 s" in header.readout.toolTip()
+
+
+def test_the_name_of_a_row_that_was_low_stands_in_its_middle(window):
+    axis = window.trajectories.rows[0].values
+    widen(window, HALF, 560)
+    assert not axis.label.isVisible()
+    widen(window, 1500, 900)
+    assert axis.label.isVisible()
+    middle = axis.label.pos().y() - axis.label.boundingRect().width() / 2
+    assert middle == pytest.approx(axis.size().height() / 2, abs=2)
