@@ -22,6 +22,7 @@ from markermend.review.session import Session
 from markermend.review.step import Step
 from markermend_app.background.preview import Preview
 from markermend_app.looking import Looking
+from markermend_app.telling import told
 from markermend_app.walk import about, open_after
 
 AHEAD = 3
@@ -252,7 +253,7 @@ class Document(Looking):
         if accepted or self.do(lambda s: s.set_status(ids, Status.ACCEPTED), moving=True):
             self._move_on(following)
             text = self.tr("The flag on {0} is accepted, the samples are left. {1}")
-            self.said.emit(text.format(artifact.marker, reason))
+            self.said.emit(text.format(artifact.marker, told(reason)))
 
     def repair_many(self, repairs: Sequence[tuple[str, Any]], label: str) -> None:
         """Apply many proposals as one step."""

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+import numpy as np
 import pytest
 from PySide6.QtCore import QCoreApplication, QTranslator
 
 from markermend.artifact import Kind, Status
 from markermend.detectors import detect
 from markermend.mesh.names import _FROM_THE_TOP
+from markermend.repairs import propose
+from markermend.repairs.look_again import in_words
 from markermend.review import hand
 from markermend.review.session import Session
+from markermend.take import Take
 from markermend_app.telling import _PARTS, told, told_group
 
 
@@ -102,3 +108,20 @@ def test_every_course_of_a_jump_is_told(brackets):
             jump = Sudden(0, 10, 30, Kind.STEP, 12.0, 9.0, beside, course)
             why = _explain([jump], 12.0, 20, 100.0)
             assert told(why).startswith("⟦⟦"), why
+
+
+def test_why_there_is_no_repair_is_told(damaged, brackets):
+    take, truth = damaged
+    gap = truth[0]
+    positions = take.positions.copy()
+    positions[60:90, 1:6] = np.nan
+    few = propose(Take(positions, take.labels, take.rate), gap, method="local_regression")
+    curve = propose(take, replace(gap, start=2), method="kalman")
+    refusals = (few, curve, *(propose(take, gap, method=m) for m in ("swap", "savgol")))
+    for refused in refusals:
+        assert not refused.patches
+        assert told(refused.reason).startswith("⟦"), refused.reason
+    both = f"{few.reason} Worked out from other repairs instead; look at it closely."
+    assert told(both).count("⟦") == 2
+    left = in_words((replace(truth[1], amplitude_mm=7.3), truth[2]))
+    assert told(left) == ("⟦The detector still finds damage there: a ⟦peak⟧ of 7.3 mm and 1 more.⟧")

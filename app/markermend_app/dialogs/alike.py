@@ -31,6 +31,7 @@ from markermend_app.dialogs.params_form import inset
 from markermend_app.document import Document
 from markermend_app.scope import Scope
 from markermend_app.style import theme
+from markermend_app.telling import told
 from markermend_app.words import tr
 
 MARKER, FRAMES, SURE, OUTCOME = range(4)
@@ -203,13 +204,13 @@ class AlikeDialog(QDialog):
         if repair is None:
             return self.tr("working it out…")
         if not repair.patches:
-            return self.tr("left as it is: {0}").format(repair.reason)
+            return self.tr("left as it is: {0}").format(told(repair.reason))
         from markermend.repairs import REPAIRS
 
         label = tr(REPAIRS[repair.method].label)
         text = f"{label}, ± {units.length(repair.error_mm)}" if repair.error_mm else label
         # Alone it may be refused: here it can follow what is repaired along with it.
-        return f"{text}. {repair.reason}" if repair.reason else text
+        return f"{text}. {told(repair.reason)}" if repair.reason else text
 
     def _count(self) -> None:
         """Say how many it will be."""

@@ -310,7 +310,7 @@ class Commands(QObject):
             text = self.tr("{0} repaired.").format(len(good))
             if left:
                 why = next(r.reason for _, r in repairs if not r.patches)
-                text += " " + self.tr("{0} left as they are: {1}").format(left, why)
+                text += " " + self.tr("{0} left as they are: {1}").format(left, told(why))
             self.said.emit(text)
 
         self._lane.submit(self.tr("Repairing"), work, done, failed)

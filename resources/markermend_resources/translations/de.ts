@@ -1592,6 +1592,66 @@
         <translation>steht bis zu {0} von dort, wohin seine Knochen reichen, {1} lang</translation>
     </message>
     <message>
+        <source>{0} Worked out from other repairs instead; look at it closely.</source>
+        <translation>{0} Stattdessen aus anderen Reparaturen berechnet; bitte genau ansehen.</translation>
+    </message>
+    <message>
+        <source>No other marker of the body is seen all through the interval of {0}; three are needed.</source>
+        <translation>Kein anderer Marker des Körpers ist während des ganzen Intervalls von {0} zu sehen; drei sind nötig.</translation>
+    </message>
+    <message>
+        <source>Only one other marker of the body is seen all through the interval of {0}; three are needed.</source>
+        <translation>Nur ein anderer Marker des Körpers ist während des ganzen Intervalls von {0} zu sehen; drei sind nötig.</translation>
+    </message>
+    <message>
+        <source>Only two others of the body are seen all through the interval of {0}; three are needed.</source>
+        <translation>Nur zwei andere Marker des Körpers sind während des ganzen Intervalls von {0} zu sehen; drei sind nötig.</translation>
+    </message>
+    <message>
+        <source>{0} is seen together with its references in only {1} frames; {2} are needed.</source>
+        <translation>{0} ist nur in {1} Frames zusammen mit seinen Bezugsmarkern zu sehen; {2} sind nötig.</translation>
+    </message>
+    <message>
+        <source>{0} has only {1} trusted samples near before the interval; {2} are needed.</source>
+        <translation>{0} hat kurz vor dem Intervall nur {1} verlässliche Messwerte; {2} sind nötig.</translation>
+    </message>
+    <message>
+        <source>{0} has only {1} trusted samples near after the interval; {2} are needed.</source>
+        <translation>{0} hat kurz nach dem Intervall nur {1} verlässliche Messwerte; {2} sind nötig.</translation>
+    </message>
+    <message>
+        <source>The result would be about {0} mm off; too far to be used.</source>
+        <translation>Das Ergebnis läge etwa {0} mm daneben; zu weit, um es zu verwenden.</translation>
+    </message>
+    <message>
+        <source>{0} would leave damage.</source>
+        <translation>{0} würde Schäden übrig lassen.</translation>
+    </message>
+    <message>
+        <source>Already exchanged together with {0}.</source>
+        <translation>Schon zusammen mit {0} getauscht.</translation>
+    </message>
+    <message>
+        <source>No counterpart is known that carries the opposite step.</source>
+        <translation>Kein Gegenstück mit dem entgegengesetzten Sprung ist bekannt.</translation>
+    </message>
+    <message>
+        <source>There is no signal to smooth inside a gap.</source>
+        <translation>In einer Lücke gibt es kein Signal zu glätten.</translation>
+    </message>
+    <message>
+        <source>The interval is empty already.</source>
+        <translation>Das Intervall ist schon leer.</translation>
+    </message>
+    <message>
+        <source>The detector still finds damage there: a {0} of {1} mm.</source>
+        <translation>Der Detektor findet dort noch Schäden: {0} von {1} mm.</translation>
+    </message>
+    <message>
+        <source>The detector still finds damage there: a {0} of {1} mm and {2} more.</source>
+        <translation>Der Detektor findet dort noch Schäden: {0} von {1} mm und {2} weitere.</translation>
+    </message>
+    <message>
         <source>{0} frames ({1})</source>
         <translation>{0} Frames ({1})</translation>
     </message>

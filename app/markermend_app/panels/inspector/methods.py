@@ -17,6 +17,7 @@ from markermend_app import units
 from markermend_app.actions import shortcuts
 from markermend_app.document import Document
 from markermend_app.panels.inspector.take import heading, plain
+from markermend_app.telling import told
 from markermend_app.words import tr
 
 # A repair expected to be off by more than a marker is wide is worth a second look.
@@ -136,11 +137,11 @@ class MethodList(QWidget):
             session = self._document.session
             note = None if session is None else session.notes.get(a.id)
             text = self.tr("Repaired. Reopen it to try another method.")
-            return f"{text} {note.leaves}" if note is not None and note.leaves else text
+            return f"{text} {told(note.leaves)}" if note is not None and note.leaves else text
         if proposal is None:
             return self.tr("Working out the repair…")
         if not proposal.patches:
-            why = proposal.reason or self.tr("no answer here")
+            why = told(proposal.reason) or self.tr("no answer here")
             text = self.tr("No repair: {0}").format(why)
             if self._document.preview.best:
                 goes_on = self.tr("{0} accepts the flag, leaves the samples and goes on.")
@@ -158,5 +159,5 @@ class MethodList(QWidget):
             text += self.tr(", following {0}").format(", ".join(followed))
         from markermend.repairs.look_again import in_words
 
-        said = " ".join(filter(None, (proposal.reason, in_words(proposal.leaves or ()))))
+        said = " ".join(map(told, filter(None, (proposal.reason, in_words(proposal.leaves or ())))))
         return f"{text}. {said}" if said else text
