@@ -140,7 +140,8 @@ def told_group(name: str) -> str:
     subject, colon, rest = name.rpartition(": ")
     found = re.fullmatch(r"(?:(Left|Right) )?(.+?)( \d+)?", rest)
     parts = [] if found is None else found[2].lower().split(" and ")
-    if found is None or not set(parts) <= set(_PARTS):
+    # Joints of a skeleton recording keep the names that their file gives them.
+    if found is None or rest[:1].islower() or not set(parts) <= set(_PARTS):
         return name
     text = tr(parts[0])
     for part in parts[1:]:

@@ -7,12 +7,20 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QStyle, QStyleOptionViewItem
 
-from markermend.artifact import Kind
+from markermend.artifact import Artifact, Kind
 from markermend.mesh import Group, Mesh
 from markermend.review.file import open_session
 from markermend.take import Analog, Points, Take
 from markermend_app.document import Document
-from markermend_app.panels.markers.marker_model import COUNTS, MISSING, NAME, OPEN
+from markermend_app.panels.markers.marker_model import (
+    COUNTS,
+    MISSING,
+    NAME,
+    OPEN,
+    OWN,
+    MarkerModel,
+    Node,
+)
 from markermend_app.panels.markers.marker_tree import MarkerTree
 
 MESH = Mesh(
@@ -123,6 +131,22 @@ def test_counts_follow_decisions_without_folding_anything(tree, document):
     assert not tree.view.isExpanded(index_of(tree, "LWRA").parent())
     document.undo()
     assert index_of(tree, "CLAV").siblingAtColumn(OPEN).data(COUNTS) == {Kind.GAP: 1}
+
+
+def test_joints_that_hold_others_count_their_own():
+    root = Node("")
+    shoulder = root.add(Node("shoulder", label="shoulder"))
+    elbow = shoulder.add(Node("elbow", label="elbow"))
+    model = MarkerModel(lambda labels: None, lambda labels: None)
+    model.set_root(root)
+    model.set_counts(
+        [Artifact(name, "xyz", 5, 9, Kind.GAP) for name in ("shoulder", "elbow", "elbow")]
+    )
+    assert (shoulder.own, shoulder.counts) == ({Kind.GAP: 1}, {Kind.GAP: 3})
+    assert elbow.own == elbow.counts == {Kind.GAP: 2}
+    index = model.index(0, OPEN)
+    assert (index.data(OWN), index.data(COUNTS)) == ({Kind.GAP: 1}, {Kind.GAP: 3})
+    assert "1 gap" in index.data(Qt.ItemDataRole.ToolTipRole)
 
 
 def test_worst_first_is_flat_and_sorted_by_open_artifacts(qtbot, tree, document):

@@ -85,6 +85,7 @@ def test_groups_keep_their_names_in_english(name):
 def test_groups_are_named_in_the_language_of_the_app(brackets):
     assert told_group("P0: Left shank and foot 2") == "P0: ⟦Left ⟦⟦shank⟧ and ⟦foot⟧⟧⟧ 2"
     assert told_group("LFHD +3") == "LFHD +3"
+    assert told_group("head") == "head"
     assert set(_FROM_THE_TOP) == set(_PARTS), "every part that a group can be named after"
 
 

@@ -27,6 +27,7 @@ COLUMNS = 3
 COUNTS = Qt.ItemDataRole.UserRole
 LABEL = Qt.ItemDataRole.UserRole + 1
 SORT = Qt.ItemDataRole.UserRole + 2
+OWN = Qt.ItemDataRole.UserRole + 3
 
 
 @dataclass(eq=False)
@@ -42,6 +43,7 @@ class Node:
     parent: Node | None = None
     rows: list[Node] = field(default_factory=list)
     counts: Counter[Kind] = field(default_factory=Counter)
+    own: Counter[Kind] = field(default_factory=Counter)
     missing: float | None = None
 
     def add(self, node: Node) -> Node:
@@ -176,9 +178,11 @@ class MarkerModel(QAbstractItemModel):
                 counts.setdefault(a.marker, Counter())[a.kind] += 1
         before = {id(row): dict(row.counts) for row in _walk(self._root)}
         for row in _walk(self._root):
-            row.counts = Counter()
+            row.counts, row.own = Counter(), Counter()
         for label, count in counts.items():
             node: Node | None = self._by_label.get(label)
+            if node is not None:
+                node.own = count
             while node is not None:
                 node.counts.update(count)
                 node = node.parent
@@ -186,7 +190,7 @@ class MarkerModel(QAbstractItemModel):
 
     def open_counts(self) -> list[Counter[Kind]]:
         """Counts of the markers that have open artifacts."""
-        return [node.counts for node in self._by_label.values() if node.counts]
+        return [node.own for node in self._by_label.values() if node.own]
 
     def set_missing(self, take: Take, labels: Iterable[str]) -> None:
         """Work out the share of frames without these markers."""
@@ -285,7 +289,7 @@ class MarkerModel(QAbstractItemModel):
         if column == NAME:
             return self._name_data(node, role)
         if column == OPEN:
-            return node.counts if role == COUNTS else None
+            return {COUNTS: node.counts, OWN: node.own}.get(role)
         return self._missing_data(node, role)
 
     def setData(self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole) -> bool:  # noqa: D102
@@ -338,8 +342,9 @@ class MarkerModel(QAbstractItemModel):
         parts = [node.label or node.name]
         if node.note:
             parts.append(node.note)
+        counts = node.own if node.label else node.counts
         open_ = ", ".join(
-            f"{node.counts[k]} {theme.kind_name(k, within=True)}" for k in Kind if node.counts[k]
+            f"{counts[k]} {theme.kind_name(k, within=True)}" for k in Kind if counts[k]
         )
         if open_:
             parts.append(self.tr("Open: {0}").format(open_))

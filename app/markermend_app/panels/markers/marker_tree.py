@@ -42,6 +42,7 @@ from markermend_app.panels.markers.marker_model import (
     MISSING,
     NAME,
     OPEN,
+    OWN,
     SORT,
     MarkerModel,
     flatten,
@@ -295,7 +296,7 @@ class _Filter(QSortFilterProxyModel):
 
 
 class _CountsDelegate(QStyledItemDelegate):
-    """Paints counts as class badges; rows that hold others show theirs while closed."""
+    """Paints counts as class badges; rows that hold others show those beneath while closed."""
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
         """Background as ever, then badges."""
@@ -307,9 +308,10 @@ class _CountsDelegate(QStyledItemDelegate):
         first = index.sibling(index.row(), NAME)
         view = option.widget
         holds = first.model().hasChildren(first)
-        if isinstance(view, QTreeView) and holds and view.isExpanded(first):
-            return
-        paint_counts(painter, option.rect, index.data(COUNTS) or {}, option.font, faint=holds)
+        # A joint holds others, and may be damaged itself.
+        opened = isinstance(view, QTreeView) and holds and view.isExpanded(first)
+        counts = index.data(OWN if opened else COUNTS) or {}
+        paint_counts(painter, option.rect, counts, option.font, faint=holds and not opened)
 
     def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
         """As high as every row; the column's width is set apart, and this is asked often."""
