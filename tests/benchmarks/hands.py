@@ -38,7 +38,7 @@ def spin(until: Callable[[], bool], least_s: float = 0.0) -> None:
     begun = time.monotonic()
     while not until() or time.monotonic() - begun < least_s:
         if time.monotonic() - begun > PATIENCE_S:
-            raise SystemExit("the window did not get there")
+            raise TimeoutError("the window did not get there")
         wait(5)
 
 
@@ -128,6 +128,8 @@ class Operator:
     def compare(self) -> None:
         """Hold the key that compares methods, walk through them, and let go."""
         self.turns.doing = "compare"
+        self.window.activateWindow()
+        spin(self.window.isActiveWindow)
         QTest.keyPress(self.window, Qt.Key.Key_C)
         spin(lambda: self.window.comparison.candidates is not None, 0.1)
         for key in (Qt.Key.Key_Down, Qt.Key.Key_Down, Qt.Key.Key_Up):
@@ -251,7 +253,9 @@ class Operator:
             dialog = self.window.smoothing.dialog
 
             def seen(dialog=dialog) -> bool:
-                return dialog.answer is not None and dialog._found is not None
+                # What cannot be smoothed is told in words, without an answer.
+                told = dialog.answer is None and bool(dialog.warning.text())
+                return told or (dialog.answer is not None and dialog._found is not None)
 
             spin(seen, 0.1)
             if not accept:
@@ -262,7 +266,8 @@ class Operator:
                 dialog.axis.setCurrentIndex(2)
                 wait(50)
             self.turns.doing = "apply the smoothing" if accept else "smooth"
-            QTest.keyClick(dialog, Qt.Key.Key_Return if accept else Qt.Key.Key_Escape)
+            good = accept and dialog.go.isEnabled()
+            QTest.keyClick(dialog, Qt.Key.Key_Return if good else Qt.Key.Key_Escape)
             spin(self.proposed, 0.1)
 
     def write(self) -> None:
