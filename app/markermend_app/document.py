@@ -249,8 +249,7 @@ class Document(Looking):
     def _leave(self, artifact: Artifact, reason: str, following: str | None) -> None:
         """Accept what cannot be repaired, say why it stays as it is, and move on."""
         accepted = artifact.status is Status.ACCEPTED
-        ids = [artifact.id]
-        if accepted or self.do(lambda s: s.set_status(ids, Status.ACCEPTED), moving=True):
+        if accepted or self.do(lambda s: s.set_status([artifact.id], Status.ACCEPTED), moving=True):
             self._move_on(following)
             text = self.tr("The flag on {0} is accepted, the samples are left. {1}")
             self.said.emit(text.format(artifact.marker, told(reason)))

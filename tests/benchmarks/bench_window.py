@@ -113,6 +113,33 @@ def one_round(operator: Operator, path: Path, artifacts: int, planted: list[Arti
     operator.write()
 
 
+def run_rounds(
+    operator: Operator,
+    takes: list[tuple[str, list[Artifact]]],
+    folder: Path,
+    options: argparse.Namespace,
+    memory: list[int],
+) -> None:
+    """Review the takes until the time is over; what the process holds goes into ``memory``."""
+    turns = operator.turns
+    begun = time.monotonic()
+    while time.monotonic() - begun < 60 * options.minutes:
+        for kind, planted in takes:
+            path = folder / f"{kind}{len(memory)}.c3d"
+            path.write_bytes((folder / f"{kind}.c3d").read_bytes())
+            turns.skip()
+            one_round(operator, path, options.artifacts, planted)
+            path.unlink()
+        memory.append(private_bytes())
+        passed = (time.monotonic() - begun) / 60
+        print(  # noqa: T201
+            f"round {len(memory)}, {passed:.1f} min: {memory[-1] / 1e6:.0f} MB, "
+            f"{sum(s.processor > STALL_S for s in turns.stalls)} waits over "
+            f"{STALL_S * 1e3:g} ms processor, {np.mean(operator.waited):.1%} not ready",
+            flush=True,
+        )
+
+
 def tell(operator: Operator, turns: Turns, memory: list[int]) -> None:
     """Print what the rounds took, beside what they may take."""
     for doing in turns.clock:
@@ -185,26 +212,13 @@ def main() -> int:
             del long
             turns.skip()
         memory: list[int] = []
-        begun = time.monotonic()
-        while time.monotonic() - begun < 60 * options.minutes:
-            for kind, planted in takes:
-                path = folder / f"{kind}{len(memory)}.c3d"
-                path.write_bytes((folder / f"{kind}.c3d").read_bytes())
-                turns.skip()
-                one_round(operator, path, options.artifacts, planted)
-                path.unlink()
-            memory.append(private_bytes())
-            passed = (time.monotonic() - begun) / 60
-            print(  # noqa: T201
-                f"round {len(memory)}, {passed:.1f} min: {memory[-1] / 1e6:.0f} MB, "
-                f"{sum(s.processor > STALL_S for s in turns.stalls)} waits over "
-                f"{STALL_S * 1e3:g} ms processor, {np.mean(operator.waited):.1%} not ready",
-                flush=True,
-            )
+        try:
+            run_rounds(operator, takes, folder, options, memory)
+        finally:
+            tell(operator, turns, memory)
         if operator.document.session is not None:
             operator.document.session.mark_exported()
         window.close()
-    tell(operator, turns, memory)
     return 0
 
 
