@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import Qt
@@ -14,6 +16,14 @@ PARTS = ("original", "measured", "changed", "lone", "predicted")
 """From the back to the front: the source where the working samples differ, samples as recorded,
 those filled or edited, those without neighbours, and where the body says the marker is."""
 _NONE: FloatArray = np.zeros(0)
+
+
+@lru_cache(maxsize=2)
+def _frames(count: int) -> FloatArray:
+    """Frame indices, shared by all curves of a take."""
+    frames = np.arange(count, dtype=np.float64)
+    frames.flags.writeable = False
+    return frames
 
 
 class Trace:
@@ -50,7 +60,7 @@ class Trace:
         if np.isnan(values).all():
             self.fill(part)
         else:
-            self.fill(part, np.arange(len(values), dtype=np.float64), values)
+            self.fill(part, _frames(len(values)), values)
 
     def fill_pieces(self, part: str, values: FloatArray, mask: BoolArray, join: int = 1) -> None:
         """Give a curve the masked stretches of some values."""
