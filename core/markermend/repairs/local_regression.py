@@ -50,8 +50,9 @@ NOISE_S = 2.0
 # their average is not as sure as if they did not.
 OWN_COURSE_S, IN_COMMON, LEAST_MM2 = 0.5, 1.2, 1e-12
 # Beyond, the deviation is counted so much: the frames that were hidden to measure it had others
-# near them to learn from more often than those of a long interval have.
-LONG_DOUBT = 1.1
+# near them to learn from more often than those of a long interval have. Beyond two seconds it
+# grows with this power of the length: what the body does meanwhile is less and less like the rest.
+LONG_DOUBT, LONG_S, LONG_POWER = 1.1, 2.0, 0.2
 LEAST_NOISE_MM, MOST_NOISE_MM = 0.03, 1.0
 
 
@@ -140,7 +141,8 @@ def repair_local_regression(evidence: Evidence, artifact: Artifact, params: Any)
     if artifact.length <= OWN_COURSE_S * take.rate:
         values, deviation = _with_own_course(evidence, artifact, values, deviation)
     else:
-        deviation = LONG_DOUBT * deviation
+        longer = max(1.0, artifact.length / take.rate / LONG_S)
+        deviation = LONG_DOUBT * longer**LONG_POWER * deviation
     coordinates = np.repeat(deviation[:, None], 3, axis=1)
     return make_repair(METHOD, evidence, artifact, values, params, coordinates, weights=learnt)
 
