@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
@@ -198,7 +199,8 @@ class TakePage(QWidget):
         """Tell how much is missing now."""
         session = self._document.session
         if session is not None and session.positions.size and self.isVisible():
-            share = float((session.origin == Origin.MISSING).mean())
+            origin = session.origin
+            share = np.count_nonzero(origin == Origin.MISSING) / origin.size
             self._gaps.setText(self.tr("{0:.2f} % of all samples").format(100 * share))
 
     def showEvent(self, event: QShowEvent) -> None:
