@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from driving import WAIT
 from PySide6.QtCore import QCoreApplication, QEvent, QSettings
 
+import markermend as mm
 from markermend.artifact import Artifact, Kind
 from markermend.take import Take
 
@@ -68,6 +70,12 @@ def damaged():
     return damaged_box()
 
 
+def keep_quiet(window):
+    """Let a window close without asking what becomes of unexported work."""
+    if window.document.session is not None:
+        window.document.session.mark_exported()
+
+
 @pytest.fixture
 def review(qtbot, tmp_path):
     """Open the real window on a take with these artifacts, the first one under review."""
@@ -75,13 +83,9 @@ def review(qtbot, tmp_path):
     from markermend.review.file import open_session
     from markermend_app.window import MainWindow
 
-    def let_close(window):
-        if window.document.session is not None:
-            window.document.session.mark_exported()
-
     def start(take, artifacts):
         window = MainWindow()
-        qtbot.addWidget(window, before_close_func=let_close)
+        qtbot.addWidget(window, before_close_func=keep_quiet)
         window.show()
         window.activateWindow()
         qtbot.waitExposed(window)
@@ -91,3 +95,34 @@ def review(qtbot, tmp_path):
         return window
 
     return start
+
+
+@pytest.fixture
+def take_path(tmp_path, damaged):
+    """The damaged take in a file."""
+    path = tmp_path / "box.c3d"
+    mm.write(damaged[0], path)
+    return path
+
+
+@pytest.fixture
+def window(qtbot):
+    """A real window; whatever is unexported at the end is kept without asking."""
+    from markermend_app.window import MainWindow
+
+    made = MainWindow()
+    qtbot.addWidget(made, before_close_func=keep_quiet)
+    made.show()
+    made.activateWindow()
+    qtbot.waitExposed(made)
+    return made
+
+
+@pytest.fixture
+def reviewed(window, take_path, qtbot):
+    """The window with the damaged take open and detected."""
+    window.commands.open_path(take_path)
+    qtbot.waitUntil(lambda: window.document.session is not None, timeout=WAIT)
+    qtbot.waitUntil(lambda: not window.lane.busy, timeout=WAIT)
+    qtbot.waitUntil(lambda: window.document.current is not None, timeout=WAIT)
+    return window
