@@ -212,7 +212,11 @@ def _cut_off(
         at_end = start == 0 or stop == len(seen)
         course, long = Course.CUT_OFF, stop - start > LONGEST_S * rate
         short = at_end and reach_at(rate) <= stop - start <= AT_END_S * rate
-        if size < CUT_OFF_MM and not (short and beside[i] <= OWN * size):
+        between = (jumps.channel == channel) & (jumps.frame >= start) & (jumps.frame < stop)
+        between[i] = False
+        # Small ones must be of one level: what jumps within may be motion as well.
+        own = short and beside[i] <= OWN * size and not between.any()
+        if size < CUT_OFF_MM and not own:
             continue
         if long:
             shared = beside[i] > SHARED * size
