@@ -23,10 +23,8 @@ from markermend.poses.nuitrack import CMU_SEGMENTS, JOINTS, PARENTS, mirrored, t
 from markermend.poses.pose import Pose
 from markermend.poses.prior import right_handed
 from markermend.poses.quaternion import inverse, multiply, turn
+from markermend.poses.restore import INFERRED
 from markermend.progress import Progress, quiet
-
-INFERRED = 0.5
-"""Highest confidence of what was added."""
 
 _RIDGE = 0.01
 _STRIDE = 4
@@ -148,7 +146,7 @@ def to_cmu(pose: Pose, learnt: Segments | None = None) -> Pose:
     Pose
         of 31 segments; what the joints tell of them is exactly this
         (:func:`~markermend.poses.nuitrack.to_nuitrack` gives it back). Where the end of a segment
-        was added, confidence is at most :data:`INFERRED`.
+        was added, confidence is at most :data:`markermend.poses.restore.INFERRED`.
 
     Raises
     ------
