@@ -41,6 +41,8 @@ class Bench:
 
     def drag(self, start: float, stop: float, axis="x", button=LEFT, keys=NONE, up=0.7) -> None:
         """Press, move in steps, release."""
+        # A layout under way would move the plot beneath the hand.
+        QTest.qWait(20)
         a, b = self.at(start, axis, up), self.at(stop, axis, up)
         QTest.mouseMove(self.port, a)
         QTest.mousePress(self.port, button, keys, a)
