@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ from markermend.artifact import Status
 from markermend.errors import MarkermendError, RangeError
 from markermend.files import Export
 from markermend.progress import Progress
+from markermend.review.session import Session
 from markermend.take import Take
 from markermend_app import settings
 from markermend_app.background.jobs import Lane
@@ -97,39 +99,39 @@ class Exporter(QObject):
         session = self._document.session
         if session is None:
             return False
-        # A copy, so that decisions made while the file is written do not get into it.
-        take = session.take.viewing(session.positions.copy(), session.origin.copy())
-        original = session.original
-        record = session.repairs_in_words() if choice.record else ()
-        revision = session.revision
+        label = self.tr("Exporting {0}").format(target.name)
         written: list[bool] = []
 
-        def work(progress: Progress) -> Any:
-            from markermend.files import write
-            from markermend.review.hand import without_emptied
+        def begin(take: Take) -> None:
+            record = session.repairs_in_words() if choice.record else ()
+            original, revision = session.original, session.revision
 
-            return write(
-                without_emptied(take, original),
-                target,
-                overwrite=overwrite,
-                as_float=as_float,
-                record=record,
-                mark_outputs=choice.mark_outputs,
-                progress=progress,
-            )
+            def work(progress: Progress) -> Any:
+                from markermend.files import write
+                from markermend.review.hand import without_emptied
 
-        def done(export: Any) -> None:
+                return write(
+                    without_emptied(take, original),
+                    target,
+                    overwrite=overwrite,
+                    as_float=as_float,
+                    record=record,
+                    mark_outputs=choice.mark_outputs,
+                    progress=progress,
+                )
+
+            self._writing = True
+            self._lane.submit(label, work, lambda export: done(export, revision), failed)
+
+        def done(export: Any, revision: int) -> None:
             written.append(True)
             self._writing = False
             if session.revision == revision:
                 session.mark_exported()
             self._document.history_changed.emit()
             self.said.emit(self._summary(export))
-            if self._document.file is not None and self._document.session is session:
-                try:
-                    self._document.file.save()
-                except MarkermendError as error:
-                    dialogs.show_problem(self._window, error)
+            if self._document.session is session:
+                self._save()
                 if overwrite and not wait:
                     self.replaced.emit(target)
 
@@ -145,12 +147,42 @@ class Exporter(QObject):
             if not isinstance(error, RangeError):
                 dialogs.show_problem(self._window, error)
 
-        self._writing = True
-        self._lane.submit(self.tr("Exporting {0}").format(target.name), work, done, failed)
+        self._copy(session, label, begin, failed)
         # A cancelled job answers nothing.
         while wait and not written and self._lane.busy:
             QApplication.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents)
         return any(written) if wait else True
+
+    def _copy(
+        self,
+        session: Session,
+        label: str,
+        begin: Callable[[Take], None],
+        failed: Callable[[Exception], None],
+    ) -> None:
+        """Hand over a copy of the take as it stands, which later decisions do not get into."""
+        take, revision = session.take, session.revision
+
+        def copied(copy: Take) -> None:
+            # What was decided while it was copied may be in it by halves.
+            if session.revision == revision:
+                begin(copy)
+            else:
+                self._copy(session, label, begin, failed)
+
+        def copy(_: Progress) -> Take:
+            return take.viewing(take.positions.copy(), take.origin.copy())
+
+        self._writing = True
+        self._lane.submit(label, copy, copied, failed)
+
+    def _save(self) -> None:
+        """Keep in the review that it was exported."""
+        try:
+            if self._document.file is not None:
+                self._document.file.save()
+        except MarkermendError as error:
+            dialogs.show_problem(self._window, error)
 
     def _summary(self, export: Export) -> str:
         """Say what was written."""
