@@ -59,6 +59,9 @@ LAYOUT_VERSION = 2
 ROOMY = QSize(1500, 940)
 TAKES_HIGH = 330
 
+DECISIONS = ("accept", "reject", "reopen", "remove")
+"""Actions that would decide unseen about an artifact whose details a swept range covers."""
+
 
 class MainWindow(QMainWindow):
     """One window, one take."""
@@ -209,7 +212,7 @@ class MainWindow(QMainWindow):
 
     def _connect(self) -> None:
         document = self.document
-        for speaker in (document, *self._verbs, self.references, self.sight):
+        for speaker in (document, *self._verbs, self.references, self.sight, self.inspector):
             speaker.said.connect(self.status.say)
         self.batch.started.connect(self._show_takes)
         choosing = self.actions_by_name["choose_references"]
@@ -241,7 +244,11 @@ class MainWindow(QMainWindow):
 
     def _run(self, name: str) -> None:
         """Do what an action names, but nothing to an artifact that is out of sight."""
-        if menus.is_about_current(name) and self.sight.bring_back():
+        if name == "repair" and self.inspector.shows_range:
+            name = "repair_selection"
+        elif (menus.is_about_current(name) and self.sight.bring_back()) or (
+            name in DECISIONS and self.inspector.bring_back()
+        ):
             return
         verb = self._own.get(name)
         if verb is None:

@@ -89,6 +89,27 @@ def test_a_swept_range_is_repaired_in_one_step(window, mouse, qtbot):
     assert state(window) == before
 
 
+def test_a_key_is_about_what_details_show_and_decides_nothing_behind_a_swept_range(
+    window, mouse, qtbot
+):
+    document = window.document
+    mouse.drag(40, 50, keys=SHIFT)
+    qtbot.keyClick(window, Qt.Key.Key_X)
+    gap = document.current.id
+    mouse.drag(100, 110, keys=SHIFT)
+    qtbot.keyClick(window, Qt.Key.Key_R)
+    assert document.session.artifact(gap).status is Status.PENDING
+    assert not window.inspector.shows_range
+    qtbot.keyClick(window, Qt.Key.Key_R)
+    assert document.session.artifact(gap).status is Status.REJECTED
+    mouse.drag(120, 130, keys=SHIFT)
+    qtbot.keyClick(window, Qt.Key.Key_F)
+    settle(window, qtbot)
+    assert document.session.history[-1].startswith("Repair noise on")
+    assert document.session.history[-1].endswith("by hand")
+    assert document.session.artifact(gap).status is Status.REJECTED
+
+
 def test_swapping_from_here_to_there(window, mouse, qtbot, monkeypatch):
     document, before = window.document, state(window)
     mouse.drag(40, 59, keys=SHIFT)

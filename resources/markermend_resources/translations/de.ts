@@ -2389,6 +2389,10 @@
         <source>Open a take to see its details here.</source>
         <translation>Eine Aufnahme öffnen, um hier ihre Einzelheiten zu sehen.</translation>
     </message>
+    <message>
+        <source>{0} on {1} is under review, behind the swept range. Press again to decide.</source>
+        <translation>{0} an {1} ist in Durchsicht, hinter dem überstrichenen Bereich. Zum Entscheiden noch einmal drücken.</translation>
+    </message>
 </context>
 <context>
     <name>Legend</name>

@@ -9,6 +9,7 @@ from markermend_app.document import Document
 from markermend_app.panels.inspector.artifact import ArtifactPage, Decisions
 from markermend_app.panels.inspector.take import SelectionPage, TakePage
 from markermend_app.panels.markers.badge import hint
+from markermend_app.style import theme
 
 
 class Inspector(QWidget):
@@ -18,10 +19,12 @@ class Inspector(QWidget):
     -------
     mark_requested(Kind) : make an artifact of this class of the swept range
     verb_requested(str) : name of the action to be done to the swept range
+    said(str) : a sentence for the status bar
     """
 
     mark_requested = Signal(object)
     verb_requested = Signal(str)
+    said = Signal(str)
 
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -58,6 +61,23 @@ class Inspector(QWidget):
         holder = self._pages.currentWidget()
         return holder.widget() if isinstance(holder, QScrollArea) else None
 
+    @property
+    def shows_range(self) -> bool:
+        """Whether what is seen is a swept range, not the artifact under review."""
+        document = self._document
+        return document.selection is not None and (self._swept or document.current is None)
+
+    def bring_back(self) -> bool:
+        """See the artifact under review again if a swept range covers it; whether it did."""
+        covered = self._document.current if self.shows_range else None
+        if covered is None:
+            return False
+        self._swept = False
+        self._choose()
+        text = self.tr("{0} on {1} is under review, behind the swept range. Press again to decide.")
+        self.said.emit(text.format(theme.kind_name(covered.kind), covered.marker))
+        return True
+
     def write_note(self) -> None:
         """Put the cursor where a note on the artifact is written, and that into sight."""
         self._swept = False
@@ -87,7 +107,7 @@ class Inspector(QWidget):
     def _choose(self) -> None:
         """See what was chosen last, and the take when nothing is."""
         document = self._document
-        swept = document.selection is not None and (self._swept or document.current is None)
+        swept = self.shows_range
         deciding = document.current is not None and not swept
         self.decisions.setVisible(deciding)
         self.artifact.methods.outcome.setVisible(deciding)
