@@ -45,7 +45,12 @@ def test_click_travels_back_and_forth(qtbot, panel, document):
     ids = [a.id for a in document.session.artifacts]
     document.accept(ids[:1])
     document.reject(ids[1:2])
-    steps = ["As opened", "Detect (paper)", "Accept gap on CLAV", "Reject peak on LELB"]
+    steps = [
+        "As opened",
+        "Detect (paper)",
+        "Accept gap on CLAV, 161–190",
+        "Reject peak on LELB, 251",
+    ]
     assert rows(panel) == steps
     click(qtbot, panel, 1)
     assert document.session.history == ("Detect (paper)",)

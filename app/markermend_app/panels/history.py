@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from markermend.review.step import Step, stretch
 from markermend_app.document import Document
 from markermend_app.panels.markers.badge import hint
 from markermend_app.style import theme
@@ -54,10 +55,10 @@ class HistoryPanel(QWidget):
     def _refresh(self) -> None:
         """Show the steps as they stand."""
         session = self._document.session
-        done = () if session is None else session.history
-        undone = () if session is None else session.undone
+        done, undone = ((), ()) if session is None else session.steps
         self._pages.setCurrentIndex(1 if done or undone else 0)
-        self.model.set_steps(done, undone)
+        first = 1 if session is None else session.original.first_frame
+        self.model.set_steps(done, tuple(reversed(undone)), first)
         here = self.model.index(len(done))
         self.view.setCurrentIndex(here)
         self.view.scrollTo(here)
@@ -80,29 +81,38 @@ class _Steps(QAbstractListModel):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self._labels: tuple[str, ...] = ()
-        self._done = 0
+        self._steps: tuple[Step, ...] = ()
+        self._done, self._first_frame = 0, 1
 
-    def set_steps(self, done: tuple[str, ...], undone: tuple[str, ...]) -> None:
-        """Show other steps."""
+    def set_steps(self, done: tuple[Step, ...], undone: tuple[Step, ...], first_frame: int) -> None:
+        """Show other steps, those undone as redo would bring them back."""
         self.beginResetModel()
-        self._labels = (self.tr("As opened"), *done, *undone)
-        self._done = len(done)
+        self._steps, self._done = (*done, *undone), len(done)
+        self._first_frame = first_frame
         self.endResetModel()
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
         """Steps, and the take as opened."""
-        return 0 if parent.isValid() else len(self._labels)
+        return 0 if parent.isValid() else 1 + len(self._steps)
+
+    def _text(self, row: int) -> str:
+        """What a step is called, and the frames it is about as the file counts them."""
+        if row == 0:
+            return self.tr("As opened")
+        step = self._steps[row - 1]
+        about, text = stretch(step), told(step.label)
+        if about is None:
+            return text
+        start, last = about[0] + self._first_frame, about[1] - 1 + self._first_frame
+        return f"{text}, {start}" if start == last else f"{text}, {start}–{last}"
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """Label, grey where undone, the present one heavier."""
         row = index.row()
-        if role == Qt.ItemDataRole.DisplayRole:
-            return told(self._labels[row])
+        if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.ToolTipRole):
+            return self._text(row)
         if role == Qt.ItemDataRole.ForegroundRole and row > self._done:
             return theme.current().muted
-        if role == Qt.ItemDataRole.ToolTipRole:
-            return told(self._labels[row])
         if role == Qt.ItemDataRole.FontRole:
             font = QFont()
             font.setPointSize(theme.BASE_PT)

@@ -6,7 +6,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from markermend.artifact import Artifact
-from markermend.review.edits import Edit, Group, SetArtifacts
+from markermend.patch import Patch
+from markermend.review.edits import Edit, Group, SetArtifacts, SetSamples
 
 
 @dataclass(frozen=True)
@@ -46,6 +47,22 @@ def artifacts_of(step: Step) -> tuple[str, ...]:
         if isinstance(part, SetArtifacts)
         for i in part.changes
     )
+
+
+def stretch(step: Step) -> tuple[int, int] | None:
+    """First frame, and the one past the last, that a step is about; None if it is about many."""
+    if not decides(step) or len(artifacts_of(step)) > 1:
+        return None
+    found: list[Artifact | Patch] = []
+    for edit in (step.inverse, step.edit):
+        for part in parts(edit, SetArtifacts, SetSamples):
+            if isinstance(part, SetSamples):
+                found.extend(part.patches)
+            elif isinstance(part, SetArtifacts):
+                found.extend(a for a in part.changes.values() if a is not None)
+    if not found:
+        return None
+    return min(x.start for x in found), max(x.stop for x in found)
 
 
 def touched_by_hand(steps: Iterable[Step]) -> set[str]:
