@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
+from PySide6.QtWidgets import QFileDialog
 
 import markermend as mm
 from markermend.artifact import Status
@@ -145,3 +148,19 @@ def test_a_damaged_recording_is_told_in_one_sentence(window, tmp_path, qtbot, mo
 def test_dialogs_offer_the_formats(broken):
     assert all(f"*{ending}" in open_filter() for ending in (".amc", ".asf", ".bvh"))
     assert export_filter(mm.read(broken)).startswith("CSV (*.csv);;AMC (*.amc);;BVH (*.bvh);;C3D")
+
+
+@pytest.mark.parametrize(
+    ("ending", "proposed"), [(".asf", "01_clean.csv"), (".bvh", "01_clean.bvh")]
+)
+def test_no_name_is_proposed_that_cannot_be_written(
+    opened, monkeypatch, tmp_path, ending, proposed
+):
+    asked = []
+    monkeypatch.setattr(
+        QFileDialog, "getSaveFileName", lambda _, title, name, kinds: asked.append(name) or ("", "")
+    )
+    source = property(lambda _: tmp_path / f"01{ending}")
+    monkeypatch.setattr(type(opened.document), "path", source)
+    opened.commands._exporter._ask_target(opened.document.session.original)
+    assert [Path(name).name for name in asked] == [proposed]

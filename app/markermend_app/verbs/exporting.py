@@ -194,11 +194,14 @@ class Exporter(QObject):
         return text
 
     def _ask_target(self, take: Take) -> Path | None:
-        """Ask where to write; never proposes the source."""
+        """Ask where to write; never proposes the source, nor a format that is only read."""
+        from markermend.plugins.formats import writable
+
         path = self._document.path
         ending = "_clean.c3d"
         if path is not None and take.skeleton:
-            ending = f"_clean{path.suffix}"
+            kept = path.suffix.lower() in writable(skeleton=True)
+            ending = f"_clean{path.suffix if kept else '.csv'}"
         proposal = str(proposed_place(path, ending)) if path else "take_clean.c3d"
         name, chosen = QFileDialog.getSaveFileName(
             self._window, self.tr("Export repaired take"), proposal, export_filter(take)
