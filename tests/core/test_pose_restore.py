@@ -265,6 +265,28 @@ def test_amc_goes_out_as_it_came_in(shared_data, tmp_path):
     assert np.abs(back.positions - pose.positions).max() < 1e-3
 
 
+def test_what_was_read_from_a_table_and_not_changed_keeps_its_last_digit(tmp_path):
+    source, target = tmp_path / "in.csv", tmp_path / "out.csv"
+    rows = ["frame,joint,parent,x,y,z,qx,qy,qz,qw,confidence"]
+    for frame in range(30):
+        rows.append(f"{frame},hip,,{0.123456789 + frame},2,3.25,0.123456789,0,0,0.9876543,0.87654")
+        rows.append(f"{frame},knee,hip,1,{-400.000123 - frame},3,0,0,0.2,0.7,1")
+    source.write_text("\n".join(rows) + "\n")
+    pose = mm.read_pose(source)
+    positions = pose.positions.copy()
+    positions[10, 1] += 1.23456789
+    mm.write_pose(pose.with_samples(positions, pose.rotations, pose.confidence), target)
+    lines = target.read_text().splitlines()
+    for n, line in enumerate(rows[1:], 1):
+        written = [float(cell) for cell in lines[n].split(",")[4:]]
+        read = [float(cell) for cell in line.split(",")[3:]]
+        if n == 22:
+            assert written[:3] == [round(v, 3) for v in positions[10, 1]]
+            assert written[3:] == read[3:]
+        else:
+            assert written == read
+
+
 def test_command_line(tmp_path, capsys):
     source, target = tmp_path / "in.csv", tmp_path / "out.csv"
     mm.write_pose(hide(arm(), slice(120, 140), 3), source)

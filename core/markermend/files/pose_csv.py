@@ -2,7 +2,8 @@
 
 The columns are ``frame`` (from 0), ``time`` in seconds, ``joint``, ``parent`` (empty for the root),
 ``x``, ``y``, ``z`` in mm, the rotation ``qx``, ``qy``, ``qz``, ``qw`` and ``confidence``. A joint
-that was not seen is at 0, 0, 0 with rotation 0, 0, 0, 1 and confidence 0.
+that was not seen is at 0, 0, 0 with rotation 0, 0, 0, 1 and confidence 0. What was read from such a
+table and not changed since is written to the last digit, what was computed to a micrometre.
 """
 
 from __future__ import annotations
@@ -10,6 +11,8 @@ from __future__ import annotations
 import csv
 import re
 from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from math import isfinite
 from pathlib import Path
 from typing import IO
 
@@ -46,6 +49,20 @@ _OTHER_NAMES = {
     "quatz": "qz",
     "quatw": "qw",
 }
+
+
+@dataclass(frozen=True)
+class Table:
+    """Numbers as a file has them.
+
+    Attributes
+    ----------
+    written : (frames, joints, 8) position, rotation and confidence; NaN where it has none
+    read : the same as the recording holds it, with rotations of length 1
+    """
+
+    written: FloatArray
+    read: FloatArray
 
 
 def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None = None) -> Pose:
@@ -86,7 +103,7 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
     confidence = values[..., 7] if "confidence" in at else np.ones(values.shape[:2])
     zero = (values[..., :3] == 0).all(axis=2) & (np.asarray(parents) >= 0)
     confidence = np.where(zero, 0.0, confidence)
-    return Pose(
+    pose = Pose(
         values[..., :3],
         values[..., 3:7],
         joints,
@@ -95,6 +112,7 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
         confidence,
         warnings=(*warnings, *guess),
     )
+    return replace(pose, source=Table(values, _numbers_of(pose)))
 
 
 def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> None:
@@ -109,40 +127,46 @@ def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> None:
     file.write((",".join(COLUMNS) + "\n").encode())
     names = [quoted(joint) for joint in pose.joints]
     above = [names[parent] if parent >= 0 else "" for parent in pose.parents]
-    places = np.nan_to_num(pose.positions)
-    turns = np.where(np.isnan(pose.rotations), (0.0, 0.0, 0.0, 1.0), pose.rotations)
+    values, table = _numbers_of(pose), pose.source
+    written = np.full(values.shape, np.nan)
+    if isinstance(table, Table) and table.read.shape == values.shape:
+        written = np.where(values == table.read, table.written, np.nan)
     for frame in range(pose.frames):
         if frame % _FRAMES_A_REPORT == 0:
             progress(frame / pose.frames, "Writing poses")
-        lines = rows_of(
-            frame,
-            frame / pose.rate,
-            names,
-            above,
-            places[frame],
-            turns[frame],
-            pose.confidence[frame],
-        )
+        lines = rows_of(frame, frame / pose.rate, names, above, values[frame])
+        for joint in np.flatnonzero(np.isfinite(written[frame]).any(axis=1)):
+            lines[joint] = _exactly(lines[joint], written[frame, joint])
         file.write("".join(lines).encode())
 
 
 def rows_of(
-    frame: int,
-    time: float,
-    names: list[str],
-    above: list[str],
-    places: FloatArray,
-    turns: FloatArray,
-    confidence: FloatArray,
+    frame: int, time: float, names: list[str], above: list[str], values: FloatArray
 ) -> list[str]:
-    """Lines of one pose."""
+    """Lines of one pose, of (joints, 8) numbers."""
     return [
         f"{frame},{time:.6f},{name},{parent},{x:.3f},{y:.3f},{z:.3f},"
         f"{a:.6f},{b:.6f},{c:.6f},{w:.6f},{sure:.3g}\n"
-        for name, parent, (x, y, z), (a, b, c, w), sure in zip(
-            names, above, places.tolist(), turns.tolist(), confidence.tolist(), strict=True
+        for name, parent, (x, y, z, a, b, c, w, sure) in zip(
+            names, above, values.tolist(), strict=True
         )
     ]
+
+
+def _exactly(line: str, written: FloatArray) -> str:
+    """Write out what a row has lost of the numbers as they were; NaN where there was none."""
+    front, *cells = line.rstrip("\n").rsplit(",", len(_NUMBERS))
+    for i, value in enumerate(written.tolist()):
+        if isfinite(value) and float(cells[i]) != value:
+            cells[i] = repr(value)
+    return ",".join((front, *cells)) + "\n"
+
+
+def _numbers_of(pose: Pose) -> FloatArray:
+    """(frames, joints, 8) what is written of a recording; nothing is NaN."""
+    places = np.nan_to_num(pose.positions)
+    turns = np.where(np.isnan(pose.rotations), (0.0, 0.0, 0.0, 1.0), pose.rotations)
+    return np.concatenate([places, turns, pose.confidence[..., None]], axis=2)
 
 
 def names_joints(head: bytes) -> bool:

@@ -68,11 +68,8 @@ def follow(
         time = number(first[at["time"]]) if "time" in at else count / rate
         names = [quoted(joint) for joint in joints]
         above = [names[parent] if parent >= 0 else "" for parent in parents]
-        write(
-            "".join(
-                rows_of(int(float(first[at["frame"]])), time, names, above, places, turns, sure)
-            )
-        )
+        values = np.column_stack([places, turns, sure])
+        write("".join(rows_of(int(float(first[at["frame"]])), time, names, above, values)))
         count += 1
     return count
 
