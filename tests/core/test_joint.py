@@ -452,3 +452,8 @@ def test_real_takes_raise_no_false_alarm(shared_data, name):
 
     # Nor does what is flagged reach beyond what is listed.
     assert not (damage_mask(take, sudden(take)).any(axis=2) & ~known).any()
+
+
+def test_what_scores_nothing_is_hardly_sure():
+    nothing = Sudden(0, 10, 12, Kind.STEP, 5.0, 0.0, 0.0)
+    assert confidences([nothing])[0] < 0.05

@@ -17,8 +17,9 @@ from markermend.repairs.result import MEAN_OVER_RMS
 
 # What is expected to be further off than this is left, unless a method is named.
 MOST_ERROR_MM = 50.0
-# A repair that leaves damage gives way to one that leaves none and errs up to this much more.
-HARDLY_FURTHER = 1.5
+# A repair that leaves damage gives way to one that leaves none and errs up to this much more: so
+# many times, and what no camera can tell on top.
+HARDLY_FURTHER, UNTOLD_MM = 1.5, 0.2
 # References that hold the frame in which a marker is looked for.
 HOLDING = 4
 
@@ -60,7 +61,7 @@ def _as_near(other: Repair, usual: Repair) -> bool:
     """Whether a proposal is expected to be hardly further off than another."""
     if other.error_mm is None or usual.error_mm is None:
         return False
-    return other.error_mm <= HARDLY_FURTHER * usual.error_mm
+    return other.error_mm <= HARDLY_FURTHER * usual.error_mm + UNTOLD_MM
 
 
 def _by_defaults(evidence: Evidence, artifact: Artifact, name: str) -> Repair:
