@@ -14,14 +14,11 @@ import markermend as mm
 from markermend.artifact import Kind, damage_mask
 from markermend.artifact_json import artifacts_of
 from markermend.detectors.joint import JointParams
-from markermend.detectors.joint.confidence import Curve, confidences, shipped_curves
 from markermend.detectors.joint.jumps import Jumps
 from markermend.detectors.joint.partners import find_partners
 from markermend.detectors.joint.shapes import fit_of, judge
 from markermend.detectors.joint.steps import pair_jumps
-from markermend.detectors.joint.sudden import Sudden
-from markermend.detectors.joint.training import RARER, fit_curve, train_sudden
-from markermend.errors import Cancelled, DataError, MethodError
+from markermend.errors import Cancelled, MethodError
 from markermend.simulation import Amounts, contaminate, damage, simulate_clean
 from markermend.take import Take
 
@@ -376,6 +373,15 @@ def test_a_clear_edge_finds_its_faint_partner():
     assert partners([]) == []
 
 
+def test_an_edge_that_clearly_comes_back_elsewhere_is_no_partner():
+    signal = 0.005 * np.random.default_rng(0).standard_normal((600, 2))
+    signal[520:565, 1] += 4.0
+    signal[565:, 1] += 1.15
+    one = Jumps(np.array([1]), np.array([520]), np.array([0]), np.array([4.0]), np.array([8.5]))
+    seen, nobody = np.ones(signal.shape, dtype=bool), np.zeros((1, 0), dtype=np.int64)
+    assert find_partners(one, [0], signal, signal, seen, nobody, 100.0, []) == []
+
+
 def test_an_edge_lost_in_a_kick_stands_out_beside_the_neighbours():
     rng = np.random.default_rng(1)
     frames = np.arange(600)
@@ -405,40 +411,6 @@ def test_a_small_step_that_an_end_of_the_take_cuts_off_is_found(performer, start
     ]
 
 
-def test_confidence_grows_with_score_and_falls_with_moving_neighbours():
-    def one(**changes):
-        values = {"size_mm": 3.0, "score": 8.0, "beside_mm": 0.1} | changes
-        return Sudden(0, 10, 12, Kind.PEAK, **values)
-
-    base, clearer, shared = confidences([one(), one(score=16.0), one(beside_mm=6.0)])
-    assert shared < base < clearer <= 1.0
-    assert set(shipped_curves()) == {Kind.PEAK, Kind.NOISE, Kind.STEP}
-
-
-def test_curves_agree_with_scikit_learn():
-    from sklearn.linear_model import LogisticRegression
-
-    rng = np.random.default_rng(0)
-    measured = rng.standard_normal((400, 4))
-    real = measured[:, 0] + 0.5 * rng.standard_normal(400) > 0
-    curve = fit_curve(measured, real)
-    model = LogisticRegression(C=10.0, max_iter=1000).fit(measured, real)
-    ours = curve.bias + measured @ np.array(curve.weights) + np.log(RARER)
-    assert np.allclose(ours, model.decision_function(measured))
-    with pytest.raises(DataError):
-        fit_curve(measured, np.ones(400, dtype=bool))
-
-
-def test_training_is_seeded():
-    # Damage that nobody tells of is what false flags are learned from.
-    take, _ = contaminate(
-        simulate_clean(duration_s=8.0, seed=7), share=0.2, amplitude_mm=4.0, seed=1
-    )
-    first = train_sudden([(take, ())], rounds=1, seed=2)
-    assert first == train_sudden([(take, ())], rounds=1, seed=2)
-    assert isinstance(first[Kind.PEAK], Curve)
-
-
 def test_a_raw_take_has_no_artifact_twice(shared_data):
     found = sudden(mm.read(shared_data / "gait" / "test_walking.c3d"))
     assert len({a.id for a in found}) == len(found) > 0
@@ -452,8 +424,3 @@ def test_real_takes_raise_no_false_alarm(shared_data, name):
 
     # Nor does what is flagged reach beyond what is listed.
     assert not (damage_mask(take, sudden(take)).any(axis=2) & ~known).any()
-
-
-def test_what_scores_nothing_is_hardly_sure():
-    nothing = Sudden(0, 10, 12, Kind.STEP, 5.0, 0.0, 0.0)
-    assert confidences([nothing])[0] < 0.05

@@ -192,7 +192,7 @@ def _hide(
     starts, lengths = edges[:-1], np.diff(edges)
     miss, expected = np.empty_like(weights), np.empty(len(weights))
     for length in np.unique(lengths):
-        # Blocks of one length are inverted together: one by one, calling took longer than counting.
+        # One inversion for all blocks of a length: of small matrices most of the time is the call.
         at = starts[lengths == length][:, None] + np.arange(length)
         corner = inverse[at[:, :, None], at[:, None, :]]
         covariance = np.linalg.inv(corner + np.tril(corner, -1).transpose(0, 2, 1))

@@ -17,8 +17,6 @@ from markermend.detectors.joint.sudden import Sudden
 FEATURES = ("score", "size", "beside", "one frame")
 # What cannot be told apart from nothing, in mm; keeps logarithms finite.
 _DUST_MM = 0.1
-# What scores nothing is as unsure as what hardly scores.
-_LEAST_SCORE = 0.01
 _SURE = 0.999
 
 
@@ -44,7 +42,7 @@ def features(found: Sequence[Sudden]) -> FloatArray:
     """
     rows = [
         (
-            math.log(max(s.score, _LEAST_SCORE)),
+            math.log(s.score),
             math.log(s.size_mm + _DUST_MM),
             math.log((s.beside_mm + _DUST_MM) / (s.size_mm + _DUST_MM)),
             float(s.stop - s.start == 1),

@@ -86,7 +86,7 @@ def find_partners(
             )
             agreed = np.sqrt(np.minimum(other, score) * score)
             agreed -= np.maximum(mismatch / error - 1.0, 0.0)
-            both = np.maximum(both, np.where(fits, agreed, -np.inf))
+            both = np.maximum(both, np.where(fits & (agreed > 0), agreed, -np.inf))
         best = int(np.argmax(both))
         start, stop = sorted((frame, int(at[best])))
         if not np.isfinite(both[best]) or any(
