@@ -16,7 +16,7 @@ from markermend.poses.filling import fill
 from markermend.poses.noise import Noise, corrupt_pose
 from markermend.poses.normal import bone_lengths
 from markermend.poses.nuitrack import to_nuitrack
-from markermend.poses.quaternion import between, turn
+from markermend.poses.quaternion import between, turn, unit
 from markermend.poses.restore import INFERRED, denoise, restore
 from markermend.poses.smoothing import noise_level, smooth, smooth_again
 
@@ -136,6 +136,23 @@ def test_clean_recordings_come_back():
     assert far(restored.pose, pose).max() < 0.2
     assert not restored.filled.any()
     assert (restored.pose.confidence == 1).all()
+
+
+def test_short_recordings_that_are_clean_come_back_and_noisy_ones_are_smoothed():
+    # From frame to frame this body is anywhere: only bones tell its movement from noise.
+    random = np.random.default_rng(4)
+    pose = arm(frames=40)
+    rotations = np.array(pose.rotations)
+    rotations[:, 1:] = unit(rotations[:, 1:] + random.normal(0.0, 0.05, (40, 4, 4)))
+    positions = np.array(pose.positions)
+    for joint, length in ((2, 250.0), (3, 200.0), (4, 150.0)):
+        bone = turn(rotations[:, joint - 1], np.broadcast_to([0.0, length, 0.0], (40, 3)))
+        positions[:, joint] = positions[:, joint - 1] + bone
+    lively = pose.with_samples(positions, rotations)
+    assert far(restore(lively).pose, lively).max() < 1e-6
+    positions[:, 1:] += random.normal(0.0, 10.0, (40, 4, 3))
+    noise = restore(pose.with_samples(positions, rotations)).noise_mm[1:]
+    assert ((noise > 5.0) & (noise < 20.0)).all()
 
 
 def test_hidden_joints_are_filled_and_known_ones_stay():

@@ -36,7 +36,7 @@ class Case:
     Attributes
     ----------
     name : as the table has it
-    kind : ``"both"``, ``"occlusions"`` or ``"displacements"``
+    kind : ``"both"``, ``"occlusions"`` or ``"displacements"``; ``"nothing"`` leaves it clean
     burst_s : seconds that an occlusion lasts; 0 for single frames
     limbs : whole arms and legs
     slow : at 30 Hz, every fourth pose of 120
@@ -52,7 +52,7 @@ class Case:
 
     def noise(self, rate: float) -> Noise:
         """The noise at a rate."""
-        base = NOISES[self.kind]
+        base = NOISES.get(self.kind, Noise(occlusion=0.0, displacement=0.0))
         burst = max(round(self.burst_s * rate), 1)
         return Noise(base.occlusion, base.displacement, burst, self.limbs)
 
@@ -63,6 +63,8 @@ CASES = (
     Case("whole limb, bursts of 1 s", "occlusions", 1.0, limbs=True),
     *(Case("bursts of 1 s, 30 Hz", kind, 1.0, slow=True) for kind in ("both", "occlusions")),
     *(Case("simulated sensor, bursts of 1 s", kind, 1.0, sensor=True) for kind in NOISES),
+    Case("clean, 120 Hz", "nothing"),
+    Case("clean, 30 Hz", "nothing", slow=True),
 )
 """What is tried."""
 

@@ -74,6 +74,36 @@ def find_bones(
     return Bones(parents, lengths, places)
 
 
+def wobble(positions: FloatArray, seen: BoolArray, parents: tuple[int, ...], root: int) -> float:
+    """Standard deviation of noise in positions, as lengths of bones that should not change show.
+
+    Parameters
+    ----------
+    positions : (frames, joints, 3)
+    seen : (frames, joints) bool
+    parents : index of each joint's parent, -1 for the root
+    root : index of the joint that all are relative to, and that has no noise
+
+    Returns
+    -------
+    float
+        infinite where no bone was seen in four frames in a row. Movement has no part in it, at any
+        rate; nor has noise of a sensor that fits bones of constant length.
+    """
+    found = []
+    for joint, parent in enumerate(parents):
+        if parent < 0:
+            continue
+        both = seen[:, joint] & seen[:, parent]
+        far = np.where(both, _length(positions[:, joint] - positions[:, parent]), np.nan)
+        third = np.abs(np.diff(far, 3))
+        if not np.isnan(third).all():
+            ends = 1.0 if parent == root else 2.0
+            # Of a normal distribution the median is at 0.6745; 20 is the sum of squared weights.
+            found.append(float(np.nanmedian(third)) / 0.6745 / np.sqrt(20.0 * ends))
+    return float(np.median(found)) if found else np.inf
+
+
 def keep_lengths(positions: FloatArray, seen: BoolArray, bones: Bones) -> FloatArray:
     """Give bones their length again by moving joints that were not seen.
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import DataError
-from markermend.poses.bones import Bones, find_bones, fuse, keep_lengths, swing
+from markermend.poses.bones import Bones, find_bones, fuse, keep_lengths, swing, wobble
 from markermend.poses.channels import Channels, to_channels, to_features
 from markermend.poses.covariance import Moments
 from markermend.poses.faults import Fault, mend_faults
@@ -117,7 +117,10 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     rough = fill(values, known, pose.rate, prior, passes=1).values
     whole = np.zeros(channels.values.shape)
     whole[:, usable] = rough
-    noise = noise_level(whole, channels.known)
+    known_joints = _known_joints(channels, pose)
+    shown = to_features(channels.values, channels)[..., :3]
+    shake = wobble(shown, known_joints[0], pose.parents, channels.normal.root)
+    noise = noise_level(whole, channels.known, shake)
     level = float(np.median(noise[usable]))
     if level < _WORTH:
         noise[:] = LEAST_NOISE
@@ -131,7 +134,6 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     variance = np.full(channels.values.shape, np.nan)
     variance[:, usable] = filled.variance + (_LEFT * noise[usable]) ** 2
     tell(0.7, "Keeping bones")
-    known_joints = _known_joints(channels, pose)
     features, bones = _agreed(whole, variance, channels, pose, known_joints, level)
     if level > _NOISY:
         tell(0.8, "Smoothing again")
