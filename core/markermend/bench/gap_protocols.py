@@ -1,4 +1,4 @@
-"""Where the gaps of the published experiments lie, and of two of our own."""
+"""Where the gaps of the published experiments lie, and of three of our own."""
 
 from __future__ import annotations
 
@@ -23,8 +23,10 @@ PROTOCOLS = (
     "tits2018-count",
     "single",
     "blackout",
+    "ends",
 )
-# Of our own, from short to long: one marker alone, and no marker at all.
+# Of our own, from short to long: one marker alone, also up to where the take begins or ends, and no
+# marker at all.
 ALONE_S = (0.1, 0.2, 0.5, 1.0, 2.0, 4.0)
 BLACKOUT_S = (0.1, 0.2, 0.5, 1.0, 2.0)
 METHODS_OF = {
@@ -54,6 +56,7 @@ class _Setting:
     together : markers that are missing in each
     fixed : whether all have the same length
     duration : frames of the take that are used, None for all
+    at_end : whether it lies where the take begins or ends, with one side only
     """
 
     label: str
@@ -62,6 +65,7 @@ class _Setting:
     together: int
     fixed: bool = True
     duration: int | None = None
+    at_end: bool = False
 
 
 def draw_cases(
@@ -72,7 +76,8 @@ def draw_cases(
     ``skurowski2021``: two gaps of Poisson length with means 10 to 200 frames; ``tits2018``: three
     markers at once for 0.5 to 5 s; ``tits2018-duration``: three at once for 1 s in fragments of 5
     to 40 s; ``tits2018-count``: 1 to 20 markers at once for 1 s. Of our own are ``single``, one
-    marker for 0.1 to 4 s, and ``blackout``, all markers for 0.1 to 2 s.
+    marker for 0.1 to 4 s, ``blackout``, all markers for 0.1 to 2 s, and ``ends``, one marker or
+    three from the first frame on or up to the last, for 0.1 to 4 s.
 
     Parameters
     ----------
@@ -114,6 +119,8 @@ def _draw(name: str, take: Take, setting: _Setting, seed: int) -> GapCase:
     """One simulation; DataError where there is no room for it."""
     from markermend.simulation.gap_placement import place_gaps
 
+    if setting.at_end:
+        return _draw_at_end(name, take, setting, seed)
     within = None
     if setting.duration is not None:
         spare = take.frames - setting.duration
@@ -135,6 +142,21 @@ def _draw(name: str, take: Take, setting: _Setting, seed: int) -> GapCase:
     return GapCase(name, setting.label, round(setting.length), hidden, {}, within)
 
 
+def _draw_at_end(name: str, take: Take, setting: _Setting, seed: int) -> GapCase:
+    """Markers that are not seen before some frame, or not from some frame on."""
+    length = round(setting.length)
+    rng = np.random.default_rng(seed)
+    first = int(rng.integers(2)) * (take.frames - length)
+    # One frame more on either side, so that something is known where the gap borders on the take.
+    around = take.present[max(0, first - 1) : first + length + 1]
+    whole = np.flatnonzero(around.all(axis=0))
+    if length >= take.frames or len(whole) < setting.together:
+        raise DataError(f"{name} has no room for {setting.together} gaps of {length} frames.")
+    picked = sorted(rng.choice(whole, size=setting.together, replace=False))
+    hidden = tuple((take.labels[c], first, first + length) for c in picked)
+    return GapCase(name, setting.label, length, hidden, {})
+
+
 def _settings(protocol: str, take: Take) -> list[_Setting]:
     """Every setting of a protocol."""
     rate = take.rate
@@ -152,5 +174,9 @@ def _settings(protocol: str, take: Take) -> list[_Setting]:
         return [_Setting("1 at once", s * rate, 1, 1) for s in ALONE_S]
     if protocol == "blackout":
         return [_Setting("all at once", s * rate, 1, take.markers) for s in BLACKOUT_S]
+    if protocol == "ends":
+        return [
+            _Setting(f"{n} at an end", s * rate, 1, n, at_end=True) for n in (1, 3) for s in ALONE_S
+        ]
     known = ", ".join(PROTOCOLS)
     raise DataError(f"There is no protocol “{protocol}”; choose one of {known}.")

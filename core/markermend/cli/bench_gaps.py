@@ -27,7 +27,7 @@ def add_gaps(p: argparse.ArgumentParser) -> None:
         metavar="NAME",
         nargs="+",
         default=["skurowski2021", "tits2018"],
-        help="skurowski2021, tits2018, tits2018-duration, tits2018-count, single, blackout "
+        help="skurowski2021, tits2018, tits2018-duration, tits2018-count, single, blackout, ends "
         "(default: the first two)",
     )
     p.add_argument("--list", metavar="FILE", help="replay the gaps of this JSON list instead")
