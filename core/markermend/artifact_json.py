@@ -6,10 +6,13 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+from markermend.arrays import FloatArray
 from markermend.artifact import Artifact, Kind, Status
 from markermend.errors import DataError
 from markermend.take import Take
 
+# Of a millimetre: no camera sees more.
+_DIGITS = 3
 _REQUIRED = ("marker", "axes", "start", "stop", "kind")
 
 
@@ -84,6 +87,16 @@ def from_dict(values: Mapping[str, Any]) -> Artifact:
         raise DataError(
             f"An artifact of {values['marker']} in the JSON cannot be read: {error}."
         ) from error
+
+
+def rounded(values_mm: FloatArray) -> list[float]:
+    """Lengths as plain numbers, to the micrometre.
+
+    Parameters
+    ----------
+    values_mm : (n,) mm, without NaN
+    """
+    return [round(float(v), _DIGITS) for v in values_mm]
 
 
 def document(

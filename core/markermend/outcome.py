@@ -8,7 +8,7 @@ from typing import Any
 
 from markermend.arrays import FloatArray
 from markermend.artifact import Artifact, Status
-from markermend.artifact_json import document, to_dict
+from markermend.artifact_json import document, rounded, to_dict
 from markermend.repairs import REPAIRS, Repair
 from markermend.repairs.look_again import in_words
 from markermend.take import Take
@@ -102,8 +102,8 @@ def cleaned_document(
     Returns
     -------
     dict of :func:`markermend.artifact_json.document`; each artifact has a ``repair`` with the
-    keys ``method, error_mm, reason, leaves``; the last lists what the detector found there after
-        the repair, as artifacts
+        keys ``method, error_mm, band_mm, reason, leaves``; the last lists what the detector found
+        there after the repair, as artifacts
     """
     known = tuple(done)
     described = document(take, (o.artifact for o in known), method, version, name=name)
@@ -112,6 +112,7 @@ def cleaned_document(
         item["repair"] = {
             "method": o.method,
             "error_mm": error,
+            "band_mm": None if o.band_mm is None else rounded(o.band_mm),
             "reason": o.reason,
             "leaves": [to_dict(a) for a in o.leaves],
         }

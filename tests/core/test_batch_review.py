@@ -43,6 +43,11 @@ def test_a_review_begins_where_the_batch_ended(cleaned: Path) -> None:
     repaired = session.with_status(Status.REPAIRED)
     assert repaired
     assert all(session.notes[a.id].method for a in repaired)
+    told = json.loads(item.found.read_text())["artifacts"]
+    bands = {a["id"]: a["repair"]["band_mm"] for a in told}
+    kept = {a.id: session.notes[a.id].band_mm for a in repaired}
+    assert any(kept.values())
+    assert kept == {i: None if bands[i] is None else tuple(bands[i]) for i in kept}
     session.undo()
     assert np.array_equal(session.positions, before, equal_nan=True)
 

@@ -219,7 +219,7 @@ def test_clean_repairs_only_what_it_names(
     before, after = mm.read(recording), mm.read(out)
     allowed = np.zeros(before.positions.shape, dtype=bool)
     for a in told["artifacts"]:
-        assert set(a["repair"]) == {"method", "error_mm", "reason", "leaves"}
+        assert set(a["repair"]) == {"method", "error_mm", "band_mm", "reason", "leaves"}
         if a["status"] == "repaired":
             columns = ["xyz".index(axis) for axis in a["axes"]]
             allowed[a["start"] : a["stop"], before.index(a["marker"]), columns] = True

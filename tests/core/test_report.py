@@ -253,6 +253,9 @@ def test_a_review_is_reported_with_notes_hand_work_and_pace(
     assert by_status["accepted"]["note"].startswith("the marker fell off")
     (mended,) = session.notes.values()
     assert by_status["repaired"]["repair"]["method"] == mended.method
+    assert mended.band_mm is not None
+    assert by_status["repaired"]["repair"]["band_mm"] == list(mended.band_mm)
+    assert len(mended.band_mm) == by_status["repaired"]["stop"] - by_status["repaired"]["start"]
     assert "the marker fell off &lt;/script&gt;" in text
     assert "Rejected as a false alarm." in text
     assert told["by_hand"][0] in text

@@ -7,13 +7,15 @@ anything else; what it left is open.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from markermend.artifact import Artifact, Status, axis_columns
-from markermend.artifact_json import artifacts_of
+from markermend.artifact_json import artifacts_of, from_dict
 from markermend.batch.run import REVIEW
 from markermend.batch.sources import find_takes
 from markermend.errors import DataError, FileFormatError
@@ -22,6 +24,9 @@ from markermend.patch import Patch
 from markermend.review.file import source_hash
 from markermend.review.session import Session
 from markermend.take import Take
+
+if TYPE_CHECKING:
+    from markermend.repairs import Repair
 
 
 @dataclass(frozen=True)
@@ -86,8 +91,6 @@ def take_over(session: Session, item: ToReview) -> bool:
     DataError
         when the source is no longer the take that was cleaned
     """
-    from markermend.repairs import Repair
-
     if item.found is None or item.cleaned is None:
         return False
     values = _json(item.found)
@@ -101,13 +104,25 @@ def take_over(session: Session, item: ToReview) -> bool:
     how = [listed.get("repair") or {} for listed in values["artifacts"]]
     session.add_detected((a.with_status(Status.PENDING) for a in found), str(values["method"]))
     repairs = [
-        (a.id, Repair(str(h["method"]), _patches(a, h["method"], clean), error_mm=h["error_mm"]))
-        for a, h in zip(found, how, strict=True)
-        if h.get("method")
+        (a.id, _repair(a, h, clean)) for a, h in zip(found, how, strict=True) if h.get("method")
     ]
     if repairs:
         session.repair(repairs, f"Repair {len(repairs)} artifacts (batch)")
     return True
+
+
+def _repair(artifact: Artifact, told: Mapping[str, Any], clean: Take) -> Repair:
+    """The repair of an artifact as the batch told it."""
+    from markermend.repairs import Repair
+
+    band, method = told.get("band_mm"), str(told["method"])
+    return Repair(
+        method,
+        _patches(artifact, method, clean),
+        error_mm=told["error_mm"],
+        band_mm=None if band is None else np.array(band),
+        leaves=tuple(from_dict(left) for left in told.get("leaves", ())),
+    )
 
 
 def _listed(path: Path) -> tuple[ToReview, ...]:

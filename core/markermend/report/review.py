@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from markermend.artifact import Artifact, Status
 from markermend.outcome import Outcome
 from markermend.report.sections import take_report
@@ -89,5 +91,7 @@ def _outcome(session: Session, artifact: Artifact) -> Outcome:
     if artifact.status is not Status.REPAIRED:
         return Outcome(artifact, None, None, _LEFT[artifact.status])
     note = session.notes.get(artifact.id)
-    method, error = (note.method, note.error_mm) if note is not None else ("by hand", None)
-    return Outcome(artifact, method, error, "")
+    if note is None:
+        return Outcome(artifact, "by hand", None, "")
+    band = None if note.band_mm is None else np.array(note.band_mm)
+    return Outcome(artifact, note.method, note.error_mm, note.leaves, band)

@@ -26,11 +26,13 @@ class RepairNote:
     method : name in the registry
     error_mm : expected mean error, or None when unknown
     leaves : what the detector still found there after the repair, in words; may be empty
+    band_mm : expected deviation per frame (one standard deviation), or None
     """
 
     method: str
     error_mm: float | None = None
     leaves: str = ""
+    band_mm: tuple[float, ...] | None = None
 
 
 class State:

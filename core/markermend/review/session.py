@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from markermend.arrays import ByteArray, FloatArray
 from markermend.artifact import Artifact, Kind, Status, in_order, repair_in_words
+from markermend.artifact_json import rounded
 from markermend.errors import DataError
 from markermend.review.edits import (
     Change,
@@ -361,7 +362,8 @@ def _repairing(artifact: Artifact, proposal: Repair) -> tuple[Edit, ...]:
     _check_within(artifact, proposal)
     from markermend.repairs.look_again import in_words
 
-    note = RepairNote(proposal.method, proposal.error_mm, in_words(proposal.leaves or ()))
+    band = None if proposal.band_mm is None else tuple(rounded(proposal.band_mm))
+    note = RepairNote(proposal.method, proposal.error_mm, in_words(proposal.leaves or ()), band)
     return (
         SetSamples(proposal.patches),
         SetNotes({artifact.id: note}),

@@ -64,10 +64,18 @@ def _edit_from_dict(entry: Mapping[str, Any]) -> Edit:
             {i: None if a is None else from_dict(a) for i, a in entry["artifacts"].items()}
         )
     return SetNotes(
-        {
-            i: None if n is None else RepairNote(n["method"], n["error_mm"], n.get("leaves", ""))
-            for i, n in entry["notes"].items()
-        }
+        {i: None if n is None else _note_from_dict(n) for i, n in entry["notes"].items()}
+    )
+
+
+def _note_from_dict(entry: Mapping[str, Any]) -> RepairNote:
+    """Read a note; those of older reviews have no band and may not tell what is left."""
+    band = entry.get("band_mm")
+    return RepairNote(
+        entry["method"],
+        entry["error_mm"],
+        entry.get("leaves", ""),
+        None if band is None else tuple(band),
     )
 
 
