@@ -78,6 +78,19 @@ def test_what_moves_with_others_is_filled_from_them():
     assert len(t) == len(filled.values)
 
 
+def test_single_frames_are_filled_from_what_moves_with_them():
+    random = np.random.default_rng(2)
+    # Nothing about time tells where this is next.
+    values = random.normal(size=(800, 3)) @ random.normal(size=(3, 10)) * 0.01
+    known = random.random(values.shape) > 0.1
+    filled = fill(np.where(known, values, np.pi), known, 120.0)
+    inner = ~known & (np.arange(800) > 2)[:, None] & (np.arange(800) < 797)[:, None]
+    error = (filled.values - values)[inner]
+    assert np.std(error) < 0.4 * np.std((bridged(values, known) - values)[inner])
+    assert 0.5 < np.sqrt(np.mean(error**2 / filled.variance[inner])) < 2.0
+    assert (filled.values[known] == values[known]).all()
+
+
 def test_noise_is_told_from_movement_and_taken_out():
     random = np.random.default_rng(1)
     t = np.arange(1200)[:, None] / 60
@@ -143,7 +156,7 @@ def test_short_recordings_that_are_clean_come_back_and_noisy_ones_are_smoothed()
     random = np.random.default_rng(4)
     pose = arm(frames=40)
     rotations = np.array(pose.rotations)
-    rotations[:, 1:] = unit(rotations[:, 1:] + random.normal(0.0, 0.05, (40, 4, 4)))
+    rotations[:, 1:] = unit(rotations[:, 1:] + random.normal(0.0, 0.003, (40, 4, 4)))
     positions = np.array(pose.positions)
     for joint, length in ((2, 250.0), (3, 200.0), (4, 150.0)):
         bone = turn(rotations[:, joint - 1], np.broadcast_to([0.0, length, 0.0], (40, 3)))
@@ -151,6 +164,7 @@ def test_short_recordings_that_are_clean_come_back_and_noisy_ones_are_smoothed()
     lively = pose.with_samples(positions, rotations)
     assert far(restore(lively).pose, lively).max() < 1e-6
     positions[:, 1:] += random.normal(0.0, 10.0, (40, 4, 3))
+    rotations[:, 1:] += random.normal(0.0, 0.04, (40, 4, 4))
     noise = restore(pose.with_samples(positions, rotations)).noise_mm[1:]
     assert ((noise > 5.0) & (noise < 20.0)).all()
 

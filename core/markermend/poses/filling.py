@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,13 +11,14 @@ from markermend.arrays import BoolArray, FloatArray, IntArray, runs
 from markermend.poses.bridging import SIDE, around, bridge, bridged, straight
 from markermend.poses.covariance import Moments, learn, pooled
 
-# Gaps up to this long are crossed by time alone: what others could add is below their own noise.
+# Gaps up to this long are many and alike, and are crossed all at once.
 _SHORT_S = 0.02
 _PASSES = 3
 # Share of the deviations' estimate beside the levels', in gaps shorter and longer than this.
 _BRIEF_S, _BRIEF, _LONG = 0.3, 0.85, 0.5
 # Added to variances before regressing: absolute, and of a channel hidden part of the time.
 _RIDGE, _LEVEL_RIDGE, _DOUBT = 1e-4, 1e-3, 0.1
+_SHORT_RIDGE = 1e-6
 _MOSTLY_HIDDEN = 0.999
 
 
@@ -49,7 +51,7 @@ def fill(
     rate: float,
     prior: Moments | None = None,
     *,
-    passes: int = _PASSES,
+    rough: bool = False,
 ) -> Filled:
     """Fill the gaps of all channels.
 
@@ -59,7 +61,7 @@ def fill(
     known : (frames, channels) bool, true somewhere in every channel
     rate : frames per second
     prior : moments of the same channels from other recordings
-    passes : one is enough to look for noise
+    rough : to look for noise: once, and short gaps by time alone
 
     Notes
     -----
@@ -69,12 +71,18 @@ def fill(
     hidden part of the time enter with what the pass before made of them.
     """
     base = bridged(values, known)
-    gaps = _gaps(known, max(round(_SHORT_S * rate), 1))
+    short = max(round(_SHORT_S * rate), 1)
     variance = _time_variance(base, known, rate)
+    gaps = _gaps(known)
+    if not rough:
+        brief = [gap for gap in gaps if gap.stop - gap.start <= short]
+        moments = pooled(learn(base, rate, range(1, short + 1)), prior)
+        _cross_short(base, variance, known, brief, moments, rate)
+    gaps = [gap for gap in gaps if gap.stop - gap.start > short]
     estimate = base
     lengths = [gap.stop - gap.start for gap in gaps]
     # In brief gaps a second pass changes nothing that shows.
-    passes = passes if max(lengths, default=0) >= _BRIEF_S * rate else 1
+    passes = 1 if rough or max(lengths, default=0) < _BRIEF_S * rate else _PASSES
     for last in (False,) * (passes - 1) + (True,) if gaps else ():
         moments = pooled(learn(estimate, rate, lengths), prior)
         better = estimate.copy()
@@ -87,14 +95,46 @@ def fill(
     return Filled(np.where(known, values, estimate), variance)
 
 
-def _gaps(known: BoolArray, short: int) -> list[_Gap]:
-    """Gaps longer than ``short``, channels with the same frames together."""
+def _gaps(known: BoolArray) -> list[_Gap]:
+    """All gaps, channels with the same frames together."""
     together: dict[tuple[int, int], list[int]] = {}
     for channel in range(known.shape[1]):
         for start, stop in runs(~known[:, channel]).tolist():
-            if stop - start > short:
-                together.setdefault((start, stop), []).append(channel)
+            together.setdefault((start, stop), []).append(channel)
     return [_Gap(*frames, np.array(columns)) for frames, columns in together.items()]
+
+
+def _cross_short(
+    base: FloatArray,
+    variance: FloatArray,
+    known: BoolArray,
+    gaps: Iterable[_Gap],
+    moments: Moments,
+    rate: float,
+) -> None:
+    """Let short gaps of ``base``, crossed by time, stray as the others tell.
+
+    One inverse serves all: with precisions P the unknown given the known is -P_uu⁻¹ P_uk k, of
+    covariance P_uu⁻¹, and few channels are unknown at a time.
+    """
+    frames = len(base)
+    for length in sorted({gap.stop - gap.start for gap in gaps}):
+        some = [g for g in gaps if g.stop - g.start == length]
+        some = [g for g in some if g.start >= SIDE and g.stop + SIDE <= frames]
+        covariance = moments.within_s(length / rate)
+        precision = np.linalg.inv(covariance + _SHORT_RIDGE * np.eye(len(covariance)))
+        starts = np.array([gap.start for gap in some], dtype=int)[:, None]
+        inside = starts + np.arange(length)
+        hidden: BoolArray = np.any(~known[inside], axis=1)
+        bridges = np.einsum("ls,gsc->glc", bridge(length), base[starts + around(0, length)])
+        told = np.where(hidden[:, None], 0.0, base[inside] - bridges) @ precision
+        for n, gap in enumerate(some):
+            unknown = np.flatnonzero(hidden[n])
+            own = np.searchsorted(unknown, gap.channels)
+            left = np.linalg.inv(precision[np.ix_(unknown, unknown)])
+            strays = told[n][:, unknown] @ left[:, own]
+            base[gap.start : gap.stop, gap.channels] = bridges[n][:, gap.channels] - strays
+            variance[gap.start : gap.stop, gap.channels] = np.diag(left)[own]
 
 
 def _fill_gap(

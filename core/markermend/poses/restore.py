@@ -26,6 +26,8 @@ INFERRED = 0.5
 
 # Noise below this, of a mean bone length, is left alone: about 0.2 mm in an adult.
 _WORTH = 1e-3
+# Movement at 30 Hz may pass for noise up to this, but does not change bones.
+_FAINT = 5e-3
 # Noise above this makes it worth to let positions and rotations agree.
 _NOISY = 2e-3
 # What is left of white noise after smoothing, about.
@@ -114,16 +116,16 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     if prior is not None and not usable.all():
         prior = prior.of(usable)
     tell(0.1, "Looking for noise")
-    rough = fill(values, known, pose.rate, prior, passes=1).values
+    rough = fill(values, known, pose.rate, prior, rough=True).values
     whole = np.zeros(channels.values.shape)
     whole[:, usable] = rough
     known_joints = _known_joints(channels, pose)
     shown = to_features(channels.values, channels)[..., :3]
     shake = wobble(shown, known_joints[0], pose.parents, channels.normal.root)
-    noise = noise_level(whole, channels.known, shake)
+    noise = noise_level(whole, channels.known)
     level = float(np.median(noise[usable]))
-    if level < _WORTH:
-        noise[:] = LEAST_NOISE
+    if level < _WORTH or (level < _FAINT and shake < _WORTH):
+        noise[:], level = LEAST_NOISE, 0.0
     else:
         tell(0.3, "Smoothing")
         values = smooth(rough, noise[usable], pose.rate)

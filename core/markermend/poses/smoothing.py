@@ -18,7 +18,7 @@ _ORDER = 3
 # Neighbouring third differences of white noise tell much the same.
 _REPEATS = 1.85
 _ENOUGH = 1.3
-# A hand's own turns pass for noise, but no joint is that much noisier than the others, or bones.
+# A hand's own turns pass for noise, but no joint is that much noisier than the others.
 _MOST = 1.5
 # Shorter recordings: blocks in which noise is looked for, how calm a block and a channel to take.
 _BLOCK, _CALM, _CALM_CHANNELS = 16, 0.1, 0.25
@@ -29,14 +29,13 @@ _WINDOW_S, _SHARP = 0.6, 0.1
 _PILOT_WINDOW_S, _PILOT_SHARP = 0.3, 0.2
 
 
-def noise_level(values: FloatArray, known: BoolArray, most: float = np.inf) -> FloatArray:
+def noise_level(values: FloatArray, known: BoolArray) -> FloatArray:
     """Standard deviation of the noise of each joint's position and of its rotation.
 
     Parameters
     ----------
     values : (frames, joints · 7) without NaN, gaps filled
     known : (frames, joints · 7) bool
-    most : noise that bones show, of a recording too short to tell noise from movement otherwise
 
     Returns
     -------
@@ -46,7 +45,7 @@ def noise_level(values: FloatArray, known: BoolArray, most: float = np.inf) -> F
     -----
     What third differences of a joint have in common with those of all others is movement, also at
     30 Hz; what is its own is noise. Where the recording is too short to tell, the calmest moments
-    of calm channels speak for all; at 30 Hz even those hold movement, which bones do not.
+    of calm channels speak for all.
     """
     frames, channels = values.shape
     third = np.diff(values, _ORDER, axis=0) / np.sqrt(comb(2 * _ORDER, _ORDER))
@@ -57,7 +56,7 @@ def noise_level(values: FloatArray, known: BoolArray, most: float = np.inf) -> F
         if np.isnan(power).all():
             return np.full(channels, LEAST_NOISE)
         level = np.sqrt(np.nanquantile(power, _CALM_CHANNELS))
-        return np.full(channels, max(min(float(level), _MOST * most), LEAST_NOISE))
+        return np.full(channels, max(float(level), LEAST_NOISE))
     scale = np.maximum(np.sqrt(np.mean(third**2, axis=0)), 1e-12)
     third = third / scale
     covariance = third.T @ third / len(third)
