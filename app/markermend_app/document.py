@@ -95,11 +95,9 @@ class Document(Looking):
         self._look_at_nothing(0 if file is None else file.session.original.frames)
         self.preview.reset()
         self._repair_when_ready = None
-        for signal in (self.opened, self.artifacts_changed, self.history_changed):
-            signal.emit()
-        for signal in (self.current_changed, self.selection_changed, self.proposal_changed):
-            signal.emit()
-        for signal in (self.shown_changed, self.beside_changed):
+        first = (self.opened, self.artifacts_changed, self.history_changed, self.current_changed)
+        then = (self.selection_changed, self.proposal_changed, self.shown_changed)
+        for signal in (*first, *then, self.beside_changed):
             signal.emit()
 
     def learn(self, mesh: Mesh) -> None:
@@ -315,9 +313,11 @@ class Document(Looking):
         change = extent(step.edit)
         artifact_id = about(self.session, self.queue, step, self._current)
         if artifact_id is not None:
-            self.select(artifact_id)
+            self.select(artifact_id, frame=False)
+            artifact = self.session.artifact(artifact_id)
+            self.reveal(artifact.markers, artifact.start, artifact.stop)
         elif change.markers:
-            self.look_at(change.markers[:1], change.start, change.stop)
+            self.reveal(change.markers[:1], change.start, change.stop)
 
     def _decide(self, ids: Sequence[str], status: Status) -> None:
         """Set a status; when the current artifact is among them, move on."""

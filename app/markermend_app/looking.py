@@ -27,6 +27,7 @@ class Looking(QObject):
     selection_changed() : the swept range changed
     frame_changed(int) : the cursor moved
     frame_requested(int, int) : bring these frames into view (start, stop)
+    reveal_requested(int, int) : bring these into view unless they can be seen already
     """
 
     shown_changed = Signal()
@@ -34,6 +35,7 @@ class Looking(QObject):
     selection_changed = Signal()
     frame_changed = Signal(int)
     frame_requested = Signal(int, int)
+    reveal_requested = Signal(int, int)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -61,6 +63,13 @@ class Looking(QObject):
         # With its frames in view, the cursor need not bring itself into view first.
         self.frame_requested.emit(start, stop)
         self.go_to((start + stop) // 2)
+
+    def reveal(self, markers: Iterable[str], start: int, stop: int) -> None:
+        """Look at frames of these markers; a view in which they are seen well already stays."""
+        self.show_too(markers)
+        self.reveal_requested.emit(start, stop)
+        if not start <= self.frame < stop:
+            self.go_to((start + stop) // 2)
 
     def show_beside(self, keys: Iterable[str]) -> None:
         """Show these channels that are no markers below the plots; for context only."""

@@ -163,7 +163,7 @@ def test_undo_and_redo_go_to_the_artifact_they_are_about(document, qtbot):
     document.select(noise.id)
     document.undo()
     assert (document.current.id, document.shown) == (peak.id, (peak.marker,))
-    with qtbot.waitSignal(document.frame_requested) as asked:
+    with qtbot.waitSignal(document.reveal_requested) as asked:
         document.undo()
     assert asked.args == [gap.start, gap.stop]
     assert document.current.id == gap.id

@@ -272,3 +272,42 @@ def test_references_are_chosen_by_clicks_in_the_3d_view(window, qtbot):
     qtbot.keyClick(window, Qt.Key.Key_F)
     assert not window.actions_by_name["choose_references"].isChecked()
     assert document.preview.references == ()
+
+
+def test_swapped_samples_lie_over_the_source_of_both_and_undo_keeps_the_view(window, mouse, qtbot):
+    panel = window.trajectories
+    mouse.drag(40, 59, keys=SHIFT)
+    qtbot.keyClick(window, Qt.Key.Key_W)
+    choose(window, qtbot, "lsho")
+    traces = [panel.rows[0].traces[name] for name in ("T10", "LSHO")]
+    sources = max(trace.item("original").zValue() for trace in traces)
+    for trace in traces:
+        assert np.isfinite(trace.item("edited").yData[1:-1]).all()
+        assert trace.item("edited").zValue() > sources
+        styles = {trace.item(p).opts["pen"].style() for p in ("measured", "filled", "edited")}
+        assert len(styles) == 3
+    panel.set_view(30, 75)
+    undo(window, qtbot)
+    assert mouse.time == pytest.approx((30, 75))
+    qtbot.keyClick(window, Qt.Key.Key_Y, CTRL)
+    assert mouse.time == pytest.approx((30, 75))
+    panel.set_view(90, 120)
+    undo(window, qtbot)
+    low, high = mouse.time
+    assert low < 40
+    assert high > 60
+
+
+def test_with_the_source_in_front_its_values_are_read_out(window, mouse, qtbot):
+    document, readout = window.document, window.trajectories.header.readout
+    mouse.drag(40, 59, keys=SHIFT)
+    qtbot.keyClick(window, Qt.Key.Key_W)
+    choose(window, qtbot, "lsho")
+    document.go_to(50)
+    assert "(edited)" in readout.toolTip()
+    qtbot.keyClick(window, Qt.Key.Key_B)
+    assert "(edited)" not in readout.toolTip()
+    value = document.session.original.positions[document.frame, 3, 0]
+    assert f"T10 {value:.1f}" in readout.toolTip()
+    row = window.trajectories.rows[0]
+    assert row.value_at("T10", document.frame) == value

@@ -160,10 +160,10 @@ def test_filled_samples_are_drawn_apart_in_every_row(panel, qtbot):
     for row in panel.rows:
         trace = row.traces["CLAV"]
         assert np.isnan(trace.item("measured").yData[60:90]).all()
-        x = trace.item("changed").xData[np.isfinite(trace.item("changed").yData)]
+        x = trace.item("filled").xData[np.isfinite(trace.item("filled").yData)]
         assert set(range(60, 90)) <= set(x.tolist())
         assert (
-            trace.item("changed").opts["pen"].style() != trace.item("measured").opts["pen"].style()
+            trace.item("filled").opts["pen"].style() != trace.item("measured").opts["pen"].style()
         )
 
 

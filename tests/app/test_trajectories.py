@@ -103,7 +103,7 @@ def test_double_click_repairs_and_undo_restores(bench, qtbot):
     )
     trace = bench.panel.rows[0].traces.get("CLAV")
     if trace is not None:
-        assert np.isfinite(trace.item("changed").yData).any()
+        assert np.isfinite(trace.item("filled").yData).any()
     bench.document.undo()
     np.testing.assert_array_equal(bench.document.session.positions, before)
 
@@ -253,8 +253,8 @@ def test_gaps_stay_holes_and_originals_lie_beneath(bench):
         [(gap.id, Repair("test", (Patch("CLAV", "xyz", 60, 90, values),)))], ""
     )
     assert np.isnan(trace.item("measured").yData[60:90]).all()
-    assert (trace.item("changed").xData[0], trace.item("changed").xData[-1]) == (59, 90)
-    assert set(trace.item("changed").yData[1:-1]) == {321.0}
+    assert (trace.item("filled").xData[0], trace.item("filled").xData[-1]) == (59, 90)
+    assert set(trace.item("filled").yData[1:-1]) == {321.0}
 
 
 def test_prediction_comes_on_demand(bench, qtbot):
@@ -424,4 +424,4 @@ def test_only_curves_with_something_to_show_are_made(bench):
     bench.document.show(names)
     row = bench.panel.rows[0]
     assert all("measured" in row.traces[n].made for n in names)
-    assert not any("changed" in row.traces[n].made for n in names if n != "CLAV")
+    assert not any({"filled", "edited"} & set(row.traces[n].made) for n in names if n != "CLAV")

@@ -104,6 +104,8 @@ class _Steps(QAbstractListModel):
         if about is None:
             return text
         start, last = about[0] + self._first_frame, about[1] - 1 + self._first_frame
+        if f"{start}–{last}" in text:
+            return text
         return f"{text}, {start}" if start == last else f"{text}, {start}–{last}"
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:

@@ -16,11 +16,17 @@ from markermend_app.panels.plots.stack import PlotStack
 
 
 class Crosshair(QObject):
-    """Follows the mouse over the plots; without it the cursor's frame is read out."""
+    """Follows the mouse over the plots; without it the cursor's frame is read out.
+
+    Attributes
+    ----------
+    before : whether the source's samples stand in front and are read, or the working ones
+    """
 
     def __init__(self, document: Document, canvas: PlotStack, header: PlotHeader) -> None:
         super().__init__(canvas)
         self._document, self._canvas, self._header = document, canvas, header
+        self.before = False
         canvas.scene().sigMouseMoved.connect(self.follow)
 
     def follow(self, at: QPointF) -> None:
@@ -50,7 +56,8 @@ class Crosshair(QObject):
         if session is None or not shown or not session.take.frames:
             self._header.clear()
         else:
-            self._header.read_out(read_out(session.take, shown, frame, row))
+            take = session.original if self.before else session.take
+            self._header.read_out(read_out(take, shown, frame, row))
 
     def _draw(self, under: PlotFrame | None, frame: int | None) -> None:
         """Draw the lines: the level goes through the foremost marker's sample."""

@@ -12,6 +12,8 @@ from markermend.arrays import FloatArray
 LEAST_MM = 8.0
 _MOST_SAMPLES = 40_000
 _LEAST_FRAMES = 6.0
+_BESIDE_S = 0.2
+_ROOMY = 4
 
 
 def value_range(
@@ -70,6 +72,20 @@ def time_range(start: float, stop: float, frames: int) -> tuple[float, float]:
     span = float(np.clip(stop - start, min(_LEAST_FRAMES, most - least), most - least))
     low = float(np.clip((start + stop - span) / 2, least, most - span))
     return low, low + span
+
+
+def surrounded(start: int, stop: int, rate: float) -> tuple[float, float]:
+    """An interval and as much around it as a peak needs to be seen, and a gap to be judged."""
+    length = stop - start
+    pad = max(length, min(8 * length, rate), _BESIDE_S * rate)
+    return start - pad, stop + pad
+
+
+def well_seen(start: int, stop: int, rate: float, view: tuple[float, float]) -> bool:
+    """Whether an interval is in view as a whole, and large enough in it to be judged."""
+    first, last = surrounded(start, stop, rate)
+    low, high = view
+    return low <= start and stop - 1 <= high and high - low <= _ROOMY * (last - first)
 
 
 def snapped(frame: float, edges: Sequence[int], reach: float) -> float:

@@ -67,6 +67,7 @@ class PlotRow(PlotFrame):
         self._pool: list[Trace] = []
         self.traces: dict[str, Trace] = {}
         self.values_of: dict[str, FloatArray] = {}
+        self._source_of: dict[str, FloatArray] = {}
         self._shown: dict[str, Shown] = {}
         self._before = False
         for item in (self.intervals, self.band):
@@ -89,6 +90,7 @@ class PlotRow(PlotFrame):
             trace.clear()
         self.traces = dict(zip(shown, self._pool, strict=False))
         values, self.values_of = self.values_of, {}
+        sources, self._source_of = self._source_of, {}
         before, self._shown = self._shown, {}
         same = {a for a, b in zip(before, shown, strict=False) if a == b}
         for name, marker in shown.items():
@@ -97,6 +99,7 @@ class PlotRow(PlotFrame):
                 self._shown[name] = marker
                 if name in values:
                     self.values_of[name] = values[name]
+                    self._source_of[name] = sources[name]
             else:
                 self.refresh(name, marker)
 
@@ -108,13 +111,16 @@ class PlotRow(PlotFrame):
         source = values if shown.before is shown.now else self.quantity.of(shown.before)
         if values is None or source is None:
             self.values_of.pop(name, None)
+            self._source_of.pop(name, None)
             trace.clear()
             return
-        self.values_of[name] = values
-        mended = (shown.origin == Origin.FILLED) | (shown.origin == Origin.EDITED)
+        self.values_of[name], self._source_of[name] = values, source
+        filled, edited = shown.origin == Origin.FILLED, shown.origin == Origin.EDITED
+        mended = filled | edited
         measured = np.where(mended, np.nan, values) if mended.any() else values
         trace.fill_whole("measured", measured)
-        trace.fill_pieces("changed", values, mended)
+        trace.fill_pieces("filled", values, filled)
+        trace.fill_pieces("edited", values, edited)
         trace.fill_pieces("lone", values, lone_samples(values), join=0)
         if source is values:
             trace.fill("original")
@@ -143,8 +149,11 @@ class PlotRow(PlotFrame):
             self.restyle()
 
     def value_at(self, name: str, frame: int) -> float | None:
-        """Value of a shown marker in a frame; NaN where missing, None where nothing is known."""
-        values = self.values_of.get(name)
+        """Value of a shown marker in a frame, of the version in front.
+
+        NaN where missing, None where nothing is known.
+        """
+        values = (self._source_of if self._before else self.values_of).get(name)
         return None if values is None or not len(values) else float(values[frame])
 
     # Artifacts and the proposal

@@ -12,9 +12,10 @@ from markermend.arrays import BoolArray, FloatArray
 from markermend_app.items.curve import curve, dots, pieces, wear
 from markermend_app.style import theme
 
-PARTS = ("original", "measured", "changed", "lone", "predicted")
+PARTS = ("original", "measured", "filled", "edited", "lone", "predicted")
 """From the back to the front: the source where the working samples differ, samples as recorded,
-those filled or edited, those without neighbours, and where the body says the marker is."""
+those filled, those edited, those without neighbours, and where the body says the marker is."""
+_MENDED = {"filled": Qt.PenStyle.DashLine, "edited": Qt.PenStyle.DashDotLine}
 _NONE: FloatArray = np.zeros(0)
 
 
@@ -89,24 +90,26 @@ class Trace:
         """An empty curve in its place and look."""
         color = theme.marker_color(self._index)
         item = dots(color) if part == "lone" else curve(color)
-        item.setZValue(10 - self._index * 0.1 + PARTS.index(part) * 0.01)
         self._plot.addItem(item)
         self._wear(part, item)
         return item
 
     def _wear(self, part: str, item: pg.PlotDataItem) -> None:
         look, color = theme.current(), theme.marker_color(self._index)
-        dotted, dashed = Qt.PenStyle.DotLine, Qt.PenStyle.DashLine
+        dotted = Qt.PenStyle.DotLine
+        # What steps back lies behind every marker: one's source is where a swap put the other.
+        back = part in _MENDED if self._before else part == "original"
+        item.setZValue(10 - back - self._index * 0.01 + PARTS.index(part) * 0.001)
         if part == "lone":
             item.setSymbolBrush(color)
         elif part == "predicted":
             wear(item, theme.blend(look.accent, color, 0.3), style=dotted)
-        elif part == "changed":
+        elif part in _MENDED:
             mended = theme.blend(color, look.accent, 0.55)
             wear(
                 item,
                 look.original if self._before else mended,
-                style=dotted if self._before else dashed,
+                style=dotted if self._before else _MENDED[part],
             )
         else:
             wear(item, look.original if part == "original" and not self._before else color)

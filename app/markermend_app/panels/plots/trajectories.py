@@ -24,15 +24,12 @@ from markermend_app.panels.plots.header import PlotHeader
 from markermend_app.panels.plots.partner import partner_of
 from markermend_app.panels.plots.prediction import Predictions
 from markermend_app.panels.plots.quantity import COORDINATES, QUANTITIES, can_show
-from markermend_app.panels.plots.range import time_range
+from markermend_app.panels.plots.range import surrounded, time_range, well_seen
 from markermend_app.panels.plots.row import PlotRow, Shown
 from markermend_app.panels.plots.rows_menu import fill_rows_menu
 from markermend_app.panels.plots.stack import PlotStack
 from markermend_app.panels.staying_menu import StayingMenu
 from markermend_app.style import theme
-
-FRAMED_S = 0.2
-"""What is shown at least on either side of an artifact that comes under review."""
 
 
 class TrajectoryPanel(QWidget):
@@ -97,6 +94,7 @@ class TrajectoryPanel(QWidget):
         document.selection_changed.connect(self._show_sweep)
         document.frame_changed.connect(self._show_frame)
         document.frame_requested.connect(self._frame)
+        document.reveal_requested.connect(self._reveal)
         theme.watcher.changed.connect(self._restyle)
         self._restyle()
         self._opened()
@@ -172,6 +170,8 @@ class TrajectoryPanel(QWidget):
         """Bring the source's samples forward, or the working ones."""
         for row in self.rows:
             row.set_before(before)
+        self.cross.before = before
+        self.cross.read_out(self.document.frame)
 
     # What the document says
 
@@ -343,11 +343,13 @@ class TrajectoryPanel(QWidget):
         take = self.take
         if take is None:
             return
-        # As much on either side as a peak of a few frames needs to be seen, and a gap to be judged.
-        length, rate = stop - start, take.rate
-        pad = max(length, min(8 * length, rate), FRAMED_S * rate)
         self.fit_when_proposed = True
-        self._show_afresh(start - pad, stop + pad)
+        self._show_afresh(*surrounded(start, stop, take.rate))
+
+    def _reveal(self, start: int, stop: int) -> None:
+        """Bring an interval into view unless it can be seen well where the plots are."""
+        if self.take is not None and not well_seen(start, stop, self.take.rate, self._view):
+            self._frame(start, stop)
 
     # What the mouse says
 
