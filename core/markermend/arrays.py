@@ -29,3 +29,19 @@ def runs(mask: NDArray[Any]) -> IntArray:
     padded[1:-1] = mask
     edges = np.flatnonzero(np.diff(padded))
     return edges.reshape(-1, 2).astype(np.int64)
+
+
+def median_of_seen(values: FloatArray) -> FloatArray:
+    """Median along the first axis of what is not NaN; NaN where there is nothing.
+
+    Several times faster than ``np.nanmedian``, which goes through the columns one by one.
+
+    Parameters
+    ----------
+    values : (n, ...), n at least 1
+    """
+    ordered = np.sort(values, axis=0)
+    count = len(values) - np.isnan(values).sum(axis=0)
+    low, high = np.maximum(count - 1, 0) // 2, np.minimum(count // 2, len(values) - 1)
+    middle = [np.take_along_axis(ordered, at[None], axis=0)[0] for at in (low, high)]
+    return np.asarray(0.5 * (middle[0] + middle[1]))

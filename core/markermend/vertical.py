@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -11,12 +12,18 @@ from markermend.files.axes import vertical_of
 from markermend.take import AXES, Take
 
 SAMPLED = 200
+# A guess takes milliseconds, and every repair of a take asks for it.
+_guessed: WeakKeyDictionary[Take, int] = WeakKeyDictionary()
 
 
 def up_axis(take: Take) -> int:
     """The axis that points up, as the file tells it, or guessed from the body where it does not."""
     told = vertical_of(take)
-    return AXES.index(told) if told else vertical_axis(take.positions)
+    if told:
+        return AXES.index(told)
+    if take not in _guessed:
+        _guessed[take] = vertical_axis(take.positions)
+    return _guessed[take]
 
 
 def vertical_axis(positions: FloatArray) -> int:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from markermend.arrays import BoolArray, FloatArray, IntArray
+from markermend.arrays import BoolArray, FloatArray, IntArray, median_of_seen
 from markermend.take import Take, is_unlabelled
 
 # Distances are compared on every 4th frame: they change slowly. In long takes so many are enough.
@@ -52,7 +52,7 @@ def rank_references(
     distance[~both] = np.nan
     often = both.sum(axis=0) >= 3
     columns, distance = columns[often], distance[:, often]
-    spread = np.nanmedian(np.abs(distance - np.nanmedian(distance, axis=0)), axis=0)
+    spread = median_of_seen(np.abs(distance - median_of_seen(distance)))
     order = np.argsort(spread, kind="stable")
     return np.asarray(columns[order], dtype=np.int64), spread[order]
 

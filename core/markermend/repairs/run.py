@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import cache
 from typing import Any
 
 import numpy as np
-from threadpoolctl import threadpool_limits
+from threadpoolctl import ThreadpoolController
 
 from markermend.arrays import runs
 from markermend.artifact import Artifact, Kind, Status, damage_mask, in_order
@@ -142,7 +143,7 @@ def propose_from(
     skeleton = evidence.take.skeleton
     if skeleton and method == AUTO:
         method = "skeleton"
-    with threadpool_limits(1):
+    with _threads().limit(limits=1):
         if method != AUTO:
             found = find_method(method)
             done = found.run(evidence, artifact, read_params(found, params))
@@ -320,6 +321,14 @@ def _run(
             take = patched(take, done.patches)
     report(1.0, "Repaired")
     return take, pairs
+
+
+@cache
+def _threads() -> ThreadpoolController:
+    """The numerical libraries, looked for once: it takes as long as a short repair."""
+    import scipy.linalg  # noqa: F401, which brings one of its own
+
+    return ThreadpoolController()
 
 
 def _stage(take: Take, artifact: Artifact) -> int:

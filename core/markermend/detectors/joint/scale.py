@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
-from markermend.arrays import BoolArray, FloatArray
+from markermend.arrays import BoolArray, FloatArray, median_of_seen
 from markermend.detectors.baselines import MAD_OF_NORMAL
 
 # Long enough that half a second of damage in it does not count (81 frames blind a detector to
@@ -33,11 +33,11 @@ def jitter(change: FloatArray, valid: BoolArray, rate: float) -> FloatArray:
     count = max(1, round(frames / (BLOCK_S * rate)))
     edges = np.linspace(0, frames, count + 1).astype(int)
     size = np.where(valid, np.abs(change), np.nan) if not valid.all() else np.abs(change)
-    blocks = np.stack([_median(size[a:b]) for a, b in pairwise(edges)])
+    blocks = np.stack([median_of_seen(size[a:b]) for a, b in pairwise(edges)])
     half = min(BLOCKS // 2, (count - 1) // 2)
     around = np.pad(blocks, ((half, half), (0, 0)), mode="reflect") if half else blocks
-    level = _median(np.moveaxis(sliding_window_view(around, 2 * half + 1, axis=0), -1, 0))
-    whole = _median(blocks)
+    level = median_of_seen(np.moveaxis(sliding_window_view(around, 2 * half + 1, axis=0), -1, 0))
+    whole = median_of_seen(blocks)
     level = np.where(np.isnan(level), np.nan_to_num(whole), level) / MAD_OF_NORMAL
     centre = 0.5 * (edges[:-1] + edges[1:])
     left = np.clip(np.searchsorted(centre, np.arange(frames)) - 1, 0, max(count - 2, 0))
@@ -45,11 +45,3 @@ def jitter(change: FloatArray, valid: BoolArray, rate: float) -> FloatArray:
         return np.repeat(level, frames, axis=0)
     share = np.clip((np.arange(frames) - centre[left]) / (centre[left + 1] - centre[left]), 0, 1)
     return np.asarray(level[left] * (1 - share)[:, None] + level[left + 1] * share[:, None])
-
-
-def _median(values: FloatArray) -> FloatArray:
-    """Median along the first axis; NaN where there is nothing."""
-    if not np.isnan(values).any():
-        return np.asarray(np.median(values, axis=0))
-    nothing = np.isnan(values).all(axis=0)
-    return np.asarray(np.where(nothing, np.nan, np.nanmedian(np.where(nothing, 0, values), axis=0)))

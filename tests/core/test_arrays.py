@@ -1,0 +1,30 @@
+"""Operations on arrays that several rooms share."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from markermend.arrays import median_of_seen
+from markermend.take import Take
+from markermend.vertical import up_axis
+
+
+@pytest.mark.parametrize("rows", [1, 2, 7, 10])
+def test_median_of_what_is_seen(rows: int) -> None:
+    rng = np.random.default_rng(rows)
+    values = rng.normal(size=(rows, 5, 3))
+    values[rng.random(values.shape) < 0.3] = np.nan
+    values[0] = 1.0  # something is seen everywhere, but in one column
+    np.testing.assert_array_equal(median_of_seen(values), np.nanmedian(values, axis=0))
+    values[:, 2, 1] = np.nan
+    assert np.isnan(median_of_seen(values)[2, 1])
+    assert np.isnan(median_of_seen(values)).sum() == 1
+
+
+def test_what_points_up_is_guessed_for_every_take_by_itself() -> None:
+    rng = np.random.default_rng(0)
+    tall = rng.normal(size=(50, 6, 3)) + np.linspace(0.0, 1800.0, 6)[:, None] * [0.0, 0.0, 1.0]
+    standing = Take(tall, tuple("abcdef"), 100.0)
+    other = Take(tall[:, :, [0, 2, 1]], tuple("abcdef"), 100.0)
+    assert [up_axis(take) for take in (standing, other, standing, other)] == [2, 1, 2, 1]
