@@ -160,6 +160,17 @@ def test_a_step_cut_off_by_a_gap_is_found(performer):
     assert "beside a gap" in a.why
 
 
+@pytest.mark.parametrize(("size", "found"), [(18.0, 0), (40.0, 1)])
+def test_a_gap_long_after_a_jump_explains_it_only_when_a_marker_is_clearly_off(
+    size, found, performer
+):
+    positions = performer.positions.copy()
+    positions[500:600, 4] += [0.0, size, 0.0]
+    positions[600:620, 4] = np.nan
+    flags = sudden(Take(positions, performer.labels, performer.rate))
+    assert [(a.start, a.stop) for a in flags] == [(500, 600)] * found
+
+
 def test_a_marker_that_falls_off_before_the_end_is_found(performer):
     end = performer.frames
     (a,) = sudden(hurt(performer, "LTOE", 2, end - 60, np.full(60, -30.0)))
@@ -348,6 +359,10 @@ def test_pairs_are_opposite_and_never_overlap():
     assert pair_jumps(jump([10, 40], [5, -15]), 100.0) == []
     assert pair_jumps(jump([10, 900], [5, -5]), 100.0) == []
     assert [p[:2] for p in pair_jumps(jump([10, 900], [50, -20]), 100.0)] == [(0, 1)]
+    # After a second strangers meet by chance: what comes back must be as large as what went.
+    assert [p[:2] for p in pair_jumps(jump([10, 130], [5, -4.8]), 100.0)] == [(0, 1)]
+    assert pair_jumps(jump([10, 130], [5, -3.6]), 100.0) == []
+    assert [p[:2] for p in pair_jumps(jump([10, 60], [5, -3.6]), 100.0)] == [(0, 1)]
     both = pair_jumps(jump([10, 30, 50, 70], [5, 8, -8, -5]), 100.0)
     assert [p[:2] for p in both] == [(1, 2)]
 
@@ -371,6 +386,18 @@ def test_a_clear_edge_finds_its_faint_partner():
     assert partners([(1, 530, 600)]) == []
     signal[565:, 1] += 4.0
     assert partners([]) == []
+
+
+def test_an_edge_bent_by_a_kick_finds_its_partner_in_a_narrower_window():
+    rng = np.random.default_rng(3)
+    frames = np.arange(600)
+    signal = 0.03 * rng.standard_normal((600, 1))
+    signal[:, 0] += 60.0 * np.exp(-(((frames - 571) / 3.0) ** 2))
+    signal[520:565, 0] += 4.0
+    one = Jumps(np.array([0]), np.array([520]), np.array([0]), np.array([4.0]), np.array([30.0]))
+    seen, nobody = np.ones(signal.shape, dtype=bool), np.zeros((1, 0), dtype=np.int64)
+    ((_, frame, _),) = find_partners(one, [0], signal, signal, seen, nobody, 100.0, [])
+    assert frame == 565
 
 
 def test_an_edge_that_clearly_comes_back_elsewhere_is_no_partner():

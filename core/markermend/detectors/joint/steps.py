@@ -11,6 +11,8 @@ from markermend.detectors.joint.jumps import Jumps
 LONGEST_S = 2.0
 # What comes back differs by noise, and by the way the marker turns meanwhile.
 LARGEST_MISMATCH = 0.35
+LONG_S, LONG_MISMATCH = 0.8, 0.15
+"""From here on strangers meet by chance, and what comes back must be as large as what went."""
 LONE_MISMATCH = 0.1
 STRONG_SCORE, STRONG_MM = 15.0, 10.0
 """Jumps that can be nothing else, as those of a swap: they may return far off, and late."""
@@ -45,12 +47,15 @@ def pair_jumps(
         for j in alone[n + 1 :]:
             if jumps.channel[j] != jumps.channel[i] or jumps.frame[j] - jumps.frame[i] > longest:
                 break
-            if (i in lone or j in lone) and not _as_large(jumps, i, j):
+            if (i in lone or j in lone) and not _as_large(jumps, i, j, LONE_MISMATCH):
                 continue
             score = _pair_score(jumps, i, j)
             if jumps.frame[j] - jumps.frame[i] > SHORT_S * rate:
                 score /= 1 + _rivals(jumps, i, j)
-            near = jumps.frame[j] - jumps.frame[i] <= usual
+            apart = jumps.frame[j] - jumps.frame[i]
+            near = apart <= usual and (
+                apart <= LONG_S * rate or _as_large(jumps, i, j, LONG_MISMATCH)
+            )
             if score > 0 and (near or _strong(jumps, i, j)):
                 pairs.append((-score, int(jumps.frame[j] - jumps.frame[i]), i, j))
     used: set[int] = set()
@@ -88,10 +93,10 @@ def _pair_score(jumps: Jumps, i: int, j: int) -> float:
     return float(both - max(0.0, abs(a + b) / error - 2.0))
 
 
-def _as_large(jumps: Jumps, i: int, j: int) -> bool:
-    """Whether two jumps add up to next to nothing."""
+def _as_large(jumps: Jumps, i: int, j: int, mismatch: float) -> bool:
+    """Whether two jumps add up to no more than this share of the larger."""
     a, b = float(jumps.size[i]), float(jumps.size[j])
-    return bool(abs(a + b) <= LONE_MISMATCH * max(abs(a), abs(b)) + 0.3)
+    return bool(abs(a + b) <= mismatch * max(abs(a), abs(b)) + 0.3)
 
 
 def _strong(jumps: Jumps, i: int, j: int) -> bool:

@@ -22,6 +22,12 @@ LEAST_SCORE = 4.5
 """Standard errors from which a shape is written down; confidence decides what is flagged."""
 CUT_OFF_SCORE, CUT_OFF_MM = 10.0, 5.0
 """What a lone jump must be to count as a step whose other edge is hidden by a gap or an end."""
+DOUBTFUL_SCORE = 6.0
+"""A pair below leaves its jumps to partners that are clearer."""
+CLEAR_NOISE = 1.5
+"""Noise below, times the least that counts, hides no edge of a step."""
+LONG_CUT_OFF_S, LONG_CUT_OFF_MM = 0.35, 20.0
+"""A gap so far from the jump rather has nothing to do with it, unless a marker's breadth is off."""
 AT_END_MM, AT_END_S = 1.0, 1.0
 """So near an end of the take smaller ones count: no gap has left a trajectory a little off."""
 MOSTLY = 0.5
@@ -111,11 +117,14 @@ def find_sudden(
     lone = _lone(jumps, seen)
     slides = _unmatched(slides, pair_jumps(jumps, rate, (), lone), jumps)
     pairs = pair_jumps(jumps, rate, {s.jump for s in slides}, lone)
+    doubtful = [p for p in pairs if p[2] < DOUBTFUL_SCORE]
+    pairs = [p for p in pairs if p[2] >= DOUBTFUL_SCORE]
     paired = {i for first, last, _ in pairs for i in (first, last)} | {s.jump for s in slides}
     alone = [int(i) for i in np.flatnonzero(jumps.length == 0) if int(i) not in paired]
     calm = seen.copy()
     for n in noise:
-        calm[n.start : n.stop, n.channel] = False
+        if n.ratio >= CLEAR_NOISE:
+            calm[n.start : n.stop, n.channel] = False
     steps = [(int(jumps.channel[i]), int(jumps.frame[i]), int(jumps.frame[j])) for i, j, _ in pairs]
     partners = find_partners(jumps, alone, signal, rest, calm, neighbours, rate, steps)
     found = [
@@ -123,6 +132,8 @@ def find_sudden(
     ]
     found += _blocks(jumps, beside, partners, peak_frames, reach_at(rate))
     found += [_sliding(jumps, slide, float(beside[slide.jump])) for slide in slides]
+    matched = {i for i, _, _ in partners}
+    pairs += [p for p in doubtful if not matched & set(p[:2])]
     for first, last, clear in pairs:
         size = 0.5 * (abs(float(jumps.size[first])) + abs(float(jumps.size[last])))
         start, stop = int(jumps.frame[first]), int(jumps.frame[last])
@@ -133,7 +144,7 @@ def find_sudden(
         start, stop = sorted((int(jumps.frame[i]), frame))
         size, moved = abs(float(jumps.size[i])), float(beside[i])
         found.append(Sudden(int(jumps.channel[i]), start, stop, Kind.STEP, size, clear, moved))
-    paired |= {i for i, _, _ in partners}
+    paired |= {i for i, _, _ in partners} | {i for p in doubtful for i in p[:2]}
     found += _cut_off(jumps, paired, beside, signal, seen, neighbours, rate, peak_frames)
     return sorted(_once(found), key=lambda s: (s.channel, s.start, s.stop))
 
@@ -217,6 +228,8 @@ def _cut_off(
         # Small ones must be of one level: what jumps within may be motion as well.
         own = short and beside[i] <= OWN * size and not between.any()
         if size < CUT_OFF_MM and not own:
+            continue
+        if not at_end and stop - start > LONG_CUT_OFF_S * rate and size < LONG_CUT_OFF_MM:
             continue
         if long:
             shared = beside[i] > SHARED * size
