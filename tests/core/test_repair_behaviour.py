@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from markermend.artifact import Artifact
+from markermend.bench.gaps import BAND_90
 from markermend.patch import patched
 from markermend.repairs import Repair, find_gaps, repair_all
 from markermend.repairs.body_frame import rank_references
@@ -150,3 +151,17 @@ def test_a_whole_arm_is_no_surer_than_what_it_follows(walk: Take) -> None:
         )
         assert repair.error_mm is not None
         assert repair.error_mm > 0.3 * apart.mean()
+
+
+def test_the_band_holds_where_the_take_begins_or_ends(walk: Take) -> None:
+    inside = []
+    for marker in walk.labels[::3]:
+        for start in (0, FRAMES - 100):
+            take, ((_, repair),) = filled(walk, [(marker, start, start + 100)])
+            rows, column = slice(start, start + 100), walk.index(marker)
+            apart = np.linalg.norm(
+                take.positions[rows, column] - walk.positions[rows, column], axis=1
+            )
+            assert repair.band_mm is not None
+            inside.append(np.mean(apart <= BAND_90 * repair.band_mm))
+    assert 0.8 < np.mean(inside) < 0.97
