@@ -28,6 +28,7 @@ from markermend_app.attention import Attention
 from markermend_app.background.batch_review import BatchReview
 from markermend_app.background.jobs import Lane
 from markermend_app.document import Document
+from markermend_app.panel_walk import PanelWalk
 from markermend_app.panels.history import HistoryPanel
 from markermend_app.panels.inspector.candidates import Candidates
 from markermend_app.panels.inspector.inspector import Inspector
@@ -82,6 +83,7 @@ class MainWindow(QMainWindow):
         self.setAcceptDrops(True)
         self.setDockNestingEnabled(True)
         self._make_panels()
+        self.walk = PanelWalk(self)
         self.references = References(self.document, self)
         self.scene.pick, self.scene.do = self.references.toggle, self._run
         self.comparison = Comparison(self.document, self)
@@ -121,6 +123,7 @@ class MainWindow(QMainWindow):
         self.history = HistoryPanel(document)
         self.scene = Scene(document)
         self.transport = Transport(document)
+        self.takes = TakeList(self.batch)
         self.welcome = Welcome(document)
         self.status = StatusLine(document, self.lane)
         self.setStatusBar(self.status)
@@ -154,7 +157,7 @@ class MainWindow(QMainWindow):
         self.docks = {
             "markers": self._dock("markers", self.tr("Markers"), self.tree, left),
             "history": self._dock("history", self.tr("History"), self.history, left),
-            "takes": self._dock("takes", self.tr("Takes"), TakeList(self.batch), left),
+            "takes": self._dock("takes", self.tr("Takes"), self.takes, left),
             "scene": self._dock("scene", self.tr("3D view"), view, right),
             "inspector": self._dock("inspector", self.tr("Details"), self.inspector, right),
             "queue": self._dock("queue", self.tr("Review queue"), self.queue, bottom),
@@ -228,6 +231,7 @@ class MainWindow(QMainWindow):
         self.trajectories.verb_requested.connect(self._run)
         self.tree.verb_requested.connect(self._run)
         self.inspector.mark_requested.connect(self.hand.mark_selection)
+        self.inspector.artifact.note.left.connect(self.walk.home)
         self.inspector.verb_requested.connect(self._run)
         self.trajectories.view_changed.connect(self.overview.set_view)
         self.trajectories.view_changed.connect(self.transport.set_view)
@@ -305,7 +309,7 @@ class MainWindow(QMainWindow):
     def _take_opened(self) -> None:
         self.centre.setCurrentIndex(0 if self.document.session is None else 1)
         # The review keys work at once, rather than land in a filter.
-        self.setFocus()
+        self.walk.home()
         self._retitle()
 
     def _retitle(self) -> None:

@@ -55,6 +55,8 @@ def view_verbs(window: MainWindow) -> dict[str, Callable[[], object]]:
         "prediction": lambda: plots.set_prediction_shown(checked("prediction")),
         "overview_mode": window.overview.mode.choose_next,
         "plots": plots.open_menu,
+        "next_panel": window.walk.next,
+        "previous_panel": window.walk.previous,
         **{f"theme_{name}": partial(_set_theme, name) for name in THEMES},
         "detect_on_open": lambda: settings.remember("detect_on_open", checked("detect_on_open")),
         "reset_layout": window.reset_layout,
@@ -88,13 +90,15 @@ def _write_note(window: MainWindow) -> None:
 
 
 def _let_go(window: MainWindow) -> None:
-    """Leave what was begun with the mouse, what lies on top first."""
+    """Leave what was begun, what lies on top first, and at last the panel for the plots."""
     if window.references.choosing:
         window.references.choose(False)
     elif window.scene.buttons.tool:
         window.scene.drop_tool()
-    else:
+    elif window.document.selection is not None:
         window.document.sweep(None)
+    else:
+        window.walk.home()
 
 
 def _open_palette(window: MainWindow) -> None:

@@ -416,8 +416,8 @@
         <translation>Auswahl aufheben</translation>
     </message>
     <message>
-        <source>Forget the swept range, or leave choosing and selecting in the 3D view</source>
-        <translation>Den markierten Bereich vergessen oder das Wählen in der 3D-Ansicht verlassen</translation>
+        <source>Forget the swept range, or leave choosing and selecting in the 3D view; else go back to the plots</source>
+        <translation>Den überstrichenen Bereich vergessen oder das Auswählen in der 3D-Ansicht beenden; sonst zurück zu den Kurven</translation>
     </message>
     <message>
         <source>Find a command, marker or artifact…</source>
@@ -802,6 +802,22 @@
     <message>
         <source>Choose what the plots show</source>
         <translation>Wählen, was die Kurven zeigen</translation>
+    </message>
+    <message>
+        <source>Next panel</source>
+        <translation>Nächster Bereich</translation>
+    </message>
+    <message>
+        <source>Give the keyboard to the next panel; Esc gives it back to the plots</source>
+        <translation>Die Tastatur dem nächsten Bereich geben; Esc gibt sie den Kurven zurück</translation>
+    </message>
+    <message>
+        <source>Previous panel</source>
+        <translation>Vorheriger Bereich</translation>
+    </message>
+    <message>
+        <source>Give the keyboard to the previous panel</source>
+        <translation>Die Tastatur dem vorherigen Bereich geben</translation>
     </message>
     <message>
         <source>Light theme</source>

@@ -58,8 +58,14 @@ class Inspector(QWidget):
     @property
     def page(self) -> QWidget | None:
         """The page that is seen, or None when nothing is open."""
+        holder = self.place
+        return None if holder is None else holder.widget()
+
+    @property
+    def place(self) -> QScrollArea | None:
+        """What takes the keys: the page that is seen, to be scrolled, or None."""
         holder = self._pages.currentWidget()
-        return holder.widget() if isinstance(holder, QScrollArea) else None
+        return holder if isinstance(holder, QScrollArea) else None
 
     @property
     def shows_range(self) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QLineEdit, QWidget
 
@@ -11,7 +11,14 @@ from markermend_app.panels.own_escape import wants_escape
 
 
 class NoteLine(QLineEdit):
-    """Return keeps the note, Escape what was there; both give the keys back to the review."""
+    """Return keeps the note, Escape what was there; both give the keys back to the review.
+
+    Signals
+    -------
+    left() : the keys are to go back
+    """
+
+    left = Signal()
 
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -35,7 +42,7 @@ class NoteLine(QLineEdit):
             self._refresh(anew=True)
         if key in (Qt.Key.Key_Escape, Qt.Key.Key_Return, Qt.Key.Key_Enter):
             # Editing is finished by losing the focus.
-            self.window().setFocus(Qt.FocusReason.OtherFocusReason)
+            self.left.emit()
         else:
             super().keyPressEvent(event)
 

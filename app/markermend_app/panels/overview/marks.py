@@ -80,3 +80,15 @@ def round_step(seconds: float) -> float:
     """The next larger of 1, 2, 5 times a power of ten."""
     power = 10.0 ** np.floor(np.log10(max(seconds, 1e-6)))
     return float(next(m * power for m in (1, 2, 5, 10) if m * power >= seconds * 0.999))
+
+
+def paint_words(painter: QPainter, area: QRectF, text: str) -> None:
+    """Write a line over the middle of the picture."""
+    look = theme.current()
+    box = QRectF(0, 0, painter.fontMetrics().horizontalAdvance(text) + 20, 22)
+    box.moveCenter(area.center())
+    painter.setPen(look.border)
+    painter.setBrush(theme.faded(look.raised, 0.9))
+    painter.drawRoundedRect(box, 4, 4)
+    painter.setPen(look.text)
+    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)

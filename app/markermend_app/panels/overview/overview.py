@@ -8,6 +8,7 @@ from PySide6.QtGui import (
     QFont,
     QHelpEvent,
     QImage,
+    QKeyEvent,
     QMouseEvent,
     QPainter,
     QPaintEvent,
@@ -24,8 +25,10 @@ from markermend.review.edits import Change
 from markermend.take import Take
 from markermend_app import units
 from markermend_app.document import Document
+from markermend_app.items.focus import paint_focus
 from markermend_app.panels.inspector.artifact_text import describe
-from markermend_app.panels.overview.marks import paint_groups, paint_scale, paint_time
+from markermend_app.panels.overview import marks
+from markermend_app.panels.overview.keys import row_by_key, span_by_key
 from markermend_app.panels.overview.missing import Missing
 from markermend_app.panels.overview.mode import ModeButton
 from markermend_app.panels.overview.picture import (
@@ -52,6 +55,7 @@ class Overview(QWidget):
     """A strip of markers over time; click to go there, drag to scrub.
 
     The wheel zooms time at the mouse, middle or right drag pans, a double click shows everything.
+    With the keyboard here, ↑ and ↓ go from marker to marker, + and − zoom.
     """
 
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
@@ -70,6 +74,7 @@ class Overview(QWidget):
         self._place = np.zeros((0, 3), dtype=np.int64)
         self.setAccessibleName(self.tr("Overview of the whole take"))
         self.setMinimumHeight(72)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.mode = ModeButton(self)
         self.mode.chosen.connect(self._repaint)
         document.opened.connect(self._opened)
@@ -78,7 +83,7 @@ class Overview(QWidget):
         document.current_changed.connect(self.update)
         document.shown_changed.connect(self.update)
         document.mesh_changed.connect(self._arrange)
-        document.frame_changed.connect(self._move_cursor)
+        document.frame_changed.connect(lambda _: self.update())
         theme.watcher.changed.connect(self._repaint)
         self._opened()
 
@@ -156,10 +161,6 @@ class Overview(QWidget):
         if (take := self._take) is not None:
             self._missing.note(take, [self._column_of[m] for m in change.markers])
         self._repaint()
-
-    def _move_cursor(self, frame: int) -> None:
-        """Draw the cursor elsewhere."""
-        self.update()
 
     def _repaint(self, *_: object) -> None:
         """Paint the picture anew when it is next needed."""
@@ -264,6 +265,19 @@ class Overview(QWidget):
         self.set_span(at - (at - low) * factor + by, at + (high - at) * factor + by)
         event.accept()
 
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Walk from marker to marker with ↑ and ↓; + and − zoom time at the cursor."""
+        take, columns = self._take, () if self._rows is None else self._rows.columns
+        shown = [self._column_of[m] for m in self.document.shown[:1]]
+        row = row_by_key(event.key(), columns.index(shown[0]) if shown else None, len(columns))
+        span = span_by_key(event.key(), self._span, self.document.frame + 0.5)
+        if row is not None and take is not None:
+            self.document.show((take.labels[columns[row]],))
+        elif span is not None:
+            self.set_span(*span)
+        else:
+            super().keyPressEvent(event)
+
     def event(self, event: QEvent) -> bool:
         """Say what lies under the mouse."""
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
@@ -302,6 +316,7 @@ class Overview(QWidget):
         look = theme.current()
         painter = QPainter(self)
         painter.fillRect(self.rect(), look.window)
+        paint_focus(painter, self)
         take, rows, area = self._take, self._rows, self._area()
         font = QFont(self.font())
         font.setPointSize(theme.SMALL_PT - 1)
@@ -315,16 +330,20 @@ class Overview(QWidget):
             )
             return
         painter.drawImage(area, self._picture(take, rows))
-        paint_groups(painter, rows, area)
+        marks.paint_groups(painter, rows, area)
         room = 0.0
         if self.mode.mode == "residual":
-            room = paint_scale(painter, area, heat(self.mode.mode), "0", units.length(MOST_MM, 0))
-        paint_time(painter, area, self._span, take.rate, room)
+            room = marks.paint_scale(
+                painter, area, heat(self.mode.mode), "0", units.length(MOST_MM, 0)
+            )
+        marks.paint_time(painter, area, self._span, take.rate, room)
         painter.setClipRect(area.adjusted(-8, -4, 2, 4))
         self._paint_marks(painter, rows, area)
         share = self.residuals.share
         if self.mode.mode == "residual" and share is not None:
-            self._say(painter, area, self.tr("Working out residuals… {0:.0%}").format(share))
+            marks.paint_words(
+                painter, area, self.tr("Working out residuals… {0:.0%}").format(share)
+            )
 
     def _picture(self, take: Take, rows: Rows) -> QImage:
         """The picture at the screen's own resolution, painted when it is out of date."""
@@ -347,17 +366,6 @@ class Overview(QWidget):
         if self.residuals.values is None:
             return np.full((take.markers, width), np.nan)
         return residual_levels(worst(self.residuals.values, width, *self._span))
-
-    def _say(self, painter: QPainter, area: QRectF, text: str) -> None:
-        """Write a line over the middle of the picture."""
-        look = theme.current()
-        box = QRectF(0, 0, painter.fontMetrics().horizontalAdvance(text) + 20, 22)
-        box.moveCenter(area.center())
-        painter.setPen(look.border)
-        painter.setBrush(theme.faded(look.raised, 0.9))
-        painter.drawRoundedRect(box, 4, 4)
-        painter.setPen(look.text)
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
 
     def _paint_marks(self, painter: QPainter, rows: Rows, area: QRectF) -> None:
         """Which markers are shown, the current artifact, the part in view, and the cursor."""

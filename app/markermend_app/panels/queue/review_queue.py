@@ -170,6 +170,11 @@ class ReviewQueue(QWidget):
         self._row.invalidate()
         return self._row.minimumSize().width()
 
+    @property
+    def place(self) -> QWidget:
+        """What takes the keys: the table, or what narrows it down while nothing is listed."""
+        return self.view if self.model.rows else self.status
+
     # Verbs on the selected rows
 
     def selected(self) -> list[str]:

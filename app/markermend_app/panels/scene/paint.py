@@ -217,14 +217,6 @@ def paint_triad(sight: Sight) -> None:
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, "XYZ"[axis])
 
 
-def paint_focus(sight: Sight, focused: bool) -> None:
-    """Draw a frame while the keyboard is here."""
-    if focused:
-        sight.painter.setBrush(Qt.BrushStyle.NoBrush)
-        sight.painter.setPen(QPen(theme.current().accent, 2))
-        sight.painter.drawRect(QRectF(1, 1, sight.width - 2, sight.height - 2))
-
-
 def paint_note(sight: Sight, text: str) -> None:
     """Write a small line in the lower right corner, left of the buttons."""
     painter = sight.painter

@@ -21,6 +21,7 @@ from markermend.arrays import FloatArray
 from markermend.measures import differing
 from markermend_app import units
 from markermend_app.document import Document
+from markermend_app.items.focus import paint_focus
 from markermend_app.panels.markers.marker_menu import add_marker_verbs
 from markermend_app.panels.scene import paint
 from markermend_app.panels.scene.buttons import SceneButtons
@@ -212,7 +213,7 @@ class Scene(QWidget):
             paint.paint_title(sight, self.tr("Before repair"), t.muted)
         if self._outline is not None:
             self._outline.paint(painter)
-        paint.paint_focus(sight, self.hasFocus())
+        paint_focus(painter, self)
 
     def _paint_body(self, sight: paint.Sight, now: FloatArray) -> None:
         """Paint the segments; those of the wrong length in red."""

@@ -1,0 +1,74 @@
+"""From panel to panel by key: every open panel in turn, as they stand from left to right."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
+
+if TYPE_CHECKING:
+    from markermend_app.window import MainWindow
+
+
+class PanelWalk:
+    """Gives the keyboard to the next or previous panel, and back to the plots."""
+
+    def __init__(self, window: MainWindow) -> None:
+        self._window = window
+
+    def next(self) -> None:
+        """Go to the next panel."""
+        self._step(1)
+
+    def previous(self) -> None:
+        """Go to the previous panel."""
+        self._step(-1)
+
+    def home(self) -> None:
+        """Give the keyboard back to the plots, for the review."""
+        plots = self._window.trajectories.canvas
+        plots.activateWindow()
+        plots.setFocus(Qt.FocusReason.ShortcutFocusReason)
+
+    def _stops(self) -> list[tuple[QWidget, QWidget]]:
+        """Open panels, each with the part of it that takes the keys."""
+        window, docks = self._window, self._window.docks
+        panels: tuple[tuple[QWidget, QWidget | None], ...] = (
+            (docks["markers"], window.tree.view),
+            (docks["history"], window.history.view),
+            (docks["takes"], window.takes.view),
+            (window.welcome, window.welcome.first),
+            (window.trajectories, window.trajectories.canvas),
+            (window.overview, window.overview),
+            (docks["queue"], window.queue.place),
+            (docks["quality"], window.quality.view),
+            (docks["scene"], window.scene),
+            (docks["inspector"], window.inspector.place),
+        )
+        return [
+            (panel, part)
+            for panel, part in panels
+            if part is not None and _is_open(panel) and part.isVisibleTo(panel)
+        ]
+
+    def _step(self, by: int) -> None:
+        stops, focus = self._stops(), QApplication.focusWidget()
+        here = next((i for i, (panel, _) in enumerate(stops) if _is_in(focus, panel)), None)
+        # From a menu or the toolbar, the walk begins with the first or the last panel.
+        at = (0 if by > 0 else -1) if here is None else (here + by) % len(stops)
+        panel, part = stops[at]
+        # One that another covers as a tab comes forward.
+        panel.raise_()
+        part.activateWindow()
+        part.setFocus(Qt.FocusReason.ShortcutFocusReason)
+
+
+def _is_open(panel: QWidget) -> bool:
+    """Whether a panel was not closed; one that another covers as a tab is open."""
+    return not panel.isHidden() if isinstance(panel, QDockWidget) else panel.isVisible()
+
+
+def _is_in(widget: QWidget | None, panel: QWidget) -> bool:
+    """Whether a widget is a panel or stands in it."""
+    return widget is not None and (panel is widget or panel.isAncestorOf(widget))

@@ -1,0 +1,100 @@
+"""A review without a mouse: from panel to panel, and back to the plots."""
+
+from __future__ import annotations
+
+import pytest
+from driving import key
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication
+
+from markermend_app.actions import shortcuts
+from markermend_app.looking import Selection
+
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+
+
+@pytest.fixture
+def window(review, damaged):
+    """The real window on a small damaged take."""
+    return review(*damaged)
+
+
+def focus():
+    return QApplication.focusWidget()
+
+
+def test_f6_goes_round_through_all_open_panels_and_shift_f6_back(window, qtbot):
+    window.document.accept([window.document.current.id])
+    assert focus() is window.trajectories.canvas
+    way = [
+        window.overview,
+        window.queue.view,
+        window.quality.view,
+        window.scene,
+        window.inspector.place,
+        window.tree.view,
+        window.history.view,
+        window.trajectories.canvas,
+    ]
+    for panel in way:
+        key(qtbot, focus(), Qt.Key.Key_F6)
+        assert focus() is panel
+        assert panel.isVisible()
+    for panel in way[-2::-1]:
+        key(qtbot, focus(), Qt.Key.Key_F6, SHIFT)
+        assert focus() is panel
+
+
+def test_f6_passes_over_closed_panels_and_those_that_have_nothing_to_say(window, qtbot):
+    window.docks["quality"].hide()
+    window.document.open(None, None)
+    assert window.document.session is None
+    for _ in range(4):
+        key(qtbot, focus() or window, Qt.Key.Key_F6)
+        assert focus().isVisible()
+
+
+def test_esc_gives_the_keyboard_back_to_the_plots_from_every_panel(window, qtbot):
+    plots = window.trajectories.canvas
+    note = window.inspector.artifact.note
+    views = (window.tree.view, window.queue.view, window.quality.view)
+    others = (window.overview, window.scene, window.inspector.place, window.transport.number)
+    for place in (window.tree.filter, window.queue.filter, note, *views, *others):
+        window.docks["quality" if place is window.quality.view else "queue"].raise_()
+        place.setFocus()
+        # Esc in a line that narrows a list goes to that list first.
+        for _ in range(2):
+            if focus() is not plots:
+                key(qtbot, focus(), Qt.Key.Key_Escape)
+        assert focus() is plots, place
+
+
+def test_esc_lets_the_range_go_before_the_panel(window, qtbot):
+    window.document.sweep(Selection("CLAV", 10, 20))
+    window.queue.view.setFocus()
+    key(qtbot, focus(), Qt.Key.Key_Escape)
+    assert window.document.selection is None
+    assert focus() is window.queue.view
+    key(qtbot, focus(), Qt.Key.Key_Escape)
+    assert focus() is window.trajectories.canvas
+
+
+def test_the_overview_walks_from_marker_to_marker_and_zooms_by_key(window, qtbot):
+    overview, document = window.overview, window.document
+    overview.setFocus()
+    seen = set()
+    for _ in range(8):
+        key(qtbot, overview, Qt.Key.Key_Up)
+    for _ in range(8):
+        seen.add(document.shown[0])
+        key(qtbot, overview, Qt.Key.Key_Down)
+    assert seen == set(document.session.take.labels)
+    key(qtbot, overview, Qt.Key.Key_Plus)
+    assert overview._span[1] - overview._span[0] == pytest.approx(200)
+
+
+def test_no_preset_takes_f6_away(qapp):
+    for name in shortcuts.PRESETS:
+        shortcuts.use_preset(name)
+        assert shortcuts.table()["next_panel"] == ("F6",)
+        assert shortcuts.table()["previous_panel"] == ("Shift+F6",)
