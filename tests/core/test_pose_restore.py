@@ -122,6 +122,14 @@ def test_smoothing_again_takes_bias_and_gaps_out_of_the_pilot():
     assert np.std(smooth_again(noisy, 0.8 * clean, noise, 60.0) - clean) < 0.5 * 0.02
 
 
+def test_an_elbow_between_joints_that_are_seen_settles_where_this_arm_bends():
+    pose = arm(frames=600, rate=30.0)
+    hidden = slice(200, 230)
+    restored = restore(hide(pose, hidden, 2)).pose
+    assert far(restored, pose)[hidden, 2].mean() < 1.0
+    assert far(restored, pose)[:, [1, 3, 4]].max() < 1e-6
+
+
 def test_bones_keep_their_length_and_rotations_follow():
     pose = arm()
     features = np.concatenate([pose.positions, pose.rotations], axis=2)

@@ -32,6 +32,8 @@ _FAINT = 5e-3
 _NOISY = 2e-3
 # What is left of white noise after smoothing, about.
 _LEFT = 0.35
+# What is known exactly is taken for this sure, and filled again from what comes out.
+_SURE, _ROUNDS = 2e-3, 2
 _LEAST_FRAMES = 3
 # Poses that it takes to tell how a body bends.
 _SETTLES = 30
@@ -143,9 +145,8 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
         again = np.where(known, channels.values[:, usable], pilot)
         whole[:, usable] = smooth_again(again, pilot, noise[usable], pose.rate)
         features, bones = _agreed(whole, variance, channels, pose, known_joints, level)
-    seen, turned = known_joints
-    features[..., :3] = keep_lengths(features[..., :3], seen, bones)
-    return _finished(pose, swing(features, ~turned, bones), channels, noise, variance)
+    features = _with_bones(features, known_joints, bones)
+    return _finished(pose, features, channels, noise, variance)
 
 
 def _known_joints(channels: Channels, pose: Pose) -> tuple[BoolArray, BoolArray]:
@@ -164,17 +165,38 @@ def _agreed(
     known: tuple[BoolArray, BoolArray],
     noise: float,
 ) -> tuple[FloatArray, Bones]:
-    """(frames, joints, 7) in which noisy positions and rotations agree, and the bones found."""
+    """(frames, joints, 7) settled where they are noisy or filled, and the bones found."""
     features = to_features(values, channels)
     bones = find_bones(features, *known, pose.parents, _LEFT * noise)
-    if noise <= _NOISY:
+    noisy, hidden = noise > _NOISY, ~np.stack(known)
+    if not (noisy or hidden.any()):
         return features, bones
-    pilot = fuse(features, bones, channels.normal.root)
-    if pose.frames < _SETTLES or np.isnan(pilot).any():
-        return pilot, bones
     unsure = np.ones(features.shape)
     unsure[:, channels.joints] = variance.reshape(pose.frames, -1, FEATURES)
-    return settle(features, unsure, pilot, pose.parents, pose.order), bones
+    unsure = np.maximum(unsure, _SURE**2)
+    for _ in range(1 if noisy else _ROUNDS):
+        if noisy:
+            pilot = fuse(features, bones, channels.normal.root)
+        else:
+            pilot = _with_bones(features, known, bones)
+        if pose.frames < _SETTLES or np.isnan(pilot).any():
+            return pilot, bones
+        settled = settle(features, unsure, pilot, pose.parents, pose.order)
+        if not noisy:
+            settled[..., :3][known[0]] = features[..., :3][known[0]]
+            settled[..., 3:][known[1]] = features[..., 3:][known[1]]
+        features = settled
+    return features, bones
+
+
+def _with_bones(
+    features: FloatArray, known: tuple[BoolArray, BoolArray], bones: Bones
+) -> FloatArray:
+    """Features whose bones keep their length, by moving and turning only what is not known."""
+    seen, turned = known
+    out = features.copy()
+    out[..., :3] = keep_lengths(features[..., :3], seen, bones)
+    return swing(out, ~turned, bones)
 
 
 def _finished(
