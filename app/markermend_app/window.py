@@ -227,6 +227,7 @@ class MainWindow(QMainWindow):
         self.lane.started.connect(self.queue.set_doing)
         self.lane.finished.connect(lambda: self.queue.set_doing(""))
         self.queue.repair_requested.connect(self.commands.repair_many)
+        self.queue.verb_requested.connect(self._run)
         self.trajectories.mark_requested.connect(self.hand.mark_selection)
         self.trajectories.verb_requested.connect(self._run)
         self.tree.verb_requested.connect(self._run)

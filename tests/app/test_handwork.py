@@ -244,6 +244,30 @@ def test_keys_nudge_split_join_and_reclass(window, qtbot):
     assert document.session.artifact(artifact.id) == artifact
 
 
+def test_the_menu_of_the_queue_joins_artifacts_of_one_marker(window, qtbot):
+    document, queue = window.document, window.queue
+    gap = document.current
+    document.show([gap.marker])
+    document.go_to(75)
+    qtbot.keyClick(window, Qt.Key.Key_Slash)
+
+    def click(row, held=CTRL):
+        place = queue.view.visualRect(queue.model.index(row, 2)).center()
+        qtbot.mouseClick(queue.view.viewport(), Qt.MouseButton.LeftButton, held, place)
+
+    first, second = (i for i, a in enumerate(queue.model.rows) if a.marker == gap.marker)
+    click(first, Qt.KeyboardModifier.NoModifier)
+    click(second)
+    halves = [(a.marker, a.start, a.stop) for a in queue.model.rows if a.id in queue.selected()]
+    join = next(a for a in queue.menu().actions() if a.objectName() == "join_artifacts")
+    join.trigger()
+    assert halves == [(gap.marker, 60, 75), (gap.marker, 75, 90)]
+    assert (document.current.start, document.current.stop) == (60, 90)
+    click(next(i for i, a in enumerate(queue.model.rows) if a.marker != gap.marker))
+    assert len(queue.selected()) == 2
+    assert not [a for a in queue.menu().actions() if a.objectName() == "join_artifacts"]
+
+
 def test_references_are_chosen_by_clicks_in_the_3d_view(window, qtbot):
     document, scene = window.document, window.scene
     document.show(["CLAV", "LSHO"])

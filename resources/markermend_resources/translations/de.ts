@@ -3313,6 +3313,10 @@
         <source>{0} of {1} markers lose more than {2:g} % of their way, {3} most ({4} {5:.0f}). Look whether movement went with the noise.</source>
         <translation>{0} von {1} Markern verlieren mehr als {2:g} % ihres Wegs, am meisten {3} ({4} {5:.0f}). Prüfe, ob mit dem Rauschen Bewegung verschwand.</translation>
     </message>
+    <message>
+        <source>{3} loses more than {2:g} % of its way ({4} {5:.0f}). Look whether movement went with the noise.</source>
+        <translation>{3} verliert mehr als {2:g} % seines Wegs ({4} {5:.0f}). Prüfe, ob mit dem Rauschen Bewegung verschwand.</translation>
+    </message>
 </context>
 <context>
     <name>SmoothPictures</name>

@@ -62,9 +62,11 @@ class ReviewQueue(QWidget):
     Signals
     -------
     repair_requested(list) : ids of artifacts to be repaired with their best methods
+    verb_requested(str) : name of the action to be done
     """
 
     repair_requested = Signal(list)
+    verb_requested = Signal(str)
 
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -198,10 +200,8 @@ class ReviewQueue(QWidget):
         """The context menu for the selected rows."""
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        statuses = {
-            self.model.rows[i.row()].status for i in self.view.selectionModel().selectedRows()
-        }
-        many = len(self.selected()) > 1
+        chosen = [self.model.rows[i.row()] for i in self.view.selectionModel().selectedRows()]
+        statuses, many = {a.status for a in chosen}, len(chosen) > 1
         each = self.tr("Repair, each by its best method") if many else ""
         for verb, text, usable in (
             ("accept", "", statuses != _ACCEPTED),
@@ -214,6 +214,9 @@ class ReviewQueue(QWidget):
                 menu.addSeparator()
             action = entry(menu, verb, partial(self.apply, verb), text)
             action.setEnabled(usable and bool(statuses) and self._document.editable)
+        if many and len({a.marker for a in chosen}) == 1:
+            join = partial(self.verb_requested.emit, "join_artifacts")
+            entry(menu, "join_artifacts", join).setEnabled(self._document.editable)
         return menu
 
     def _show_menu(self, at: QPoint) -> None:
