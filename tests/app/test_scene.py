@@ -258,6 +258,34 @@ def test_follow_keeps_the_body_in_the_middle(scene, document):
     assert np.abs(np.nanmean(scene._at, axis=0) - np.nanmean(whole, axis=0)).max() > 60
 
 
+def test_of_several_subjects_the_one_looked_at_is_followed(tmp_path, qtbot, damaged):
+    body = damaged[0].positions[:100]
+    there = body + np.array([5000.0, 0.0, 0.0])
+    labels = [f"{who}:{s}" for who in "AB" for s in damaged[0].labels]
+    take = Take(np.concatenate((body, there), axis=1), tuple(labels), 100.0)
+    document = Document()
+    document.open(open_session(take, folder=tmp_path), None)
+    scene = Scene(document)
+    qtbot.addWidget(scene)
+    scene.resize(500, 400)
+    scene.show()
+    scene.grab()
+    far = scene.camera.distance
+    assert scene.camera.target[0] == pytest.approx(np.nanmedian(take.positions[:6, :, 0]), abs=1)
+    count = len(damaged[0].labels)
+    for who, columns in (("B", slice(count, None)), ("A", slice(0, count))):
+        document.show([f"{who}:{damaged[0].labels[3]}"])
+        middle = np.nanmedian(take.positions[:6, columns, 0])
+        assert scene.camera.target[0] == pytest.approx(middle, abs=1)
+    assert scene.camera.distance < far / 2
+    scene.follow.click()
+    still = scene.camera
+    document.show([labels[-1]])
+    assert scene.camera == still
+    document.open(None, None)
+    document.proposals.close()
+
+
 def test_vertical_axis_can_be_set(scene):
     scene.set_vertical(1)
     assert scene.camera.up == 1

@@ -36,6 +36,7 @@ def stylesheet(theme: Theme) -> str:
         checked=blend(theme.raised, theme.accent, 0.28).name(),
         row=blend(theme.panel, theme.text, 0.05).name(),
         chosen=blend(theme.panel, theme.accent, 0.24).name(),
+        track=blend(theme.window, theme.text, 0.13).name(),
         dimmed=blend(theme.muted, theme.window, 0.4).name(),
         accent_hover=blend(theme.accent, theme.text, 0.15).name(),
         handle=blend(theme.border, theme.text, 0.12).name(),
@@ -188,13 +189,13 @@ QScrollBar::handle:hover { background: $muted; }
 QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 
-QSlider::groove:horizontal { height: 4px; border-radius: 2px; background: $border; }
+QSlider::groove:horizontal { height: 4px; border-radius: 2px; background: $track; }
 QSlider::sub-page:horizontal { height: 4px; border-radius: 2px; background: $accent; }
 QSlider::handle:horizontal { width: 12px; height: 12px; margin: -4px 0; border-radius: 6px;
     background: $accent; }
 QSlider:focus { border: 1px solid $accent; border-radius: 4px; }
 
-QProgressBar { background: $border; border: none; border-radius: 4px; min-height: 8px;
+QProgressBar { background: $track; border: none; border-radius: 4px; min-height: 8px;
     max-height: 16px; text-align: center; font-size: ${small}pt; color: $text; }
 QProgressBar::chunk { background: $accent; border-radius: 4px; }
 QStatusBar { background: $window; border-top: 1px solid $border; color: $muted;

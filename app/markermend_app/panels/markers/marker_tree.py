@@ -104,7 +104,7 @@ class MarkerTree(QWidget):
         header.setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
         header.setSectionResizeMode(OPEN, QHeaderView.ResizeMode.Interactive)
         header.setSectionResizeMode(MISSING, QHeaderView.ResizeMode.Fixed)
-        header.resizeSection(MISSING, 42)
+        header.resizeSection(MISSING, 50)
         self.view.selectionModel().selectionChanged.connect(self._selected)
         self.view.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.view.customContextMenuRequested.connect(self._show_menu)
@@ -196,14 +196,14 @@ class MarkerTree(QWidget):
         self._fit_counts()
 
     def _fit_counts(self) -> None:
-        """Give the counts what they need, up to a quarter of the width."""
+        """Give the counts what they need, up to a third of the width."""
         session = self._document.session
         if session is None:
             return
         font = self.view.font()
         widest = max([54, *(counts_width(counts, font) for counts in self._model.open_counts())])
         header = self.view.header()
-        width = min(widest, _COUNTS_WIDEST, max(54, self.width() // 4))
+        width = min(widest, _COUNTS_WIDEST, max(54, self.width() // 3))
         if header.sectionSize(OPEN) != width:
             header.resizeSection(OPEN, width)
 

@@ -27,7 +27,7 @@ from PySide6.QtWidgets import (
 from markermend.artifact import Artifact
 from markermend_app.actions import shortcuts
 from markermend_app.panels.markers.badge import badge_font, paint_badge, paint_share
-from markermend_app.panels.queue.model import ARTIFACT, AXES, CONFIDENCE, KIND
+from markermend_app.panels.queue.model import ARTIFACT, AXES, CONFIDENCE, KIND, MARKER
 from markermend_app.style import theme
 
 Index = QModelIndex | QPersistentModelIndex
@@ -64,6 +64,7 @@ class QueueView(QTableView):
             KIND: _KindDelegate(self),
             AXES: _AxesDelegate(self),
             CONFIDENCE: _ConfidenceDelegate(self),
+            MARKER: _MarkerDelegate(self),
         }
         for column, delegate in self._delegates.items():
             self.setItemDelegateForColumn(column, delegate)
@@ -95,6 +96,15 @@ class QueueView(QTableView):
         pressed = QKeySequence(QKeyCombination(held, Qt.Key(event.key()))).toString()
         keys = shortcuts.table()
         return next((verb for verb in VERBS if pressed in keys[verb]), "")
+
+
+class _MarkerDelegate(QStyledItemDelegate):
+    """Names that differ in their last letters stay apart where there is no room for all."""
+
+    def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
+        """As ever, but the middle goes."""
+        super().initStyleOption(option, index)
+        option.textElideMode = Qt.TextElideMode.ElideMiddle
 
 
 class PlainDelegate(QStyledItemDelegate):

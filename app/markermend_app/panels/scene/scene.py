@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
@@ -26,10 +25,11 @@ from markermend_app.panels.markers.marker_menu import add_marker_verbs
 from markermend_app.panels.scene import paint
 from markermend_app.panels.scene.buttons import SceneButtons
 from markermend_app.panels.scene.camera import Camera
+from markermend_app.panels.scene.follow import Follower
 from markermend_app.panels.scene.looks import Looks, marker_colours
 from markermend_app.panels.scene.seen import Seen
 from markermend_app.panels.scene.select import Outline, nearest
-from markermend_app.panels.scene.stage import Stage, centre_at, set_stage
+from markermend_app.panels.scene.stage import Stage, set_stage
 from markermend_app.style import theme
 
 PICK_PX = 14.0
@@ -62,7 +62,7 @@ class Scene(QWidget):
         self.before = self._choosing = False
         self.seen = Seen(document)
         self._outline: Outline | None = None
-        self._followed: FloatArray | None = None
+        self.follower = Follower(document)
         self._at: FloatArray = np.zeros((0, 2))
         self._pressed: QPointF | None = None
         self._last = QPointF()
@@ -81,9 +81,9 @@ class Scene(QWidget):
             document.data_changed,
             document.current_changed,
             document.proposal_changed,
-            document.shown_changed,
         ):
             signal.connect(self._redraw)
+        document.shown_changed.connect(self._shown_changed)
         theme.watcher.changed.connect(self.update)
         self._opened()
 
@@ -121,9 +121,9 @@ class Scene(QWidget):
         if self.stage is not None:
             self.camera = self.stage.camera(self.camera)
             if self.follow.isChecked():
-                self.camera = self.camera.zoomed(BODY * self.stage.size / self.stage.radius)
-                self._followed = None
-                self._keep_up()
+                size = self.follower.size()
+                camera = self.camera.zoomed(BODY * size / self.stage.radius)
+                self.camera = self.follower.aimed(camera)
         self.update()
 
     def set_before(self, before: bool) -> None:
@@ -153,7 +153,8 @@ class Scene(QWidget):
     def _opened(self) -> None:
         """Another take, or none."""
         session = self._document.session
-        self.stage, self._followed, self._vertical = None, None, None
+        self.stage, self._vertical = None, None
+        self.follower.start()
         self.buttons.setVisible(session is not None)
         self.drop_tool()
         if session is not None:
@@ -376,23 +377,18 @@ class Scene(QWidget):
     # Following the document
 
     def _frame_changed(self, _: int) -> None:
-        self._keep_up()
+        if self.follow.isChecked() and self.stage is not None:
+            self.camera = self.follower.kept_up(self.camera)
         self.update()
 
-    def _keep_up(self) -> None:
-        """Move the camera with the body."""
-        session, stage = self._document.session, self.stage
-        if not self.follow.isChecked() or session is None or stage is None:
-            return
-        centre = centre_at(session.positions, self._document.frame)
-        if np.isnan(centre).any():
-            return
-        if self._followed is None:
-            x, y, z = centre.tolist()
-            self.camera = replace(self.camera, target=(x, y, z))
-        else:
-            self.camera = self.camera.moved(centre - self._followed)
-        self._followed = centre
+    def _shown_changed(self) -> None:
+        """Follow the subject of the foremost marker; the first one fills the view."""
+        first = self.follower.everyone
+        if self.follower.turn() and self.follow.isChecked():
+            if first:
+                self.reset()
+            self.camera = self.follower.aimed(self.camera)
+        self._redraw()
 
     def _redraw(self, *_: object) -> None:
         self.seen.forget()

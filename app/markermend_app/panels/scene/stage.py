@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -73,12 +74,7 @@ def set_stage(take: Take, up: int | None = None) -> Stage:
         flat = np.array([[-1000.0] * 3, [1000.0] * 3])
     low, high = np.percentile(flat, 0.5, axis=0), np.percentile(flat, 99.5, axis=0)
     middle = (low + high) / 2
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", RuntimeWarning)
-        spans = np.nanmax(points, axis=1) - np.nanmin(points, axis=1)
-        size = float(np.nanpercentile(spans.max(axis=1), 50)) if len(points) else 1000.0
-    if not math.isfinite(size) or size <= 0:
-        size = 1000.0
+    size = _extent(points)
     # One marker that stands still has no extent, but is to be seen from somewhere.
     radius = max(min(float(np.linalg.norm(high - low)) / 2, 2.2 * size), LEAST_RADIUS_MM)
     # A floor at zero is where systems put it, if the body stands near it.
@@ -115,11 +111,25 @@ def floor_lines(stage: Stage) -> tuple[FloatArray, FloatArray]:
     return np.array(starts), np.array(stops)
 
 
-def centre_at(positions: FloatArray, frame: int) -> FloatArray:
-    """(3,) middle of what is seen around a frame; NaN when nothing is."""
-    near = positions[max(0, frame - 5) : frame + 6].reshape(-1, 3)
+def size_of(take: Take, body: Sequence[int]) -> float:
+    """Extent of some markers in a frame, mm."""
+    return _extent(_sample(take.positions)[:, body])
+
+
+def centre_at(positions: FloatArray, frame: int, body: Sequence[int]) -> FloatArray:
+    """(3,) middle of what is seen of some markers around a frame; NaN when nothing is."""
+    near = positions[max(0, frame - 5) : frame + 6, body].reshape(-1, 3)
     near = near[~np.isnan(near[:, 0])]
     return np.median(near, axis=0) if len(near) else np.full(3, np.nan)
+
+
+def _extent(points: FloatArray) -> float:
+    """Extent of (frames, n, 3) points in a frame, mm; a metre where it cannot be told."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RuntimeWarning)
+        spans = np.nanmax(points, axis=1) - np.nanmin(points, axis=1)
+        size = float(np.nanpercentile(spans.max(axis=1), 50)) if len(points) else math.nan
+    return size if math.isfinite(size) and size > 0 else 1000.0
 
 
 def _sample(positions: FloatArray) -> FloatArray:
