@@ -48,6 +48,16 @@ def test_words_and_counts_are_left_out_where_they_have_no_room(window):
     assert button.toolButtonStyle() == open_button.toolButtonStyle() == WORDS
 
 
+def test_names_of_markers_go_before_the_share_missing(window):
+    header = window.tree.view.header()
+    for wide, hidden in ((310, False), (230, True), (310, False)):
+        window.resize(1500, 900)
+        window.resizeDocks([window.docks["markers"]], [wide], Qt.Orientation.Horizontal)
+        widen(window, 1500, 900)
+        assert header.isSectionHidden(2) == hidden
+        assert header.sectionSize(0) >= 140
+
+
 def test_the_readout_says_what_has_room(window):
     header = window.trajectories.header
     widen(window, 1500, 900)

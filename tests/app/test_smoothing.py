@@ -140,7 +140,7 @@ def test_percent_of_the_way_stands_beside_the_preview_and_warns_above_thirty(win
     )
     assert dialog.percent.text() == "%SM1 of T10:  X {:.1f}  Y {:.1f}  Z {:.1f}".format(*percent)
     assert percent.max() > 30.0
-    assert "1 of 1 markers lose more than 30 %" in dialog.warning.text()
+    assert "T10 loses more than 30 %" in dialog.warning.text()
     choose(dialog.method, "Savitzky")
     wait(dialog, qtbot)
     assert dialog.answer.percent.max() < 30.0

@@ -53,6 +53,7 @@ from markermend_app.style import theme
 
 Index = QModelIndex | QPersistentModelIndex
 _COUNTS_WIDEST = 92
+_MISSING_WIDE, _NAMES_LEAST = 50, 140
 
 
 class MarkerTree(QWidget):
@@ -104,7 +105,7 @@ class MarkerTree(QWidget):
         header.setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
         header.setSectionResizeMode(OPEN, QHeaderView.ResizeMode.Interactive)
         header.setSectionResizeMode(MISSING, QHeaderView.ResizeMode.Fixed)
-        header.resizeSection(MISSING, 50)
+        header.resizeSection(MISSING, _MISSING_WIDE)
         self.view.selectionModel().selectionChanged.connect(self._selected)
         self.view.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.view.customContextMenuRequested.connect(self._show_menu)
@@ -196,7 +197,7 @@ class MarkerTree(QWidget):
         self._fit_counts()
 
     def _fit_counts(self) -> None:
-        """Give the counts what they need, up to a third of the width."""
+        """Give the counts what they need, up to a third; names go before the share missing."""
         session = self._document.session
         if session is None:
             return
@@ -206,6 +207,10 @@ class MarkerTree(QWidget):
         width = min(widest, _COUNTS_WIDEST, max(54, self.width() // 3))
         if header.sectionSize(OPEN) != width:
             header.resizeSection(OPEN, width)
+        names = (
+            self.width() - self.view.verticalScrollBar().sizeHint().width() - width - _MISSING_WIDE
+        )
+        header.setSectionHidden(MISSING, names < _NAMES_LEAST)
 
     def _samples_changed(self, change: Change) -> None:
         """Bring the missing share of changed markers up to date."""
