@@ -43,7 +43,7 @@ from markermend_app.panels.queue.view import QueueView
 from markermend_app.panels.spared import show_if_it_fits, spare
 from markermend_app.style import theme
 
-_WIDTHS = (80, 96, 100, 54, 92, 66, 66, 84, 92, 180, 60)
+_WIDTHS = (80, 96, 96, 54, 90, 66, 66, 90, 92, 180, 60)
 _SPARED = (TIME, LENGTH, AXES, SIZE, FRAMES, STATUS)
 """Columns that are left out one after the other where room is scarce; tooltips tell them."""
 _WHY_LEAST = 200
