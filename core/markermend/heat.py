@@ -13,6 +13,7 @@ from markermend.progress import Progress, quiet
 from markermend.take import Origin, Take
 
 LEAST_SHARE = 1 / 3
+_BLOCK = 1024
 KNOT_HZ, LEAST_KNOTS = 30.0, 4000
 """Where the body says a marker is is worked out so often, unless that leaves too few to learn."""
 
@@ -34,13 +35,38 @@ def missing_share(
     third, so that short gaps stay visible
     """
     first, low, high = _bins(len(origin), columns, start, stop)
-    lost = (origin[low:high] == Origin.MISSING).view(np.uint8)
-    count = np.maximum(np.diff(np.append(first, high - low)), 1)
-    # A sum of more than 255 ones overflows eight bits, which are three times as fast.
-    wide = np.uint8 if count.max(initial=0) < 256 else np.int32
-    share = np.add.reduceat(lost, first, axis=0, dtype=wide) / count[:, None]
+    last = np.maximum(np.append(first[1:], high - low), first + 1)
+    lost = _count_missing(origin[low:high], first, last)
+    share = lost / (last - first)[:, None]
     share = np.where(share > 0, np.maximum(share, LEAST_SHARE), 0.0)
     return np.asarray(share.T, dtype=np.float64)
+
+
+def count_missing(origin: ByteArray) -> IntArray:
+    """Number of missing samples of each marker.
+
+    Parameters
+    ----------
+    origin : (frames, markers) uint8, see :class:`markermend.take.Origin`
+
+    Returns
+    -------
+    (markers,) int64
+    """
+    first = np.arange(0, len(origin), _BLOCK)
+    counts = _count_missing(origin, first, np.minimum(first + _BLOCK, len(origin)))
+    return np.asarray(counts.sum(axis=0))
+
+
+def _count_missing(origin: ByteArray, first: IntArray, last: IntArray) -> IntArray:
+    """(blocks, markers) int64 missing samples of blocks of frames, [first, last) each.
+
+    One block after the other: arrays as long as the take take longer to come by than to fill.
+    """
+    counts = np.empty((len(first), origin.shape[1]), dtype=np.int64)
+    for row, (start, stop) in enumerate(zip(first.tolist(), last.tolist(), strict=True)):
+        counts[row] = np.add.reduce(origin[start:stop] == Origin.MISSING, axis=0, dtype=np.uint32)
+    return counts
 
 
 def worst(

@@ -175,15 +175,17 @@ def test_closing_waits_for_an_export_under_way(reviewed, monkeypatch, tmp_path):
     assert target.exists()
 
 
-def test_what_is_decided_while_the_take_is_copied_for_export_is_not_torn(reviewed, tmp_path):
+def test_what_is_decided_while_a_take_is_exported_is_not_in_the_file(reviewed, tmp_path, qtbot):
     document, exporter = reviewed.document, reviewed.commands._exporter
     target = tmp_path / "out.c3d"
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    before = document.session.positions.copy()
     exporter.export_to(target, export_dialog.ExportChoice(False, False))
     document.repair_many([(document.current.id, document.proposal)], "Repair it")
-    now = document.session.positions.copy()
+    assert not np.array_equal(document.session.positions, before, equal_nan=True)
     exporter.finish()
-    np.testing.assert_allclose(mm.read(target).positions, now, atol=1e-3)
-    assert document.session.exported
+    np.testing.assert_allclose(mm.read(target).positions, before, atol=1e-3)
+    assert not document.session.exported
 
 
 def test_a_review_that_cannot_be_saved_keeps_the_window_open(reviewed, monkeypatch):

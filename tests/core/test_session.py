@@ -137,6 +137,21 @@ def test_undo_and_redo_restore_every_state_bit_for_bit(script):
     assert state_of(session) == states[-1]
 
 
+@settings(max_examples=30, deadline=None)
+@given(verbs)
+def test_samples_held_on_to_are_those_that_stood_then(script):
+    session = Session(make_take())
+    held = []
+    for step in script:
+        drive(session, *step)
+        take = session.take
+        held.append((session.state.held(), take.positions.copy(), take.origin.copy()))
+    for make, positions, origin in held:
+        made = make()
+        np.testing.assert_array_equal(made.positions, positions)
+        np.testing.assert_array_equal(made.origin, origin)
+
+
 def test_detecting_again_keeps_what_was_marked_by_hand_or_given_other_edges():
     session = Session(make_take())
     found = [artifact("A"), artifact("C")]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +12,6 @@ from markermend.artifact import Status
 from markermend.errors import MarkermendError, RangeError
 from markermend.files import Export
 from markermend.progress import Progress
-from markermend.review.session import Session
 from markermend.take import Take
 from markermend_app import settings
 from markermend_app.background.jobs import Lane
@@ -102,28 +100,24 @@ class Exporter(QObject):
         label = self.tr("Exporting {0}").format(target.name)
         written: list[bool] = []
 
-        def begin(take: Take) -> None:
-            record = session.repairs_in_words() if choice.record else ()
-            original, revision = session.original, session.revision
+        held, original, revision = session.state.held(), session.original, session.revision
+        record = session.repairs_in_words() if choice.record else ()
 
-            def work(progress: Progress) -> Any:
-                from markermend.files import write
-                from markermend.review.hand import without_emptied
+        def work(progress: Progress) -> Any:
+            from markermend.files import write
+            from markermend.review.hand import without_emptied
 
-                return write(
-                    without_emptied(take, original),
-                    target,
-                    overwrite=overwrite,
-                    as_float=as_float,
-                    record=record,
-                    mark_outputs=choice.mark_outputs,
-                    progress=progress,
-                )
+            return write(
+                without_emptied(held(), original),
+                target,
+                overwrite=overwrite,
+                as_float=as_float,
+                record=record,
+                mark_outputs=choice.mark_outputs,
+                progress=progress,
+            )
 
-            self._writing = True
-            self._lane.submit(label, work, lambda export: done(export, revision), failed)
-
-        def done(export: Any, revision: int) -> None:
+        def done(export: Any) -> None:
             written.append(True)
             self._writing = False
             if session.revision == revision:
@@ -147,34 +141,12 @@ class Exporter(QObject):
             if not isinstance(error, RangeError):
                 dialogs.show_problem(self._window, error)
 
-        self._copy(session, label, begin, failed)
+        self._writing = True
+        self._lane.submit(label, work, done, failed)
         # A cancelled job answers nothing.
         while wait and not written and self._lane.busy:
             QApplication.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents)
         return any(written) if wait else True
-
-    def _copy(
-        self,
-        session: Session,
-        label: str,
-        begin: Callable[[Take], None],
-        failed: Callable[[Exception], None],
-    ) -> None:
-        """Hand over a copy of the take as it stands, which later decisions do not get into."""
-        take, revision = session.take, session.revision
-
-        def copied(copy: Take) -> None:
-            # What was decided while it was copied may be in it by halves.
-            if session.revision == revision:
-                begin(copy)
-            else:
-                self._copy(session, label, begin, failed)
-
-        def copy(_: Progress) -> Take:
-            return take.viewing(take.positions.copy(), take.origin.copy())
-
-        self._writing = True
-        self._lane.submit(label, copy, copied, failed)
 
     def _save(self) -> None:
         """Keep in the review that it was exported."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -31,7 +32,8 @@ class Reviewed:
 
     Attributes
     ----------
-    before, after : the take as read and as it stands
+    before : the take as read
+    held : makes the take as it stood
     done : what became of every artifact
     method : what found them
     pace : the operator's
@@ -39,7 +41,7 @@ class Reviewed:
     """
 
     before: Take
-    after: Take
+    held: Callable[[], Take]
     done: tuple[Outcome, ...]
     method: str
     pace: Pace
@@ -47,7 +49,7 @@ class Reviewed:
 
 
 def reviewed(session: Session) -> Reviewed:
-    """Hold on to a review as it stands, with a copy of its samples."""
+    """Hold on to a review as it stands."""
     searched = dict.fromkeys(
         label.removeprefix("Detect (").removesuffix(")")
         for label in session.history
@@ -55,7 +57,7 @@ def reviewed(session: Session) -> Reviewed:
     )
     return Reviewed(
         session.original,
-        session.take.viewing(session.positions.copy(), session.origin.copy()),
+        session.state.held(),
         review_outcomes(session),
         ", ".join(searched) or "hand",
         session.pace,
@@ -77,7 +79,7 @@ def review_report(review: Reviewed, *, name: str) -> str:
     """
     return take_report(
         review.before,
-        review.after,
+        review.held(),
         review.done,
         method=review.method,
         name=name,

@@ -7,7 +7,7 @@ built on this one property.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
 from markermend.arrays import ByteArray, FloatArray
@@ -42,15 +42,43 @@ class State:
     ----------
     original : the take as it was read, under the names its markers have now
     positions, origin : the working samples
+    written : (start, stop) frames that were ever written to, by column; all others stand as they
+        were read
     """
 
     def __init__(self, take: Take) -> None:
         self.original = take
         self.positions: FloatArray = take.positions.copy()
         self.origin: ByteArray = take.origin.copy()
+        self.written: dict[int, set[tuple[int, int]]] = {}
         self._base: dict[int, tuple[FloatArray, ByteArray]] = {}
         self.artifacts: dict[str, Artifact] = {}
         self.notes: dict[str, RepairNote] = {}
+
+    def held(self) -> Callable[[], Take]:
+        """Hold on to the samples as they stand: what is called makes a take of them, at any time.
+
+        Only what was written to is copied now, since copying a long take takes long.
+        """
+        original = self.original
+        parts = [
+            (
+                slice(*span),
+                column,
+                self.positions[slice(*span), column].copy(),
+                self.origin[slice(*span), column].copy(),
+            )
+            for column, spans in self.written.items()
+            for span in spans
+        ]
+
+        def make() -> Take:
+            positions, origin = original.positions.copy(), original.origin.copy()
+            for frames, column, samples, origins in parts:
+                positions[frames, column], origin[frames, column] = samples, origins
+            return original.viewing(positions, origin)
+
+        return make
 
     def base(self, column: int) -> tuple[FloatArray, ByteArray]:
         """What a repair that is taken back returns to: samples as read, or as hand work left them.
@@ -82,6 +110,7 @@ class SetSamples:
         try:
             for patch in self.patches:
                 column = state.original.index(patch.marker)
+                state.written.setdefault(column, set()).add((patch.start, patch.stop))
                 undo.append(apply_patch(state.positions, state.origin, column, patch))
         except DataError:
             for patch in reversed(undo):

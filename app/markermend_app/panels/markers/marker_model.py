@@ -8,13 +8,13 @@ from dataclasses import dataclass, field
 from itertools import zip_longest
 from typing import Any
 
-import numpy as np
 from PySide6.QtCore import QAbstractItemModel, QModelIndex, QObject, QPersistentModelIndex, Qt
 from PySide6.QtGui import QFont
 
 from markermend.artifact import Artifact, Kind, Status
+from markermend.heat import count_missing
 from markermend.mesh import Mesh
-from markermend.take import Origin, Take, is_unlabelled
+from markermend.take import Take, is_unlabelled
 from markermend_app.panels.markers.badge import dot_icon
 from markermend_app.panels.plots.beside import analog_key, point_key
 from markermend_app.style import theme
@@ -195,8 +195,10 @@ class MarkerModel(QAbstractItemModel):
     def set_missing(self, take: Take, labels: Iterable[str]) -> None:
         """Work out the share of frames without these markers."""
         nodes = [self._by_label[label] for label in labels if label in self._by_label]
-        lost = take.origin[:, [take.index(node.label) for node in nodes]] == Origin.MISSING
-        for node, count in zip(nodes, np.count_nonzero(lost, axis=0).tolist(), strict=True):
+        columns = [take.index(node.label) for node in nodes]
+        whole = columns == list(range(take.markers))
+        counts = count_missing(take.origin if whole else take.origin[:, columns])
+        for node, count in zip(nodes, counts.tolist(), strict=True):
             node.missing = count / max(1, take.frames)
         self._announce(MISSING, nodes)
 

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-import numpy as np
-
 from markermend.arrays import FloatArray
 from markermend.review.session import Session
 from markermend_app.panels.plots.quantity import way_of
@@ -48,11 +46,13 @@ class Drawn:
         if known is not None and known[0] == partner and known[1] is predicted:
             return known[2]
         take = session.take
-        before = way_of(session.original, name, partner, predicted)
-        now = way_of(take, name, partner, predicted, before.positions)
-        if np.array_equal(now.positions, before.positions, equal_nan=True):
+        column = take.index(name)
+        if column in session.state.written:
+            before = way_of(session.original, name, partner, predicted)
+            now = way_of(take, name, partner, predicted, before.positions)
+        else:
             # What was not repaired need not be worked out twice.
-            before = now
-        shown = Shown(now, before, take.origin[:, take.index(name)].copy())
+            now = before = way_of(take, name, partner, predicted)
+        shown = Shown(now, before, take.origin[:, column].copy())
         self._known[name] = partner, predicted, shown
         return shown

@@ -8,7 +8,7 @@ import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import Qt
 
-from markermend.arrays import BoolArray, FloatArray
+from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend_app.items.curve import curve, dots, pieces, wear
 from markermend_app.style import theme
 
@@ -20,9 +20,9 @@ _NONE: FloatArray = np.zeros(0)
 
 
 @lru_cache(maxsize=2)
-def _frames(count: int) -> FloatArray:
-    """Frame indices, shared by all curves of a take."""
-    frames = np.arange(count, dtype=np.float64)
+def _frames(count: int) -> IntArray:
+    """Frame indices, shared by all curves of a take; whole numbers are not searched for NaN."""
+    frames = np.arange(count)
     frames.flags.writeable = False
     return frames
 
@@ -51,7 +51,7 @@ class Trace:
             self.made[part] = self._make(part)
         return self.made[part]
 
-    def fill(self, part: str, x: FloatArray = _NONE, y: FloatArray = _NONE) -> None:
+    def fill(self, part: str, x: FloatArray | IntArray = _NONE, y: FloatArray = _NONE) -> None:
         """Give a curve its points; one that is empty already is left alone, which most are."""
         if len(x) or (part in self.made and self.made[part].xData is not None):
             self.item(part).setData(x, y)
