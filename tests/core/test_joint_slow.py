@@ -70,6 +70,16 @@ def test_the_bank_finds_its_own_shapes(kind):
     assert abs(bank()[1][best][1] - 50) <= 12
 
 
+@pytest.mark.parametrize("length", [50, 51])
+def test_in_a_smoothed_recording_kinks_are_found_to_the_frame(length):
+    smooth = np.convolve(np.random.default_rng(5).standard_normal(2000), np.hanning(9), "same")
+    smooth += 0.002 * np.random.default_rng(6).standard_normal(2000)
+    smooth[900 : 900 + length] += 15.0 * shape_of("sharp", length)
+    score = np.abs(scored(smooth))[200:1800]
+    frame, best = np.unravel_index(score.argmax(), score.shape)
+    assert (frame, bank()[1][best]) == (700, ("sharp", length))
+
+
 def test_scores_of_pure_noise_are_standard_normal():
     red, _ = red_noise(4000, seed=2)
     assert scored(red)[200:3600, 10].std() == pytest.approx(1.0, abs=0.2)

@@ -20,8 +20,9 @@ STRIDE, KNOTS = 16, (22, 30, 40, 52, 66, 82, 100)
 
 KINDS: dict[str, int] = {"sharp": 0, "rounded 9": 9, "rounded 15": 15, "hann": 0}
 """What a slow change may look like, and over how many frames its kinks are rounded."""
-STEPS = {"sharp": 2, "rounded 9": 4, "rounded 15": 6, "hann": 6}
-"""Frames from one length to the next: a sharp kink forgives little, a round one more."""
+STEPS = {"sharp": 1, "rounded 9": 4, "rounded 15": 6, "hann": 6}
+"""Frames from one length to the next: a sharp kink forgives nothing, a round one more. What an odd
+length adds to a smoothed recording is quite another thing than what an even one adds."""
 LEAST_NORM = 0.02
 
 
@@ -55,6 +56,11 @@ def shape_of(kind: str, length: int) -> FloatArray:
     return triangle(length, KINDS[kind])
 
 
+def _knots(length: int) -> tuple[int, ...]:
+    """Lengths between which a norm is interpolated: one highest frame differs from two."""
+    return tuple(min(k + 1, LONGEST - 1) for k in KNOTS) if length % 2 else KNOTS
+
+
 @lru_cache(maxsize=1)
 def _norms() -> tuple[FloatArray, FloatArray]:
     """Some shapes in bands, multiplied with themselves lagged; and how norms follow from them.
@@ -65,7 +71,7 @@ def _norms() -> tuple[FloatArray, FloatArray]:
     share : (some, n) interpolates over lengths
     """
     _, names = bank()
-    some = [(kind, length) for kind in KINDS for length in KNOTS]
+    some = sorted({(kind, knot) for kind, length in names for knot in _knots(length)})
     rows = np.stack([np.pad(shape_of(*name), (HALF, WIDTH - HALF - name[1])) for name in some])
     parts = (rows @ filter_matrix(WIDTH)).reshape(len(some), BANDS, WIDTH)
     products = np.zeros((BANDS, LAGS + 1, WIDTH, len(some)))
@@ -75,9 +81,9 @@ def _norms() -> tuple[FloatArray, FloatArray]:
         products[:, lag, lag:] = lagged.transpose(1, 2, 0)
     share = np.zeros((len(some), len(names)))
     for n, (kind, length) in enumerate(names):
-        first = list(KINDS).index(kind) * len(KNOTS)
-        for k in range(len(KNOTS)):
-            share[first + k, n] = np.interp(length, KNOTS, np.eye(len(KNOTS))[k])
+        knots = _knots(length)
+        for k, knot in enumerate(knots):
+            share[some.index((kind, knot)), n] = np.interp(length, knots, np.eye(len(knots))[k])
     return products, share
 
 
