@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QMainWindow,
     QSplitter,
     QStackedWidget,
+    QTabBar,
     QVBoxLayout,
     QWidget,
 )
@@ -191,6 +192,7 @@ class MainWindow(QMainWindow):
         short = {
             "open": self.tr("Open"),
             "export": self.tr("Export"),
+            "report": self.tr("Report"),
             "detect": self.tr("Detect"),
             "before_after": self.tr("Before"),
             "prediction": self.tr("Prediction"),
@@ -279,7 +281,7 @@ class MainWindow(QMainWindow):
 
     def reset_layout(self) -> None:
         """Put the panels where they were at first."""
-        self.restoreState(self._default_state, LAYOUT_VERSION)
+        self._place_panels(self._default_state)
 
     def _show_takes(self) -> None:
         """Show the list of takes, with room for some of them."""
@@ -362,7 +364,15 @@ class MainWindow(QMainWindow):
         if isinstance(geometry, QByteArray):
             self.restoreGeometry(geometry)
         if isinstance(state, QByteArray):
-            self.restoreState(state, LAYOUT_VERSION)
+            self._place_panels(state)
+
+    def _place_panels(self, state: QByteArray) -> None:
+        """Put the panels where they were; Qt makes new tabs then, and leaves the old ones lying."""
+        direct = Qt.FindChildOption.FindDirectChildrenOnly
+        old = self.findChildren(QTabBar, options=direct)
+        if self.restoreState(state, LAYOUT_VERSION):
+            for tabs in old:
+                tabs.hide()
 
 
 _H, _V = Qt.Orientation.Horizontal, Qt.Orientation.Vertical

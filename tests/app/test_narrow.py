@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QTabBar
 
 HALF = 960
 WORDS = Qt.ToolButtonStyle.ToolButtonTextBesideIcon
@@ -77,3 +77,24 @@ def test_the_name_of_a_row_that_was_low_stands_in_its_middle(window):
     assert axis.label.isVisible()
     middle = axis.label.pos().y() - axis.label.boundingRect().width() / 2
     assert middle == pytest.approx(axis.size().height() / 2, abs=2)
+
+
+def test_no_tabs_of_before_lie_about_in_a_layout_that_was_kept(window, qtbot):
+    def tabs():
+        """Rows of tabs within the window, by their names; those of one dock alone lie outside."""
+        bars = window.findChildren(QTabBar, options=Qt.FindChildOption.FindDirectChildrenOnly)
+        seen = [bar for bar in bars if bar.isVisible() and bar.geometry().x() >= 0]
+        return sorted(tuple(bar.tabText(i) for i in range(bar.count())) for bar in seen)
+
+    widen(window, 1500, 900)
+    window.reset_layout()
+    widen(window, 1500, 900)
+    assert tabs() == [("Review queue", "Quality")]
+    window.show_dock("takes")
+    widen(window, 1500, 900)
+    window.reset_layout()
+    widen(window, 1500, 900)
+    assert tabs() == [("Review queue", "Quality")]
+    window.show_dock("takes")
+    widen(window, 1500, 900)
+    assert tabs() == [("History", "Takes"), ("Review queue", "Quality")]

@@ -313,6 +313,25 @@ def colors_around(scene, at: QPoint, reach: int = 12) -> set[tuple[int, int, int
     return found
 
 
+def test_colours_of_groups_can_be_told_apart(scene, document):
+    def colours() -> set[str]:
+        """Colours that fill at least a square of 4 by 4 pixels somewhere."""
+        image = scene.grab().toImage()
+        names = np.array(
+            [[image.pixel(x, y) for x in range(image.width())] for y in range(image.height())]
+        )
+        views = np.lib.stride_tricks.sliding_window_view(names, (4, 4)).reshape(-1, 16)
+        return set(views[(views == views[:, :1]).all(axis=1), 0].tolist())
+
+    document.show([])
+    document.select(None)
+    document.remove([a.id for a in document.session.artifacts])
+    plain = colours()
+    scene.looks.set_colours("group")
+    assert len(colours() - plain) >= 1
+    scene.looks.set_colours("plain")
+
+
 def test_segments_of_the_wrong_length_are_red(tmp_path, qtbot):
     positions = np.zeros((300, 4, 3))
     positions[:, 1], positions[:, 2], positions[:, 3] = (0, 0, 500), (0, 400, 0), (0, 400, 500)

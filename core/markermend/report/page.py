@@ -40,7 +40,7 @@ main>section.take:first-child{border:0;margin:0;padding:0}
 .tile b{display:block;font-size:20px;font-variant-numeric:tabular-nums}
 table{border-collapse:collapse;width:100%;font-variant-numeric:tabular-nums}
 th,td{padding:4px 8px;text-align:left;border-bottom:1px solid var(--line);vertical-align:top}
-th{font-weight:600;color:var(--dim)}.n{text-align:right;white-space:nowrap}
+th{font-weight:600;color:var(--dim)}.n{text-align:right;white-space:nowrap}.why{min-width:130px}
 th button{all:unset;cursor:pointer}th button:focus-visible{outline:2px solid var(--now)}
 th[aria-sort=ascending] button::after{content:" ↑"}
 th[aria-sort=descending] button::after{content:" ↓"}

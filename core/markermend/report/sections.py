@@ -173,7 +173,7 @@ def _left(take: Take, done: Sequence[Outcome]) -> list[str]:
     left = [o for o in done if o.method is None]
     if not left:
         return []
-    columns = [*_WHERE, ("Sure", "n"), ("Evidence", ""), ("Left because", "")]
+    columns = [*_WHERE, ("Sure", "n"), ("Evidence", ""), ("Left because", "why")]
     rows = [
         [
             *_where(take, o),

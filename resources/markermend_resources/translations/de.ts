@@ -2460,6 +2460,10 @@
         <translation>Exportieren</translation>
     </message>
     <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
         <source>Detect</source>
         <translation>Suchen</translation>
     </message>

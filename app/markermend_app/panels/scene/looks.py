@@ -35,6 +35,11 @@ class Looks:
         self.ghost = settings.flag("scene_ghost", True)
         self.lengths = settings.flag("scene_lengths", True)
 
+    @property
+    def least(self) -> float:
+        """Least radius of a marker, pixels: colours need more to be told apart."""
+        return 2.0 if self.colours == COLOURS[0] else 4.0
+
     def set_colours(self, colours: str) -> None:
         """Colour markers in another way."""
         self.colours = colours

@@ -113,6 +113,7 @@ class Discs:
     shown : column to its place among the shown markers
     rings : column to the class of an open artifact that covers the frame
     colours : of each marker, unless it is shown
+    least : pixels, the least radius
     """
 
     positions: FloatArray
@@ -120,6 +121,7 @@ class Discs:
     shown: Mapping[int, int]
     rings: Mapping[int, Kind]
     colours: Sequence[QColor]
+    least: float
 
 
 def paint_discs(sight: Sight, discs: Discs) -> FloatArray:
@@ -130,7 +132,7 @@ def paint_discs(sight: Sight, discs: Discs) -> FloatArray:
     scale = sight.camera.scale(sight.height)
     depth = seen[:, 2]
     with np.errstate(divide="ignore", invalid="ignore"):
-        radius = np.clip(discs.radius * scale / depth, 1.5, 14.0)
+        radius = np.clip(discs.radius * scale / depth, discs.least, 14.0)
     order = np.argsort(-depth)
     order = order[~np.isnan(at[order, 0])]
     painter = sight.painter

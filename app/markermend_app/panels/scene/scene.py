@@ -195,7 +195,8 @@ class Scene(QWidget):
             self._paint_other(sight, positions, others, shown)
         damage = self.seen.damage() if self.looks.colours == "damage" else np.zeros(0)
         colours = marker_colours(self.looks, take.markers, self._document.mesh, damage)
-        discs = paint.Discs(now, self.seen.radius, shown, self.seen.rings(), colours)
+        rings, least = self.seen.rings(), self.looks.least
+        discs = paint.Discs(now, self.seen.radius, shown, rings, colours, least)
         self._at = paint.paint_discs(sight, discs)
         spots = self._paint_ghost(sight, now)
         followed = [take.index(s) for s in self._document.preview.references]
