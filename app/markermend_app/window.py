@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from PySide6.QtCore import QByteArray, QSize, Qt
+from PySide6.QtCore import QByteArray, QChildEvent, QSize, Qt
 from PySide6.QtGui import (
     QActionGroup,
     QCloseEvent,
@@ -52,6 +52,7 @@ from markermend_app.verbs.bulk import Bulk
 from markermend_app.verbs.commands import Commands
 from markermend_app.verbs.comparison import Comparison
 from markermend_app.verbs.handwork import HandWork
+from markermend_app.verbs.key_sweep import KeySweep
 from markermend_app.verbs.references import References
 from markermend_app.verbs.reporting import Reporting
 from markermend_app.verbs.smoothing import Smoothing
@@ -77,6 +78,7 @@ class MainWindow(QMainWindow):
         self.bulk = Bulk(self.document, self)
         self.batch = BatchReview(self.document, self.commands, self.lane, self)
         self.smoothing = Smoothing(self.document, self)
+        self.key_sweep = KeySweep(self.document, self)
         self.reporting = Reporting(self.document, self.lane, self)
         self.attention = Attention(self.document, self)
         self.sight = Sight(self.document, self)
@@ -87,6 +89,7 @@ class MainWindow(QMainWindow):
         self.walk = PanelWalk(self)
         self.references = References(self.document, self)
         self.scene.pick, self.scene.do = self.references.toggle, self._run
+        self.tree.pick = self.references.toggle
         self.comparison = Comparison(self.document, self)
         self.candidates = Candidates(self.comparison, self.trajectories, self)
         self.hand = HandWork(self.document, self.lane, self, self.queue.selected)
@@ -263,13 +266,16 @@ class MainWindow(QMainWindow):
         verb()
 
     @property
-    def _verbs(self) -> tuple[Commands, Bulk, BatchReview, HandWork, Smoothing, Reporting]:
+    def _verbs(
+        self,
+    ) -> tuple[Commands, Bulk, BatchReview, HandWork, KeySweep, Smoothing, Reporting]:
         """What has verbs that actions name."""
         return (
             self.commands,
             self.bulk,
             self.batch,
             self.hand,
+            self.key_sweep,
             self.smoothing,
             self.reporting,
         )
@@ -327,6 +333,22 @@ class MainWindow(QMainWindow):
         self.setWindowModified(not session.exported)
 
     # Window manners
+
+    def focusNextPrevChild(self, forward: bool) -> bool:
+        """Let Tab pass over panels that another one covers as a tab: Qt takes them for visible."""
+        while super().focusNextPrevChild(forward):
+            focus = self.focusWidget()
+            around = [dock for dock in self.docks.values() if dock.isAncestorOf(focus)]
+            if not any(dock.visibleRegion().isEmpty() for dock in around):
+                return True
+        return False
+
+    def childEvent(self, event: QChildEvent) -> None:
+        """Keep Tab off the tabs of panels: F6 reaches these, and Qt leaves empty ones behind."""
+        bar = event.child()
+        if event.polished() and isinstance(bar, QTabBar):
+            bar.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        super().childEvent(event)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         """Take a file that is dragged in."""

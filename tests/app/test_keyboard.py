@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from driving import key
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QItemSelectionModel, Qt
 from PySide6.QtWidgets import QApplication
 
 from markermend_app.actions import shortcuts
@@ -98,3 +98,90 @@ def test_no_preset_takes_f6_away(qapp):
         shortcuts.use_preset(name)
         assert shortcuts.table()["next_panel"] == ("F6",)
         assert shortcuts.table()["previous_panel"] == ("Shift+F6",)
+
+
+def test_a_range_is_swept_from_cursor_to_cursor_and_marked_by_keys(window, qtbot):
+    document = window.document
+    document.show(("STRN",))
+    document.go_to(100)
+    key(qtbot, window, Qt.Key.Key_V)
+    assert document.selection == Selection("STRN", 100, 101)
+    key(qtbot, window, Qt.Key.Key_Right, SHIFT)
+    key(qtbot, window, Qt.Key.Key_Left)
+    assert document.selection == Selection("STRN", 100, 110)
+    key(qtbot, window, Qt.Key.Key_V)
+    key(qtbot, window, Qt.Key.Key_Right, SHIFT)
+    assert document.selection == Selection("STRN", 100, 110)
+    key(qtbot, window, Qt.Key.Key_M)
+    marked = [a for a in document.session.artifacts if a.marker == "STRN"]
+    assert [(a.start, a.stop) for a in marked] == [(100, 110)]
+
+
+def test_a_range_swept_by_keys_goes_backward_too_and_esc_ends_it(window, qtbot):
+    document = window.document
+    document.show(("STRN",))
+    document.go_to(100)
+    key(qtbot, window, Qt.Key.Key_V)
+    key(qtbot, window, Qt.Key.Key_Left, SHIFT)
+    assert document.selection == Selection("STRN", 90, 101)
+    key(qtbot, window, Qt.Key.Key_Escape)
+    key(qtbot, window, Qt.Key.Key_Left)
+    assert document.selection is None
+
+
+def test_a_range_swept_by_keys_ends_where_another_marker_comes_forward(window, qtbot):
+    document = window.document
+    document.show(("STRN",))
+    key(qtbot, window, Qt.Key.Key_V)
+    swept = document.selection
+    document.show(("T10",))
+    key(qtbot, window, Qt.Key.Key_Home)
+    assert document.selection == swept
+
+
+def in_tree(window, marker):
+    """Put the tree's cursor on a marker, as the arrows do."""
+    tree = window.tree
+    tree.view.setFocus()
+    tree.view.selectionModel().setCurrentIndex(
+        tree._proxy.mapFromSource(tree._model.index_of(marker)),
+        QItemSelectionModel.SelectionFlag.NoUpdate,
+    )
+
+
+def test_return_in_the_tree_is_a_check_mark(window, qtbot):
+    document = window.document
+    assert document.shown == ("CLAV",)
+    in_tree(window, "T10")
+    key(qtbot, window.tree.view, Qt.Key.Key_Return)
+    assert document.shown == ("CLAV", "T10")
+    in_tree(window, "CLAV")
+    key(qtbot, window.tree.view, Qt.Key.Key_Return)
+    assert document.shown == ("T10",)
+
+
+def test_markers_to_follow_are_chosen_by_return(window, qtbot):
+    document = window.document
+    key(qtbot, window, Qt.Key.Key_K)
+    for marker in ("T10", "STRN", "T10"):
+        in_tree(window, marker)
+        key(qtbot, window.tree.view, Qt.Key.Key_Return)
+    assert document.preview.references == ("STRN",)
+    assert document.shown == ("CLAV",)
+
+
+def test_tab_goes_from_the_methods_to_what_stands_below_them(window, qtbot):
+    window.inspector.place.setFocus()
+    way = []
+    for _ in range(4):
+        key(qtbot, focus(), Qt.Key.Key_Tab)
+        way.append(focus())
+    page = window.inspector.artifact
+    assert way[:3] == [page.methods.buttons["auto"], page.methods.more, page.kind]
+
+
+def test_tab_never_leaves_what_can_be_seen(window, qtbot):
+    for _ in range(80):
+        key(qtbot, focus(), Qt.Key.Key_Tab)
+        corner = focus().mapTo(window, focus().rect().center())
+        assert window.rect().contains(corner), focus()

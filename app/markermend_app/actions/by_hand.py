@@ -15,6 +15,15 @@ _EDGES = (
 
 HAND_WORK: tuple[Action, ...] = (
     Action(
+        "sweep",
+        "Begin or end a selection at the cursor",
+        "By hand",
+        ("V",),
+        "",
+        "Select from here to where the cursor is when it is pressed again, without the mouse",
+        marker,
+    ),
+    Action(
         "mark_selection",
         "Mark selection",
         "By hand",
@@ -92,7 +101,8 @@ HAND_WORK: tuple[Action, ...] = (
         "|By hand",
         ("K",),
         "body",
-        "Click markers in the 3D view; the repair follows these only",
+        "Click markers in the 3D view, or press Return on them in the tree; the repair follows "
+        "these only",
         current,
         True,
     ),

@@ -110,7 +110,7 @@ QLineEdit, QPlainTextEdit, QTextEdit, QSpinBox, QDoubleSpinBox, QComboBox {
     background: $panel; border: 1px solid $border; border-radius: 4px; padding: 3px 8px;
     min-height: 16px; selection-background-color: $accent; selection-color: $on_accent; }
 QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus,
-QComboBox:focus { border-color: $accent; }
+QComboBox:focus { border: 2px solid $accent; padding: 2px 7px; }
 QLineEdit:disabled, QSpinBox:disabled, QDoubleSpinBox:disabled, QComboBox:disabled {
     color: $dimmed; background: $window; }
 QComboBox::drop-down { border: none; width: 20px; }
@@ -139,6 +139,7 @@ QRadioButton::indicator:checked { width: 5px; height: 5px; border: 4px solid $ac
     border-radius: 6px; background: $on_accent; }
 QRadioButton::indicator:disabled { border-color: $dimmed; }
 QCheckBox:focus, QRadioButton:focus { color: $accent; }
+QCheckBox::indicator:focus, QRadioButton::indicator:focus { border-color: $accent; }
 
 QGroupBox { border: 1px solid $border; border-radius: 4px; margin-top: 16px; padding: 8px; }
 QGroupBox::title { subcontrol-origin: margin; left: 8px; padding: 0 4px; font-weight: 600; }
@@ -153,8 +154,8 @@ QDockWidget::close-button:hover, QDockWidget::float-button:hover { background: $
 
 QTreeView, QTableView, QListView { background: $panel; border: 1px solid $border; outline: 0;
     gridline-color: $border; alternate-background-color: $row;
-    selection-background-color: $chosen; selection-color: $text; }
-QTreeView:focus, QTableView:focus, QListView:focus { border-color: $accent; }
+    selection-background-color: $chosen; selection-color: $text; padding: 1px; }
+QTreeView:focus, QTableView:focus, QListView:focus { border: 2px solid $accent; padding: 0; }
 QTreeView::item, QTableView::item, QListView::item { padding: 2px 4px; min-height: 20px; }
 QTreeView::item:hover, QTableView::item:hover, QListView::item:hover { background: $row; }
 QTreeView::item:selected, QTableView::item:selected, QListView::item:selected {
@@ -177,8 +178,8 @@ QTabBar::tab { background: transparent; color: $muted; padding: 4px 12px;
 QTabBar::tab:hover { color: $text; }
 QTabBar::tab:selected { color: $text; border-bottom-color: $accent; }
 
-PlotStack, Inspector QScrollArea { border: 1px solid transparent; }
-PlotStack:focus, Inspector QScrollArea:focus { border-color: $accent; }
+PlotStack, Inspector QScrollArea { border: 1px solid transparent; padding: 1px; }
+PlotStack:focus, Inspector QScrollArea:focus { border: 2px solid $accent; padding: 0; }
 QScrollBar { background: transparent; border: none; }
 QScrollBar:vertical { width: 12px; }
 QScrollBar:horizontal { height: 12px; }

@@ -1,4 +1,4 @@
-"""Choosing by hand, with clicks in the 3D view, which markers a repair follows."""
+"""Choosing by hand, in the 3D view or in the tree, which markers a repair follows."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from markermend_app.document import Document
 
 
 class References(QObject):
-    """While it chooses, a click on a marker puts it in or takes it out.
+    """While it chooses, a click on a marker, or Return, puts it in or takes it out.
 
     Signals
     -------
@@ -36,11 +36,11 @@ class References(QObject):
         self.choosing = on and current is not None
         if self.choosing and current is not None:
             self._artifact = current.id
-            self.said.emit(
-                self.tr("Click the markers in the 3D view that {0} is to follow.").format(
-                    current.marker
-                )
+            text = self.tr(
+                "Choose the markers that {0} is to follow: by clicks in the 3D view, or by Return "
+                "in the tree."
             )
+            self.said.emit(text.format(current.marker))
         else:
             self.said.emit("")
         self.changed.emit(self.choosing)

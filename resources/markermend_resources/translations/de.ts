@@ -608,6 +608,14 @@
         <translation>Etwas dazu sagen</translation>
     </message>
     <message>
+        <source>Begin or end a selection at the cursor</source>
+        <translation>Auswahl am Cursor beginnen oder beenden</translation>
+    </message>
+    <message>
+        <source>Select from here to where the cursor is when it is pressed again, without the mouse</source>
+        <translation>Ohne Maus von hier bis dorthin auswählen, wo der Cursor beim nächsten Druck steht</translation>
+    </message>
+    <message>
         <source>Mark selection</source>
         <translation>Auswahl kennzeichnen</translation>
     </message>
@@ -680,8 +688,8 @@
         <translation>Marker wählen, denen gefolgt wird</translation>
     </message>
     <message>
-        <source>Click markers in the 3D view; the repair follows these only</source>
-        <translation>Marker in der 3D-Ansicht anklicken; die Reparatur folgt nur diesen</translation>
+        <source>Click markers in the 3D view, or press Return on them in the tree; the repair follows these only</source>
+        <translation>Marker in der 3D-Ansicht anklicken oder im Baum die Eingabetaste auf ihnen drücken; die Reparatur folgt nur diesen</translation>
     </message>
     <message>
         <source>Split artifact at the cursor</source>
@@ -2411,6 +2419,13 @@
     </message>
 </context>
 <context>
+    <name>KeySweep</name>
+    <message>
+        <source>Move the cursor to where the selection ends, then press again</source>
+        <translation>Den Cursor dorthin bewegen, wo die Auswahl endet, dann noch einmal drücken</translation>
+    </message>
+</context>
+<context>
     <name>Legend</name>
     <message>
         <source>Bring {marker} to the front</source>
@@ -2990,8 +3005,8 @@
 <context>
     <name>References</name>
     <message>
-        <source>Click the markers in the 3D view that {0} is to follow.</source>
-        <translation>In der 3D-Ansicht die Marker anklicken, denen {0} folgen soll.</translation>
+        <source>Choose the markers that {0} is to follow: by clicks in the 3D view, or by Return in the tree.</source>
+        <translation>Die Marker wählen, denen {0} folgen soll: durch Klicks in der 3D-Ansicht oder die Eingabetaste im Baum.</translation>
     </message>
 </context>
 <context>

@@ -79,6 +79,14 @@ class MethodList(QWidget):
             tip = self.tr("{0} (key {1})").format(tr(method.summary), method.key)
             button = self._made(method.name, f"{method.key} {tr(method.label)}", tip)
             self._grid.addWidget(button, 1 + i % half, i // half)
+        # Made late, they would be the last that Tab reaches; it takes no order from what it skips.
+        before = self.more.previousInFocusChain()
+        while before is not None and before.focusPolicy() == Qt.FocusPolicy.NoFocus:
+            before = before.previousInFocusChain()
+        for button in self.buttons.values():
+            if before is not None:
+                self.setTabOrder(before, button)
+            before = button
         others = (method for method in REPAIRS.values() if method.key is None)
         for row, method in enumerate(sorted(others, key=lambda m: tr(m.label).lower())):
             self.more.addItem(tr(method.label), method.name)

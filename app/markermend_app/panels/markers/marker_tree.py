@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import (
     QItemSelection,
@@ -15,7 +15,7 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
-from PySide6.QtGui import QPainter, QResizeEvent
+from PySide6.QtGui import QKeyEvent, QPainter, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QApplication,
@@ -61,7 +61,8 @@ class MarkerTree(QWidget):
 
     A click shows a marker alone in the plots; a check mark, Ctrl or Shift shows it beside others.
     A check mark at what is no marker shows it in a row of its own below the plots. The right button
-    offers what can be done to the marker.
+    offers what can be done to the marker. Return is a check mark by key, unless ``pick`` takes the
+    marker for something else.
 
     Signals
     -------
@@ -79,7 +80,9 @@ class MarkerTree(QWidget):
         self._proxy = _Filter(self)
         self._proxy.setSourceModel(self._model)
 
-        self.view = QTreeView()
+        self.pick: Callable[[str], bool] = lambda marker: False
+        self.view = _View()
+        self.view.returned.connect(self._check)
         self.filter = FilterLine(self.tr("Filter markers"), self.view)
         self.filter.textChanged.connect(self._filter)
         self.worst_first = QToolButton()
@@ -248,6 +251,21 @@ class MarkerTree(QWidget):
         add_marker_verbs(menu, self._document, self.verb_requested.emit)
         menu.popup(self.view.viewport().mapToGlobal(at))
 
+    def _check(self, index: QModelIndex) -> None:
+        """Set or take the check mark of a row, or open a group that has none."""
+        index = index.siblingAtColumn(NAME)
+        label = self._model.node(self._proxy.mapToSource(index)).label
+        if label and self.pick(label):
+            return
+        role = Qt.ItemDataRole.CheckStateRole
+        checked = index.data(role)
+        if checked is None:
+            self.view.setExpanded(index, not self.view.isExpanded(index))
+        else:
+            on = Qt.CheckState(checked) == Qt.CheckState.Checked
+            state = Qt.CheckState.Unchecked if on else Qt.CheckState.Checked
+            self._proxy.setData(index, state, role)
+
     def _labels(self, rows: Sequence[QModelIndex]) -> list[str]:
         """Markers of selected rows, the one clicked last foremost."""
         current = self.view.currentIndex()
@@ -280,6 +298,25 @@ class MarkerTree(QWidget):
     def _recolour(self) -> None:
         self.worst_first.setIcon(theme.icon("sort"))
         self._model.recolour()
+
+
+class _View(QTreeView):
+    """A tree in which Return means a row's check mark: the space bar plays.
+
+    Signals
+    -------
+    returned(QModelIndex) : Return was pressed on a row
+    """
+
+    returned = Signal(QModelIndex)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Tell of Return."""
+        index = self.currentIndex()
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and index.isValid():
+            self.returned.emit(index)
+        else:
+            super().keyPressEvent(event)
 
 
 class _Filter(QSortFilterProxyModel):

@@ -180,6 +180,7 @@ class Scene(QWidget):
         if session is None or self.stage is None or not session.original.frames:
             text = self.tr("No frames") if session else self.tr("Open a take to see it in space.")
             paint.paint_message(painter, QRectF(self.rect()), text)
+            paint_focus(painter, self)
             return
         sight = paint.Sight(painter, self.camera, self.width(), self.height())
         frame, take = self._document.frame, session.original
