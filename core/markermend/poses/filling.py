@@ -13,7 +13,7 @@ from markermend.poses.covariance import Moments, learn, pooled
 
 # Gaps up to this long are many and alike, and are crossed all at once.
 _SHORT_S = 0.02
-_PASSES = 3
+_PASSES = 2
 # Share of the deviations' estimate beside the levels', in gaps shorter and longer than this.
 _BRIEF_S, _BRIEF, _LONG = 0.3, 0.85, 0.5
 # Added to variances before regressing: absolute, and of a channel hidden part of the time.
@@ -30,10 +30,12 @@ class Filled:
     ----------
     values : (frames, channels), the known ones as they were
     variance : (frames, channels) expected squared error, 0 where known
+    lasting : some gaps are so long that to fill them again from a better estimate pays
     """
 
     values: FloatArray
     variance: FloatArray
+    lasting: bool
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,6 +54,7 @@ def fill(
     prior: Moments | None = None,
     *,
     rough: bool = False,
+    near: FloatArray | None = None,
 ) -> Filled:
     """Fill the gaps of all channels.
 
@@ -62,6 +65,8 @@ def fill(
     rate : frames per second
     prior : moments of the same channels from other recordings
     rough : to look for noise: once, and short gaps by time alone
+    near : (frames, channels) what was made of an earlier result, to fill once more from it; short
+        gaps keep it
 
     Notes
     -----
@@ -74,15 +79,16 @@ def fill(
     short = max(round(_SHORT_S * rate), 1)
     variance = _time_variance(base, known, rate)
     gaps = _gaps(known)
-    if not rough:
+    if not rough and near is None:
         brief = [gap for gap in gaps if gap.stop - gap.start <= short]
         moments = pooled(learn(base, rate, range(1, short + 1)), prior)
         _cross_short(base, variance, known, brief, moments, rate)
     gaps = [gap for gap in gaps if gap.stop - gap.start > short]
-    estimate = base
+    estimate = base if near is None else np.where(known, base, near)
     lengths = [gap.stop - gap.start for gap in gaps]
     # In brief gaps a second pass changes nothing that shows.
-    passes = 1 if rough or max(lengths, default=0) < _BRIEF_S * rate else _PASSES
+    lasting = max(lengths, default=0) >= _BRIEF_S * rate
+    passes = _PASSES if lasting and not rough and near is None else 1
     for last in (False,) * (passes - 1) + (True,) if gaps else ():
         moments = pooled(learn(estimate, rate, lengths), prior)
         better = estimate.copy()
@@ -92,7 +98,7 @@ def fill(
             if last:
                 variance[gap.start : gap.stop, gap.channels] = unsure
         estimate = better
-    return Filled(np.where(known, values, estimate), variance)
+    return Filled(np.where(known, values, estimate), variance, lasting)
 
 
 def _gaps(known: BoolArray) -> list[_Gap]:

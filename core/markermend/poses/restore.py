@@ -139,14 +139,24 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     variance[:, usable] = filled.variance + (_LEFT * noise[usable]) ** 2
     tell(0.7, "Keeping bones")
     features, bones = _agreed(whole, variance, channels, pose, known_joints, level)
+    if filled.lasting:
+        tell(0.75, "Filling again")
+        near = _columns(features, channels)[:, usable]
+        whole[:, usable] = fill(values, known, pose.rate, prior, near=near).values
+        features, bones = _agreed(whole, variance, channels, pose, known_joints, level)
     if level > _NOISY:
         tell(0.8, "Smoothing again")
-        pilot = features[:, channels.joints].reshape(pose.frames, -1)[:, usable]
+        pilot = _columns(features, channels)[:, usable]
         again = np.where(known, channels.values[:, usable], pilot)
         whole[:, usable] = smooth_again(again, pilot, noise[usable], pose.rate)
         features, bones = _agreed(whole, variance, channels, pose, known_joints, level)
     features = _with_bones(features, known_joints, bones)
     return _finished(pose, features, channels, noise, variance)
+
+
+def _columns(features: FloatArray, channels: Channels) -> FloatArray:
+    """(frames, joints · 7) of all joints but the root."""
+    return features[:, channels.joints].reshape(len(features), -1)
 
 
 def _known_joints(channels: Channels, pose: Pose) -> tuple[BoolArray, BoolArray]:
