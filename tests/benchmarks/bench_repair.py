@@ -58,7 +58,7 @@ def main() -> None:
     take = performance(5000)
     gap = Artifact(take.labels[20], "xyz", 2000, 2100, Kind.GAP)
     evidence = evidence_for(take, [gap])
-    for method in ("auto", "local_regression", "kalman", "spline", "pma", "ffnn_lin"):
+    for method in ("auto", "local_regression", "kalman", "spline", "pma", "ffnn_lin", "ffnn_tanh"):
         spent = cpu_s(lambda name=method: propose_from(evidence, gap, method=name))
         tell(f"one gap of 100 frames, {method:<17}{1000 * spent:7.0f} ms")
     holed = with_gaps(take, GAPS)

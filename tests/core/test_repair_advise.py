@@ -11,7 +11,7 @@ import pytest
 from markermend.artifact import Artifact, Kind
 from markermend.bench.gaps import read_cases, read_named
 from markermend.repairs import advise, evidence_for, propose
-from markermend.repairs.advice import CANDIDATES
+from markermend.repairs.advice import CANDIDATES, COMPARED
 from markermend.take import Take
 
 BENCH = Path(__file__).resolve().parents[3] / "shared" / "bench" / "gaps-dev.json"
@@ -36,7 +36,8 @@ def hide(take: Take, start: int, stop: int) -> tuple[Take, Artifact]:
 def test_the_body_wins_over_curves_where_it_is_seen() -> None:
     take, gap = hide(wave_take(), 150, 200)
     advice = advise(evidence_for(take), gap)
-    assert advice[0].method == "local_regression"
+    # Rigid body is as right, where nothing but one rigid body moves.
+    assert {a.method for a in advice[:2]} == {"local_regression", "rigid"}
     assert {a.method for a in advice} >= {"spline", "pchip", "makima", "linear"}
     known = [a.error_mm for a in advice[1:] if a.error_mm is not None]
     assert known == sorted(known)
@@ -107,3 +108,53 @@ def test_expected_errors_follow_the_true_ones_on_real_takes(shared_data: Path) -
     assert np.corrcoef(np.log(expected), np.log(true))[0, 1] > 0.8
     assert 0.6 < np.mean(expected) / np.mean(true) < 1.7
     assert np.median(seconds) < 1.0
+
+
+def swaying_take(frames: int = 1200) -> Take:
+    """Two markers that keep their distance, and three that go their own ways."""
+    t = np.arange(frames)[:, None] / 100.0
+    rng = np.random.default_rng(2)
+    ways = rng.normal(size=(4, 5, 3))
+    paths = [sum(w * np.sin((k + 1.3) * t + k) for k, w in enumerate(way)) * 150 for way in ways]
+    beside = paths[0] + [40.0, 10.0, 0.0] + 2 * np.sin(5 * t)
+    labels = tuple(f"M{i}" for i in range(5))
+    return Take(np.stack([paths[0], beside, *paths[1:]], axis=1), labels, 100.0)
+
+
+def test_a_marker_is_followed_where_the_body_is_not_seen() -> None:
+    take = swaying_take()
+    positions = take.positions.copy()
+    positions[250:400, [0, 2, 3, 4]] = np.nan
+    holed = Take(positions, take.labels, take.rate)
+    gap = Artifact("M0", "xyz", 250, 400, Kind.GAP)
+    best = advise(evidence_for(holed), gap)[0]
+    assert best.method == "pattern"
+    assert best.trials == 4
+    chosen = propose(holed, gap)
+    assert chosen.method == "pattern"
+    assert "Only one other marker" in chosen.reason
+    off = np.linalg.norm(chosen.patches[0].values - take.positions[250:400, 0], axis=1).mean()
+    assert off < 5.0
+
+
+def test_rigid_body_is_measured_where_the_body_is_seen_and_pattern_where_not() -> None:
+    take, gap = hide(wave_take(), 150, 200)
+    tried = {a.method for a in advise(evidence_for(take), gap, trials=1)}
+    assert "rigid" in tried
+    assert "pattern" not in tried
+    positions = take.positions.copy()
+    positions[150:200, 2:] = np.nan
+    few = evidence_for(Take(positions, take.labels, take.rate))
+    tried = {a.method for a in advise(few, gap, trials=1)}
+    assert "pattern" in tried
+    assert "rigid" not in tried
+
+
+@pytest.mark.parametrize("name", ["rigid", "pattern", "cyclic"])
+def test_a_method_chosen_by_hand_is_compared_by_its_measured_error(name: str) -> None:
+    take, gap = hide(wave_take(900), 400, 450)
+    alone = propose(take, gap, method=name)
+    assert alone.error_mm is not None
+    (compared,) = [a for a in advise(evidence_for(take), gap, methods=COMPARED) if a.method == name]
+    assert compared.trials == 4
+    assert compared.error_mm is not None

@@ -96,8 +96,8 @@ def advise(
 def candidates(evidence: Evidence, artifact: Artifact) -> tuple[str, ...]:
     """Methods worth measuring for an artifact.
 
-    Where fewer than three other markers of the body are seen all through the interval, those
-    that can cross a blackout come with the usual ones.
+    Beside the usual ones rigid body is tried where three other markers of the body are seen all
+    through the interval; where fewer are, pattern and those that can cross a blackout.
 
     Parameters
     ----------
@@ -110,9 +110,9 @@ def candidates(evidence: Evidence, artifact: Artifact) -> tuple[str, ...]:
         evidence.take, seen, marker, slice(artifact.start, artifact.stop)
     )
     if len(references) >= LEAST_REFERENCES:
-        return CANDIDATES
+        return (*CANDIDATES, "rigid")
     across = (m.name for m in REPAIRS.values() if m.crosses_blackout)
-    return (*CANDIDATES, *(name for name in across if name not in CANDIDATES))
+    return (*CANDIDATES, "pattern", *(name for name in across if name not in CANDIDATES))
 
 
 def with_expected_error(

@@ -10,10 +10,10 @@ import numpy as np
 from markermend.artifact import Artifact
 from markermend.repairs.advice import with_expected_error
 from markermend.repairs.body_frame import rank_references
-from markermend.repairs.choice import alternatives, choose
+from markermend.repairs.choice import LONGEST_SPLINE_S, alternatives, choose
 from markermend.repairs.look_again import looked_at
 from markermend.repairs.registry import Evidence, Repair, find_method
-from markermend.repairs.result import MEAN_OVER_RMS
+from markermend.repairs.result import MEAN_OVER_RMS, without_own
 
 # What is expected to be further off than this is left, unless a method is named.
 MOST_ERROR_MM = 50.0
@@ -55,6 +55,28 @@ def best_repair(evidence: Evidence, artifact: Artifact) -> Repair:
         if not best.leaves:
             break
     return best
+
+
+def follow_one(evidence: Evidence, artifact: Artifact, refused: Repair) -> Repair:
+    """The last resort over what no curve reaches: follow the one marker that keeps its distance.
+
+    Parameters
+    ----------
+    evidence : what may be believed, without repairs that invent much
+    artifact : what is to be repaired
+    refused : why nothing else repairs it
+
+    Returns
+    -------
+    Repair
+        by the pattern, with the reason why; `refused` where that cannot repair well either, where
+        the interval is short, and in skeleton recordings
+    """
+    take = evidence.take
+    if take.skeleton or artifact.length <= LONGEST_SPLINE_S * take.rate:
+        return refused
+    done = _by_defaults(without_own(evidence, artifact), artifact, "pattern")
+    return replace(done, reason=refused.reason) if done.patches else refused
 
 
 def _as_near(other: Repair, usual: Repair) -> bool:

@@ -72,10 +72,12 @@ def _donor(
             return None, f"{label} is not seen all through the interval."
         return chosen, ""
     ranked, _ = rank_references(take, seen, marker, interval)
-    siblings = (evidence.mesh or infer_mesh(take)).siblings(marker)
-    alike = [int(m) for m in ranked if m in siblings]
-    if alike:
-        return alike[0], ""
+    # In a blackout there is no one to follow, and no need to work out the body's structure.
+    if len(ranked):
+        siblings = (evidence.mesh or infer_mesh(take)).siblings(marker)
+        alike = [int(m) for m in ranked if m in siblings]
+        if alike:
+            return alike[0], ""
     return None, (
         f"No other marker of the group of {artifact.marker} is seen all through the interval; "
         "name one to follow."

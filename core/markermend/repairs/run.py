@@ -17,7 +17,7 @@ from markermend.mesh import Mesh
 from markermend.patch import Patch, patched
 from markermend.progress import Progress, quiet
 from markermend.repairs.advice import with_expected_error
-from markermend.repairs.automatic import best_repair, counting_references
+from markermend.repairs.automatic import best_repair, counting_references, follow_one
 from markermend.repairs.look_again import looked_at
 from markermend.repairs.registry import Evidence, Repair, find_method
 from markermend.repairs.result import read_params, refuse, without_own
@@ -114,11 +114,14 @@ def propose(
     if twin is not None and method in (AUTO, "swap"):
         return refuse("swap", _swapped(twin))
     done = propose_from(evidence, artifact, method=method, params=params)
-    if done.patches or not any(a.status is Status.REPAIRED for a in others):
+    if not done.patches and any(a.status is Status.REPAIRED for a in others):
+        believing = evidence_for(take, known, mesh, believe_repairs=True, progress=progress)
+        second = propose_from(believing, artifact, method=method, params=params)
+        if second.patches:
+            return replace(second, reason=_from_repairs(done.reason))
+    if done.patches or method != AUTO:
         return done
-    evidence = evidence_for(take, known, mesh, believe_repairs=True, progress=progress)
-    second = propose_from(evidence, artifact, method=method, params=params)
-    return replace(second, reason=_from_repairs(done.reason)) if second.patches else done
+    return follow_one(evidence, artifact, done)
 
 
 def propose_from(
@@ -170,7 +173,8 @@ def repair_all(
     earlier stage repaired is evidence for the next as far as :func:`evidence_for` believes it;
     within a stage all see the same evidence, so that their order does not matter. What cannot be
     repaired so, because whole limbs are missing, is tried once more believing all repairs, and
-    the repair's reason says so.
+    the repair's reason says so. What is left then follows the one marker that is still seen and
+    keeps its distance best, if that is expected to be near enough.
 
     Parameters
     ----------
@@ -319,6 +323,12 @@ def _run(
             pairs.remove((artifact, refused))
             pairs.append((artifact, replace(done, reason=_from_repairs(refused.reason))))
             take = patched(take, done.patches)
+    left = [p for p in again if p in pairs and method == AUTO]
+    evidence = evidence_for(take, states.values(), mesh, progress=inner) if left else evidence
+    for artifact, refused in left:
+        pairs.remove((artifact, refused))
+        pairs.append((artifact, follow_one(evidence, artifact, refused)))
+        take = patched(take, pairs[-1][1].patches)
     report(1.0, "Repaired")
     return take, pairs
 
