@@ -146,6 +146,16 @@ def test_an_elbow_between_joints_that_are_seen_settles_where_this_arm_bends():
     assert far(restored, pose)[:, [1, 3, 4]].max() < 1e-6
 
 
+def test_no_joint_that_was_filled_is_said_to_be_exact():
+    pose = arm()
+    hidden = slice(200, 260)
+    # The first joint of the arm is fixed to the root.
+    restored = restore(hide(pose, hidden, 1))
+    error = restored.error_mm[hidden, 1]
+    assert (error > 0.3).all()
+    assert (far(restored.pose, pose)[hidden, 1] < 2 * error).all()
+
+
 def test_bones_keep_their_length_and_rotations_follow():
     pose = arm()
     features = np.concatenate([pose.positions, pose.rotations], axis=2)

@@ -136,7 +136,8 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     whole[:, usable] = filled.values
     whole[:, ~usable] = np.nan
     variance = np.full(channels.values.shape, np.nan)
-    variance[:, usable] = filled.variance + (_LEFT * noise[usable]) ** 2
+    unsure = np.where(known, 0.0, np.maximum(filled.variance, _SURE**2))
+    variance[:, usable] = unsure + (_LEFT * noise[usable]) ** 2
     tell(0.7, "Keeping bones")
     features, bones = _agreed(whole, variance, channels, pose, known_joints, level)
     if filled.lasting:
