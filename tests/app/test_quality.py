@@ -163,3 +163,15 @@ def test_nothing_is_counted_while_another_tab_covers_it(review, damaged, qtbot, 
     assert not counted
     window.docks["quality"].raise_()
     qtbot.waitUntil(lambda: counted == [1])
+
+
+def test_columns_stand_below_their_heads_without_a_scroll_bar(qtbot, panel):
+    panel.resize(900, 120)
+    qtbot.wait(20)
+    assert panel.view.verticalScrollBar().isVisible()
+    assert not panel.view.horizontalScrollBar().isVisible()
+    panel.head.horizontalHeader().resizeSection(MARKER, 150)
+    assert panel.view.columnWidth(MARKER) == 150
+    panel.resize(500, 120)
+    qtbot.wait(20)
+    assert panel.view.horizontalScrollBar().isVisible()

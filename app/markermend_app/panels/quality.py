@@ -61,7 +61,7 @@ class QualityPanel(QWidget):
         header.setSectionsClickable(True)
         header.setSortIndicator(OPEN, Qt.SortOrder.DescendingOrder)
         header.sortIndicatorChanged.connect(self._sort)
-        header.sectionResized.connect(lambda i, _, width: self.view.setColumnWidth(i, width))
+        header.sectionResized.connect(self._resize_column)
         self.view.horizontalHeader().setStretchLastSection(True)
         self.view.horizontalScrollBar().valueChanged.connect(
             self.head.horizontalScrollBar().setValue
@@ -111,6 +111,11 @@ class QualityPanel(QWidget):
         for column in (OPEN, DECIDED):
             view.setItemDelegateForColumn(column, self._badges)
         return view
+
+    def _resize_column(self, column: int, _: int, width: int) -> None:
+        """Follow the head, but in the last column, which takes the room that each table has."""
+        if column != DECIDED:
+            self.view.setColumnWidth(column, width)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Catch up with what was decided while another panel was seen."""
