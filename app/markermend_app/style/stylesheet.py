@@ -55,7 +55,7 @@ def stylesheet(theme: Theme) -> str:
 _SHEET = Template("""
 * { dialogbuttonbox-buttons-have-icons: 0; }
 QMainWindow, QDialog { background: $window; }
-#palette { border: 1px solid $border; }
+#palette { background: $panel; border: 1px solid $handle; }
 QMainWindow::separator { background: $window; width: 4px; height: 4px; }
 QMainWindow::separator:hover { background: $accent; }
 QSplitter::handle { background: $window; }
