@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
-from PySide6.QtWidgets import QFileDialog
+from PySide6.QtWidgets import QFileDialog, QLabel
 
 import markermend as mm
 from markermend.artifact import Status
@@ -67,6 +67,14 @@ def test_joints_stand_in_their_tree(opened):
     assert above == ["left_wrist", "left_elbow", "left_shoulder", "collar", "torso", "waist"]
     assert proxy.rowCount() == 1
     assert len(opened.scene.seen.links) == len(JOINTS) - 1
+
+
+def test_what_has_joints_is_not_said_to_have_markers(opened):
+    assert opened.docks["markers"].windowTitle() == "Joints"
+    assert opened.tree.filter.accessibleName() == "Filter joints"
+    facts = [label.text() for label in opened.inspector.findChildren(QLabel)]
+    assert "Joints" in facts
+    assert "Markers" not in facts
 
 
 def test_a_review_by_keys_changes_what_was_repaired_only(opened, broken, qtbot, tmp_path):

@@ -2576,6 +2576,14 @@
         <translation>Marker</translation>
     </message>
     <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>Filter joints</source>
+        <translation>Gelenke filtern</translation>
+    </message>
+    <message>
         <source>Open a take to see its markers here.</source>
         <translation>Eine Aufnahme öffnen, um hier ihre Marker zu sehen.</translation>
     </message>
@@ -3454,6 +3462,10 @@
     <message>
         <source>Markers</source>
         <translation>Marker</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
     </message>
     <message>
         <source>Subjects</source>

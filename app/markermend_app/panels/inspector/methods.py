@@ -21,7 +21,9 @@ from markermend_app.telling import told
 from markermend_app.words import tr
 
 # A repair expected to be off by more than a marker is wide is worth a second look.
-DOUBTFUL_MM = 20.0
+_DOUBTFUL_MM = 20.0
+# Joints are placed within a body, where sensors are off by this much anyway.
+_DOUBTFUL_JOINT_MM = 50.0
 
 
 class MethodList(QWidget):
@@ -122,11 +124,13 @@ class MethodList(QWidget):
         self.more.setEnabled(offered)
         self.more.setCurrentIndex(self.more.findData(chosen))
         self.outcome.setText(self._promise())
-        proposal = self._document.proposal
+        proposal, session = self._document.proposal, self._document.session
+        skeleton = session is not None and session.original.skeleton
+        most = _DOUBTFUL_JOINT_MM if skeleton else _DOUBTFUL_MM
         doubtful = (
             offered
             and proposal is not None
-            and ((proposal.error_mm or 0.0) > DOUBTFUL_MM or bool(proposal.leaves))
+            and ((proposal.error_mm or 0.0) > most or bool(proposal.leaves))
         )
         role = "warning" if doubtful else "muted"
         if self.outcome.property("role") != role:

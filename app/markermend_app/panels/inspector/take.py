@@ -176,7 +176,7 @@ class TakePage(QWidget):
             ),
             (self.tr("Rate"), f"{take.rate:g} Hz"),
             (self.tr("Duration"), f"{take.duration_s:.2f} s"),
-            (self.tr("Markers"), str(take.markers)),
+            (self.tr("Joints") if take.skeleton else self.tr("Markers"), str(take.markers)),
             (self.tr("Subjects"), ", ".join(named)),
             (self.tr("Other points"), "" if take.points is None else str(len(take.points.labels))),
             (self.tr("Analog"), "" if take.analog is None else str(len(take.analog.labels))),

@@ -19,6 +19,7 @@ from PySide6.QtGui import QKeyEvent, QPainter, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QApplication,
+    QDockWidget,
     QHBoxLayout,
     QHeaderView,
     QMenu,
@@ -94,7 +95,6 @@ class MarkerTree(QWidget):
         self.worst_first.toggled.connect(self._rebuild)
 
         self.view.setModel(self._proxy)
-        self.view.setAccessibleName(self.tr("Markers"))
         self.view.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.view.setUniformRowHeights(True)
         self.view.setIndentation(8)
@@ -147,6 +147,7 @@ class MarkerTree(QWidget):
         """Lay the rows out anew: another take, or another order."""
         session = self._document.session
         self._pages.setCurrentIndex(0 if session is None else 1)
+        self._say(skeleton=session is not None and session.original.skeleton)
         if session is None:
             return
         root = grow(session.original, self._document.mesh)
@@ -161,6 +162,15 @@ class MarkerTree(QWidget):
         self._model.set_missing(session.take, session.original.labels)
         self._count()
         self._follow_shown()
+
+    def _say(self, *, skeleton: bool) -> None:
+        """Name things: skeleton recordings have joints."""
+        name = self.tr("Joints") if skeleton else self.tr("Markers")
+        dock = self.parentWidget()
+        if isinstance(dock, QDockWidget):
+            dock.setWindowTitle(name)
+        self.view.setAccessibleName(name)
+        self.filter.set_text(self.tr("Filter joints") if skeleton else self.tr("Filter markers"))
 
     def _expand(self) -> None:
         """Open the body, but not what merely stands beside it."""

@@ -25,17 +25,25 @@ class FilterLine(QLineEdit):
     def __init__(self, text: str, target: QWidget, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._target, self._text = target, text
-        self.setPlaceholderText(text)
-        self.setAccessibleName(text)
+        self.set_text(text)
         self.setClearButtonEnabled(True)
         self._search = QAction(self)
         self.addAction(self._search, QLineEdit.ActionPosition.LeadingPosition)
         theme.watcher.changed.connect(self._recolour)
         self._recolour()
 
+    def set_text(self, text: str) -> None:
+        """Say what it is for."""
+        self._text = text
+        self.setAccessibleName(text)
+        self._fit()
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Let the icon say it alone where the words have no room."""
         super().resizeEvent(event)
+        self._fit()
+
+    def _fit(self) -> None:
         fits = self.fontMetrics().horizontalAdvance(self._text) + _BESIDE <= self.width()
         self.setPlaceholderText(self._text if fits else "")
 
