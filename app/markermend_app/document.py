@@ -314,10 +314,10 @@ class Document(Looking):
         artifact_id = about(self.session, self.queue, step, self._current)
         if artifact_id is not None:
             self.select(artifact_id, frame=False)
-            artifact = self.session.artifact(artifact_id)
-            self.reveal(artifact.markers, artifact.start, artifact.stop)
+            a = self.session.artifact(artifact_id)
+            self.reveal(a.markers, a.start, a.stop)
         elif change.markers:
-            self.reveal(change.markers[:1], change.start, change.stop)
+            self.reveal([self.foremost_of(change.markers)], change.start, change.stop)
 
     def _decide(self, ids: Sequence[str], status: Status) -> None:
         """Set a status; when the current artifact is among them, move on."""

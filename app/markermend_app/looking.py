@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
@@ -56,6 +56,10 @@ class Looking(QObject):
         """Show these markers foremost, with the others where the first one is shown already."""
         wanted = tuple(markers)
         self.show((*wanted, *self.shown) if wanted[0] in self.shown else wanted)
+
+    def foremost_of(self, markers: Sequence[str]) -> str:
+        """The one of these markers that is shown, else the first of them."""
+        return next((m for m in self.shown if m in markers), markers[0])
 
     def look_at(self, markers: Iterable[str], start: int, stop: int) -> None:
         """Bring frames of these markers into view, and the cursor into their middle."""

@@ -199,8 +199,10 @@ def test_a_stretch_with_the_wrong_name_is_given_to_the_right_marker(unlabelled, 
     choose(window, qtbot, "clav")
     gaps = [(a.start, a.stop) for a in document.session.artifacts]
     assert gaps == [(60, 70), (80, 90)]
+    shown = document.shown
     undo(window, qtbot)
     assert state(window) == before
+    assert document.shown == shown
 
 
 def test_a_refusal_is_said_aside_and_changes_nothing(window, mouse, qtbot, monkeypatch):
