@@ -72,6 +72,7 @@ def test_joints_stand_in_their_tree(opened):
 def test_what_has_joints_is_not_said_to_have_markers(opened):
     assert opened.docks["markers"].windowTitle() == "Joints"
     assert opened.tree.filter.accessibleName() == "Filter joints"
+    assert opened.tree._model.headerData(NAME, Qt.Orientation.Horizontal) == "Joint"
     facts = [label.text() for label in opened.inspector.findChildren(QLabel)]
     assert "Joints" in facts
     assert "Markers" not in facts

@@ -2580,6 +2580,14 @@
         <translation>Gelenke</translation>
     </message>
     <message>
+        <source>Joint</source>
+        <translation>Gelenk</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation type="unfinished">Marker</translation>
+    </message>
+    <message>
         <source>Filter joints</source>
         <translation>Gelenke filtern</translation>
     </message>

@@ -156,12 +156,17 @@ class MarkerModel(QAbstractItemModel):
         self._root = Node("")
         self._by_label: dict[str, Node] = {}
         self._shown: tuple[str, ...] = ()
-        self._headers = (self.tr("Marker"), self.tr("Open"), "%")
+        self._headers = [self.tr("Marker"), self.tr("Open"), "%"]
         self._header_tips = (
             "",
             self.tr("Artifacts that are not decided yet, by class"),
             self.tr("Share of the frames in which the marker is missing"),
         )
+
+    def set_heading(self, text: str) -> None:
+        """Say what the rows are."""
+        self._headers[NAME] = text
+        self.headerDataChanged.emit(Qt.Orientation.Horizontal, NAME, NAME)
 
     def set_root(self, root: Node) -> None:
         """Show other rows."""

@@ -170,6 +170,7 @@ class MarkerTree(QWidget):
         if isinstance(dock, QDockWidget):
             dock.setWindowTitle(name)
         self.view.setAccessibleName(name)
+        self._model.set_heading(self.tr("Joint") if skeleton else self.tr("Marker"))
         self.filter.set_text(self.tr("Filter joints") if skeleton else self.tr("Filter markers"))
 
     def _expand(self) -> None:
