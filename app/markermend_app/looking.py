@@ -28,6 +28,10 @@ class Looking(QObject):
     frame_changed(int) : the cursor moved
     frame_requested(int, int) : bring these frames into view (start, stop)
     reveal_requested(int, int) : bring these into view unless they can be seen already
+
+    Attributes
+    ----------
+    bringing : whether frames are about to be requested, so that none need be shown until then
     """
 
     shown_changed = Signal()
@@ -40,6 +44,7 @@ class Looking(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._frames = 0
+        self.bringing = False
         self.shown: tuple[str, ...] = ()
         self.beside: tuple[str, ...] = ()
         self.frame = 0
@@ -63,7 +68,9 @@ class Looking(QObject):
 
     def look_at(self, markers: Iterable[str], start: int, stop: int) -> None:
         """Bring frames of these markers into view, and the cursor into their middle."""
+        self.bringing = True
         self.show_too(markers)
+        self.bringing = False
         # With its frames in view, the cursor need not bring itself into view first.
         self.frame_requested.emit(start, stop)
         self.go_to((start + stop) // 2)

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import Any
+
 import pyqtgraph as pg
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QColor, QPainter, QPixmap
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 
 from markermend_app import units
-from markermend_app.items.curve import curve
-from markermend_app.panels.plots.row import PlotRow
+from markermend_app.items.curve import curve, wear
+from markermend_app.panels.plots.row import PlotRow, same_objects
 from markermend_app.panels.plots.trajectories import TrajectoryPanel
 from markermend_app.style import theme
 from markermend_app.verbs.comparison import MOST, Comparison
@@ -24,7 +27,8 @@ class Candidates(QFrame):
     def __init__(self, comparison: Comparison, panel: TrajectoryPanel, window: QWidget) -> None:
         super().__init__(window)
         self._comparison, self._panel, self._window = comparison, panel, window
-        self._lines: list[tuple[PlotRow, pg.PlotDataItem]] = []
+        self._lines: list[tuple[PlotRow, pg.PlotDataItem, int]] = []
+        self._drawn: Sequence[object] = ()
         self.setObjectName("floatingButtons")
         self.setAccessibleName(self.tr("Repairs compared"))
         grid = QGridLayout(self)
@@ -45,14 +49,16 @@ class Candidates(QFrame):
 
     def _refresh(self) -> None:
         """Show what is compared now."""
-        for row, line in self._lines:
-            row.plot.removeItem(line)
-        self._lines.clear()
         c = self._comparison
         self.setVisible(c.shown)
+        found, place = (c.candidates or ()) if c.shown else (), c.place
+        self._draw(found)
+        for _, line, i in self._lines:
+            chosen = i == place
+            wear(line, theme.marker_color(i + 1), width=2 if chosen else 1)
+            line.setZValue(17 if chosen else 16)
         if not c.shown:
             return
-        found, place = c.candidates or (), c.place
         from markermend.repairs import REPAIRS
 
         for i, labels in enumerate(self.rows):
@@ -69,7 +75,6 @@ class Candidates(QFrame):
                 font = label.font()
                 font.setBold(chosen)
                 label.setFont(font)
-            self._draw(found[i].repair, color, chosen)
         if c.candidates is None:
             self.said.setText(self.tr("Working out what every method would do…"))
         elif not found:
@@ -91,17 +96,24 @@ class Candidates(QFrame):
         self.move(corner.x(), min(corner.y(), lowest))
         self.raise_()
 
-    def _draw(self, repair: object, color: QColor, chosen: bool) -> None:
-        """Draw one candidate in every row that it concerns."""
-        for row in self._panel.rows:
-            for patch in getattr(repair, "patches", ()):
-                joined = row.joined(patch)
-                if joined is not None:
-                    line = curve(color, width=2 if chosen else 1)
-                    line.setZValue(17 if chosen else 16)
-                    line.setData(*joined)
-                    row.plot.addItem(line, ignoreBounds=True)
-                    self._lines.append((row, line))
+    def _draw(self, found: Sequence[Any]) -> None:
+        """Draw the candidates in every row that they concern, unless they stand there already."""
+        wanted = (*found, *self._panel.rows)
+        if same_objects(wanted, self._drawn):
+            return
+        for row, line, _ in self._lines:
+            row.plot.removeItem(line)
+        self._lines.clear()
+        self._drawn = wanted
+        for i, advice in enumerate(found):
+            for row in self._panel.rows:
+                for patch in advice.repair.patches:
+                    joined = row.joined(patch)
+                    if joined is not None:
+                        line = curve(theme.marker_color(i + 1))
+                        line.setData(*joined)
+                        row.plot.addItem(line, ignoreBounds=True)
+                        self._lines.append((row, line, i))
 
 
 def _stroke(color: QColor) -> QPixmap:

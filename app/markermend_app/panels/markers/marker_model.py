@@ -181,17 +181,17 @@ class MarkerModel(QAbstractItemModel):
         for a in artifacts:
             if a.status is Status.PENDING:
                 counts.setdefault(a.marker, Counter())[a.kind] += 1
-        before = {id(row): dict(row.counts) for row in _walk(self._root)}
-        for row in _walk(self._root):
-            row.counts, row.own = Counter(), Counter()
-        for label, count in counts.items():
-            node: Node | None = self._by_label.get(label)
-            if node is not None:
-                node.own = count
-            while node is not None:
-                node.counts.update(count)
-                node = node.parent
-        self._announce(OPEN, (r for r in _walk(self._root) if dict(r.counts) != before[id(r)]))
+        changed: dict[int, Node] = {}
+        for label, node in self._by_label.items():
+            before, now = node.own, counts.get(label, Counter())
+            if now == before:
+                continue
+            node.own, row = now, node
+            while row.parent is not None:
+                row.counts = row.counts - before + now
+                changed[id(row)] = row
+                row = row.parent
+        self._announce(OPEN, changed.values())
 
     def open_counts(self) -> list[Counter[Kind]]:
         """Counts of the markers that have open artifacts."""

@@ -154,6 +154,8 @@ class MarkerTree(QWidget):
         flat = self.worst_first.isChecked()
         self._syncing = True
         self._model.set_root(flatten(root) if flat else root)
+        # Only this order depends on what changes during a review.
+        self._proxy.setDynamicSortFilter(flat)
         order = Qt.SortOrder.DescendingOrder if flat else Qt.SortOrder.AscendingOrder
         self._proxy.sort(OPEN if flat else -1, order)
         self.view.setRootIsDecorated(not flat)
@@ -338,7 +340,6 @@ class _Filter(QSortFilterProxyModel):
         self.setRecursiveFilteringEnabled(True)
         self.setAutoAcceptChildRows(True)
         self.setFilterCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
-        self.setDynamicSortFilter(True)
 
     def lessThan(self, left: Index, right: Index) -> bool:
         """By open artifacts, then by share missing; the name decides ties."""

@@ -8,6 +8,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
+from markermend.artifact import Artifact
 from markermend_app.panels.markers.badge import kind_icon
 from markermend_app.panels.markers.naming import short_names
 from markermend_app.sight import Sight
@@ -32,6 +33,7 @@ class PlotHeader(QWidget):
         self._markers: tuple[str, ...] = ()
         self._said = ""
         self._sight: Sight | None = None
+        self._lost: Artifact | None = None
         self.legend = Legend()
         self.legend.chosen.connect(self.chosen)
         self.readout = QLabel()
@@ -65,8 +67,9 @@ class PlotHeader(QWidget):
 
     def read_out(self, text: str) -> None:
         """Say what lies under mouse or cursor."""
-        self._said = text
-        self._fit_readout()
+        if text != self._said:
+            self._said = text
+            self._fit_readout()
         self.readout.show()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -98,8 +101,11 @@ class PlotHeader(QWidget):
         self.back.clicked.connect(sight.bring_back)
         sight.changed.connect(self._offer_back)
 
-    def _offer_back(self) -> None:
+    def _offer_back(self, *, anew: bool = False) -> None:
         lost = None if self._sight is None else self._sight.lost
+        if not anew and lost == self._lost:
+            return
+        self._lost = lost
         self.back.setVisible(lost is not None)
         self._fit_readout()
         if lost is not None:
@@ -119,7 +125,7 @@ class PlotHeader(QWidget):
     def _restyle(self) -> None:
         """Take over the theme's colours."""
         self.plots.setIcon(theme.icon("curves"))
-        self._offer_back()
+        self._offer_back(anew=True)
         self.show_markers(self._markers)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from operator import is_
 
 import numpy as np
 import pyqtgraph as pg
@@ -27,6 +28,11 @@ from markermend_app.words import tr
 _SPARE = 2
 """Markers whose empty curves are kept for the next ones: making curves takes long."""
 _NONE: FloatArray = np.zeros(0)
+
+
+def same_objects(these: Sequence[object], those: Sequence[object]) -> bool:
+    """Whether two sequences hold the very same objects: then what was drawn of them still holds."""
+    return len(these) == len(those) and all(map(is_, these, those))
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,6 +75,7 @@ class PlotRow(PlotFrame):
         self.values_of: dict[str, FloatArray] = {}
         self._source_of: dict[str, FloatArray] = {}
         self._shown: dict[str, Shown] = {}
+        self._asked: Sequence[object] = ()
         self._before = False
         for item in (self.intervals, self.band):
             self.plot.addItem(item, ignoreBounds=True)
@@ -176,6 +183,10 @@ class PlotRow(PlotFrame):
 
     def show_proposal(self, patches: Sequence[Patch], band_mm: FloatArray | None) -> None:
         """Draw what a repair would put here; the band goes with the first patch."""
+        asked = (patches, band_mm, *(self._shown.get(p.marker) for p in patches))
+        if same_objects(asked, self._asked):
+            return
+        self._asked = asked
         self.proposed = []
         self.band.clear()
         for i, patch in enumerate(patches):

@@ -10,6 +10,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu
 
 from markermend.take import Take
+from markermend_app import settings
 from markermend_app.document import Document
 from markermend_app.panels.plots.beside import analog_key, point_key
 from markermend_app.panels.plots.quantity import COORDINATES, QUANTITIES, can_show
@@ -139,3 +140,9 @@ def _check(menu: QMenu, text: str, checked: bool, do: Callable[[], object]) -> Q
     action.setChecked(checked)
     action.triggered.connect(lambda _=False: do())
     return action
+
+
+def remembered_rows() -> tuple[str, ...]:
+    """Rows chosen last time."""
+    names = settings.text("plots", " ".join(COORDINATES)).split()
+    return tuple(n for n in QUANTITIES if n in names) or COORDINATES

@@ -26,7 +26,7 @@ from markermend_app.panels.plots.prediction import Predictions
 from markermend_app.panels.plots.quantity import COORDINATES, QUANTITIES, can_show
 from markermend_app.panels.plots.range import surrounded, time_range, well_seen
 from markermend_app.panels.plots.row import PlotRow, Shown
-from markermend_app.panels.plots.rows_menu import fill_rows_menu
+from markermend_app.panels.plots.rows_menu import fill_rows_menu, remembered_rows
 from markermend_app.panels.plots.stack import PlotStack
 from markermend_app.panels.staying_menu import StayingMenu
 from markermend_app.style import theme
@@ -49,12 +49,13 @@ class TrajectoryPanel(QWidget):
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.document = document
-        self.chosen = _remembered()
+        self.chosen = remembered_rows()
         self.chosen_partner: str | None = None
         self._predicting = False
         self.fit_when_proposed = False
         self._view = (0.0, 1.0)
         self._known = Drawn()
+        self._stale: set[str] = set()
         self.setAccessibleName(self.tr("Trajectories"))
 
         self.header = PlotHeader()
@@ -235,6 +236,7 @@ class TrajectoryPanel(QWidget):
         if session is not None:
             drawn = {name: self._drawn(name) for name in shown}
             self._known.keep(shown)
+            self._stale.clear()
             for row in self.rows:
                 row.show_markers(drawn)
             self._name_distance()
@@ -242,7 +244,8 @@ class TrajectoryPanel(QWidget):
             self._show_proposal()
             self._show_predictions()
             self._show_sweep()
-            self._show_afresh(*self._view)
+            if not self.document.bringing:
+                self._show_afresh(*self._view)
         self.show_current()
         self.cross.read_out(self.document.frame)
 
@@ -262,18 +265,23 @@ class TrajectoryPanel(QWidget):
             row.set_title(self.tr("To {0}").format(short[partner]) if partner else row.title)
 
     def _refresh(self, change: Change) -> None:
-        """Draw changed samples anew."""
+        """Take note of changed samples: which artifact is under review is told next."""
         if self.document.session is None:
             return
         self._known.note(change.markers)
         everyone = self.partner in change.markers and self.canvas.row("distance") is not None
-        for name in self.document.shown:
-            if everyone or name in change.markers:
-                drawn = self._drawn(name)
-                for row in self.rows:
-                    row.refresh(name, drawn)
-        self.cross.read_out(self.document.frame)
+        self._stale |= set(self.document.shown if everyone else change.markers)
         self.predictions.note(samples=True)
+
+    def _catch_up(self) -> None:
+        """Draw anew what has changed since it was drawn."""
+        stale = [name for name in self.document.shown if name in self._stale]
+        self._stale.clear()
+        for name in stale:
+            drawn = self._drawn(name)
+            for row in self.rows:
+                row.refresh(name, drawn)
+        self.cross.read_out(self.document.frame)
 
     def _show_artifacts(self) -> None:
         """Draw the artifacts of the shown markers."""
@@ -286,6 +294,7 @@ class TrajectoryPanel(QWidget):
 
     def show_current(self) -> None:
         """Mark the artifact under review."""
+        self._catch_up()
         current = self.document.current
         if current is not None and current.marker not in self.document.shown:
             current = None
@@ -319,12 +328,11 @@ class TrajectoryPanel(QWidget):
 
     def _show_sweep(self) -> None:
         """Draw the swept range."""
-        selection = self.document.selection
+        swept = self.document.selection
+        seen = swept is not None and swept.marker in self.document.shown
+        start, stop = (swept.start, swept.stop) if swept is not None and seen else (0, 0)
         for row in self.canvas.frames:
-            if selection is None or selection.marker not in self.document.shown:
-                row.show_sweep(0, 0)
-            else:
-                row.show_sweep(selection.start, selection.stop)
+            row.show_sweep(start, stop)
 
     def _show_frame(self, frame: int) -> None:
         """Move the cursor line; a cursor that leaves the view takes the view along."""
@@ -343,7 +351,10 @@ class TrajectoryPanel(QWidget):
         take = self.take
         if take is None:
             return
-        self.fit_when_proposed = True
+        self._catch_up()
+        self.fit_when_proposed = False
+        self._show_proposal()
+        self.fit_when_proposed = self.document.proposal is None
         self._show_afresh(*surrounded(start, stop, take.rate))
 
     def _reveal(self, start: int, stop: int) -> None:
@@ -387,9 +398,3 @@ class TrajectoryPanel(QWidget):
         self.canvas.setBackground(theme.current().plot)
         for row in self.canvas.frames:
             row.restyle()
-
-
-def _remembered() -> tuple[str, ...]:
-    """Rows chosen last time."""
-    names = settings.text("plots", " ".join(COORDINATES)).split()
-    return tuple(n for n in QUANTITIES if n in names) or COORDINATES
