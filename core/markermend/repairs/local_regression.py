@@ -25,6 +25,7 @@ from markermend.repairs.body_frame import (
     rank_references,
     to_frame,
 )
+from markermend.repairs.calming import calmed, jitter
 from markermend.repairs.kalman import own_course
 from markermend.repairs.kriging import View, condition
 from markermend.repairs.pose import FORCE_S, describe_pose
@@ -146,6 +147,10 @@ def repair_local_regression(evidence: Evidence, artifact: Artifact, params: Any)
     else:
         longer = max(1.0, artifact.length / take.rate / LONG_S)
         deviation = LONG_DOUBT * longer**LONG_POWER * deviation
+    reach = round(NOISE_S * take.rate)
+    values = calmed(
+        values, take.positions[:, marker], seen[:, marker], artifact.start, noise, reach
+    )
     coordinates = np.repeat(deviation[:, None], 3, axis=1)
     repair = make_repair(METHOD, evidence, artifact, values, params, coordinates, weights=learnt)
     if repair.band_mm is not None and not known[0] < artifact.start < artifact.stop <= known[-1]:
@@ -213,10 +218,5 @@ def _noise(own: FloatArray, seen: BoolArray, artifact: Artifact, rate: float) ->
     reach = round(NOISE_S * rate)
     around = slice(max(0, artifact.start - reach), artifact.stop + reach)
     track = np.where(seen[around, None], own[around], np.nan)
-    rough = np.abs(np.diff(track, n=4, axis=0))
-    rough = rough[np.isfinite(rough)]
-    if len(rough) == 0:
-        return MOST_NOISE_MM
-    # Fourth differences of white noise have 70 times its variance.
-    noise = np.quantile(rough, 0.25) / 0.3186 / np.sqrt(70.0)
-    return float(np.clip(noise, LEAST_NOISE_MM, MOST_NOISE_MM))
+    noise = jitter(track)
+    return MOST_NOISE_MM if np.isnan(noise) else min(max(noise, LEAST_NOISE_MM), MOST_NOISE_MM)
