@@ -167,3 +167,10 @@ def test_the_band_holds_where_the_take_begins_or_ends(walk: Take) -> None:
             assert repair.band_mm is not None
             inside.append(np.mean(apart <= BAND_90 * repair.band_mm))
     assert 0.8 < np.mean(inside) < 0.97
+
+
+def test_own_movement_is_taken_where_the_rest_of_the_body_tells_far_less(walk: Take) -> None:
+    _, pairs = filled(walk, CASES[ARM][0])
+    instead = [r for _, r in pairs if r.reason.startswith("Local regression may be about")]
+    assert instead
+    assert all(r.method == "kalman" and r.error_mm is not None and r.error_mm < 20 for r in instead)

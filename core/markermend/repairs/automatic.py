@@ -14,12 +14,15 @@ from markermend.repairs.choice import LONGEST_SPLINE_S, alternatives, choose
 from markermend.repairs.look_again import looked_at
 from markermend.repairs.registry import Evidence, Repair, find_method
 from markermend.repairs.result import MEAN_OVER_RMS, without_own
+from markermend.take import Take
 
 # What is expected to be further off than this is left, unless a method is named.
 MOST_ERROR_MM = 50.0
 # A repair that leaves damage gives way to one that leaves none and errs up to this much more: so
 # many times, and what no camera can tell on top.
 HARDLY_FURTHER, UNTOLD_MM = 1.5, 0.2
+# One that is expected to be further off than this gives way to one expected to be so much nearer.
+DOUBTFUL_MM, FAR_NEARER = 5.0, 2.0 / 3.0
 # References that hold the frame in which a marker is looked for.
 HOLDING = 4
 
@@ -27,8 +30,9 @@ HOLDING = 4
 def best_repair(evidence: Evidence, artifact: Artifact) -> Repair:
     """The usual method's proposal, or that of the first other that does better.
 
-    Another is taken where the usual one cannot repair, or where the detector would find damage
-    in its result, none in the other's, and the other is expected to be hardly further off.
+    Another is taken where the usual one cannot repair, where the detector would find damage in its
+    result, none in the other's, and the other is expected to be hardly further off, and where over
+    more than a moment the other is expected to be far nearer.
 
     Parameters
     ----------
@@ -41,7 +45,8 @@ def best_repair(evidence: Evidence, artifact: Artifact) -> Repair:
         without patches, and with the reason, when it cannot be repaired well
     """
     usual = _by_defaults(evidence, artifact, choose(artifact))
-    if usual.patches and not usual.leaves:
+    doubtful = _doubtful(evidence.take, artifact, usual)
+    if usual.patches and not usual.leaves and not doubtful:
         return usual
     best = usual
     for name in alternatives(evidence.take, artifact):
@@ -50,7 +55,10 @@ def best_repair(evidence: Evidence, artifact: Artifact) -> Repair:
             continue
         if not usual.patches and not (best.patches and other.leaves):
             best = replace(other, reason=usual.reason)
-        elif not other.leaves and _as_near(other, usual):
+        elif not other.leaves and doubtful and _as_near(other, usual, FAR_NEARER, 0.0):
+            further = f"about {usual.error_mm:.0f} mm off"
+            best = replace(other, reason=f"{find_method(usual.method).label} may be {further}.")
+        elif usual.leaves and not other.leaves and _as_near(other, usual):
             best = replace(other, reason=f"{find_method(usual.method).label} would leave damage.")
         if not best.leaves:
             break
@@ -79,11 +87,19 @@ def follow_one(evidence: Evidence, artifact: Artifact, refused: Repair) -> Repai
     return replace(done, reason=refused.reason) if done.patches else refused
 
 
-def _as_near(other: Repair, usual: Repair) -> bool:
-    """Whether a proposal is expected to be hardly further off than another."""
+def _doubtful(take: Take, artifact: Artifact, usual: Repair) -> bool:
+    """Whether a proposal is so far off that another may be far nearer."""
+    longer = artifact.length > LONGEST_SPLINE_S * take.rate
+    return longer and usual.error_mm is not None and usual.error_mm > DOUBTFUL_MM
+
+
+def _as_near(
+    other: Repair, usual: Repair, times: float = HARDLY_FURTHER, more_mm: float = UNTOLD_MM
+) -> bool:
+    """Whether a proposal is expected to be hardly further off than another, or so much nearer."""
     if other.error_mm is None or usual.error_mm is None:
         return False
-    return other.error_mm <= HARDLY_FURTHER * usual.error_mm + UNTOLD_MM
+    return other.error_mm <= times * usual.error_mm + more_mm
 
 
 def _by_defaults(evidence: Evidence, artifact: Artifact, name: str) -> Repair:
