@@ -199,10 +199,19 @@ def test_a_stretch_with_the_wrong_name_is_given_to_the_right_marker(unlabelled, 
     choose(window, qtbot, "clav")
     gaps = [(a.start, a.stop) for a in document.session.artifacts]
     assert gaps == [(60, 70), (80, 90)]
-    shown = document.shown
     undo(window, qtbot)
     assert state(window) == before
-    assert document.shown == shown
+    # What is taken back keeps the marker it was swept on in the plots.
+    document.show(["CLAV"])
+    window.trajectories.set_view(90, 140)
+    Bench(window.trajectories, document).drag(110, 119, keys=SHIFT)
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    qtbot.keyClick(window, Qt.Key.Key_E)
+    choose(window, qtbot, "*9")
+    undo(window, qtbot)
+    assert state(window) == before
+    assert document.shown == ("CLAV",)
 
 
 def test_a_refusal_is_said_aside_and_changes_nothing(window, mouse, qtbot, monkeypatch):
