@@ -262,7 +262,8 @@ def test_of_several_subjects_the_one_looked_at_is_followed(tmp_path, qtbot, dama
     body = damaged[0].positions[:100]
     there = body + np.array([5000.0, 0.0, 0.0])
     labels = [f"{who}:{s}" for who in "AB" for s in damaged[0].labels]
-    take = Take(np.concatenate((body, there), axis=1), tuple(labels), 100.0)
+    loose = np.full((100, 1, 3), 9000.0)
+    take = Take(np.concatenate((body, there, loose), axis=1), (*labels, "*7"), 100.0)
     document = Document()
     document.open(open_session(take, folder=tmp_path), None)
     scene = Scene(document)
@@ -273,11 +274,14 @@ def test_of_several_subjects_the_one_looked_at_is_followed(tmp_path, qtbot, dama
     far = scene.camera.distance
     assert scene.camera.target[0] == pytest.approx(np.nanmedian(take.positions[:6, :, 0]), abs=1)
     count = len(damaged[0].labels)
-    for who, columns in (("B", slice(count, None)), ("A", slice(0, count))):
+    for who, columns in (("B", slice(count, 2 * count)), ("A", slice(0, count))):
         document.show([f"{who}:{damaged[0].labels[3]}"])
         middle = np.nanmedian(take.positions[:6, columns, 0])
         assert scene.camera.target[0] == pytest.approx(middle, abs=1)
     assert scene.camera.distance < far / 2
+    beside = scene.camera
+    document.show(["*7"])
+    assert scene.camera == beside
     scene.follow.click()
     still = scene.camera
     document.show([labels[-1]])

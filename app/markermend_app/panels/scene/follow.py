@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from markermend.arrays import FloatArray
+from markermend.take import is_unlabelled
 from markermend_app.document import Document
 from markermend_app.panels.scene.camera import Camera
 from markermend_app.panels.scene.stage import centre_at, size_of
@@ -33,9 +34,12 @@ class Follower:
         self._centre, self.everyone = None, True
 
     def turn(self) -> bool:
-        """Turn to the subject of the foremost marker shown; whether it is another one."""
+        """Turn to the subject of the foremost marker shown; whether it is another one.
+
+        An unlabelled trajectory may be anybody's, so that it turns nothing.
+        """
         session, shown = self._document.session, self._document.shown
-        if session is None or not shown:
+        if session is None or not shown or is_unlabelled(shown[0]):
             return False
         take = session.original
         body = [i for i, s in enumerate(take.labels) if take.subject(s) == take.subject(shown[0])]
