@@ -13,7 +13,8 @@ from markermend.progress import Progress, quiet
 from markermend.take import Origin, Take
 
 LEAST_SHARE = 1 / 3
-_BLOCK = 1024
+_BLOCK = 65_536
+"""Samples counted at a time."""
 KNOT_HZ, LEAST_KNOTS = 30.0, 4000
 """Where the body says a marker is is worked out so often, unless that leaves too few to learn."""
 
@@ -53,8 +54,9 @@ def count_missing(origin: ByteArray) -> IntArray:
     -------
     (markers,) int64
     """
-    first = np.arange(0, len(origin), _BLOCK)
-    counts = _count_missing(origin, first, np.minimum(first + _BLOCK, len(origin)))
+    block = max(1, _BLOCK // max(1, origin.shape[1]))
+    first = np.arange(0, len(origin), block)
+    counts = _count_missing(origin, first, np.minimum(first + block, len(origin)))
     return np.asarray(counts.sum(axis=0))
 
 

@@ -7,9 +7,22 @@ import pytest
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend.errors import Cancelled
-from markermend.heat import LEAST_SHARE, body_residuals, damage_share, missing_share, worst
+from markermend.heat import (
+    LEAST_SHARE,
+    body_residuals,
+    count_missing,
+    damage_share,
+    missing_share,
+    worst,
+)
 from markermend.simulation import simulate_clean
 from markermend.take import Origin, Take
+
+
+def test_missing_samples_are_counted_over_all_blocks():
+    origin = np.random.default_rng(1).integers(0, 3, (100_000, 2)).astype(np.uint8)
+    np.testing.assert_array_equal(count_missing(origin), (origin == 0).sum(axis=0))
+    assert count_missing(origin[:0]).tolist() == [0, 0]
 
 
 def test_one_missing_frame_stays_visible_at_any_width() -> None:

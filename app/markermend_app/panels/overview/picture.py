@@ -127,12 +127,16 @@ def paint_artifacts(
     scale = image.width() / (stop - start)
     edges = row_edges(len(rows.columns), image.height())
     painter = QPainter(image)
+    inks: dict[tuple[Status, Kind, float], QColor] = {}
     for a in sorted(artifacts, key=lambda a: a.status is not Status.REJECTED):
         if a.stop > start and a.start < stop:
             top, bottom = edges[rows.row_of[column_of[a.marker]]]
             left = (a.start - start) * scale
             right = max((a.stop - start) * scale, left + 1.5)
-            painter.fillRect(QRectF(left, top, right - left, bottom - top), _ink(a, look))
+            kind = a.status, a.kind, a.confidence
+            if kind not in inks:
+                inks[kind] = _ink(a, look)
+            painter.fillRect(QRectF(left, top, right - left, bottom - top), inks[kind])
     painter.end()
 
 
