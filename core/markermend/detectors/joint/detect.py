@@ -10,6 +10,7 @@ from markermend.detectors.joint.confidence import confidences
 from markermend.detectors.joint.frozen import find_frozen
 from markermend.detectors.joint.neighbours import nearest_markers
 from markermend.detectors.joint.params import JointParams
+from markermend.detectors.joint.shifted import find_shifted
 from markermend.detectors.joint.slow import (
     drift_artifacts,
     find_drifts,
@@ -104,8 +105,12 @@ def _slow(
     params: JointParams,
     progress: Progress,
 ) -> list[Artifact]:
-    """Slow changes, on what the sudden artifacts leave."""
-    ground = prepare(take, markers, sudden)
+    """Slow changes, on what the sudden artifacts leave: what returns, and what stays off."""
     least = 1.0 - params.sensitivity
+    shifted = find_shifted(take, markers, trusted_samples(take, sudden))
+    shifted = [a for a in shifted if a.confidence >= least and a.amplitude_mm >= params.least_mm]
+    ground = prepare(take, markers, sudden)
     drifts = find_drifts(ground, neighbours, shipped_judge(), least, params.jobs, progress)
-    return drift_artifacts(take, markers, [d for d in drifts if d.size_mm >= params.least_mm])
+    returning = drift_artifacts(take, markers, [d for d in drifts if d.size_mm >= params.least_mm])
+    off = {a.marker: a.start for a in shifted}
+    return shifted + [a for a in returning if a.stop <= off.get(a.marker, take.frames)]
