@@ -425,3 +425,22 @@ def test_only_curves_with_something_to_show_are_made(bench):
     row = bench.panel.rows[0]
     assert all("measured" in row.traces[n].made for n in names)
     assert not any({"filled", "edited"} & set(row.traces[n].made) for n in names if n != "CLAV")
+
+
+def test_many_markers_are_drawn_one_after_the_other_each_in_its_place(make, qtbot):
+    rng = np.random.default_rng(3)
+    labels = tuple(f"M{i:02d}" for i in range(24))
+    bench = make(Take(rng.normal(0, 100, (300, 24, 3)), labels, 100.0), mesh=False)
+    row = bench.panel.rows[0]
+    bench.document.show(labels)
+    assert 0 < len(row.values_of) < 24
+    # Others, while some still wait: nothing of what was asked for before may be left.
+    wanted = (*labels[:3], *reversed(labels[5:]))
+    bench.document.show(wanted)
+    qtbot.waitUntil(lambda: len(row.values_of) == len(wanted), timeout=20_000)
+    for name in wanted:
+        x = bench.document.session.positions[:, labels.index(name), 0]
+        np.testing.assert_array_equal(row.traces[name].item("measured").yData, x)
+    bench.document.show(labels[:1])
+    qtbot.wait(50)
+    assert set(row.values_of) == {labels[0]}

@@ -8,6 +8,7 @@ from operator import is_
 
 import numpy as np
 import pyqtgraph as pg
+from PySide6.QtCore import QTimer
 
 from markermend.arrays import ByteArray, FloatArray
 from markermend.artifact import Artifact
@@ -27,6 +28,8 @@ from markermend_app.words import tr
 
 _SPARE = 2
 """Markers whose empty curves are kept for the next ones: making curves takes long."""
+_AT_ONCE, _FEWEST = 300_000, 40_000
+"""Samples drawn at a time, where a marker counts for as many at least: curves take time to make."""
 _NONE: FloatArray = np.zeros(0)
 
 
@@ -76,6 +79,11 @@ class PlotRow(PlotFrame):
         self._source_of: dict[str, FloatArray] = {}
         self._shown: dict[str, Shown] = {}
         self._asked: Sequence[object] = ()
+        self._waiting: dict[str, Shown] = {}
+        self._seen: tuple[float, float, Artifact | None] = (0.0, 1.0, None)
+        self._later = QTimer()
+        self._later.setSingleShot(True)
+        self._later.timeout.connect(self._draw_later)
         self._before = False
         for item in (self.intervals, self.band):
             self.plot.addItem(item, ignoreBounds=True)
@@ -95,25 +103,43 @@ class PlotRow(PlotFrame):
             self._pool.append(Trace(self.plot, i, self._before))
         for trace in self._pool[len(shown) :]:
             trace.clear()
+        same = {a for a, b in zip(self.traces, shown, strict=False) if a == b}
         self.traces = dict(zip(shown, self._pool, strict=False))
         values, self.values_of = self.values_of, {}
         sources, self._source_of = self._source_of, {}
         before, self._shown = self._shown, {}
-        same = {a for a, b in zip(before, shown, strict=False) if a == b}
+        self._waiting.clear()
         for name, marker in shown.items():
-            if name in same and before[name] is marker:
+            if name in same and before.get(name) is marker:
                 # What is in its curves already need not be worked out again.
                 self._shown[name] = marker
                 if name in values:
                     self.values_of[name] = values[name]
                     self._source_of[name] = sources[name]
             else:
-                self.refresh(name, marker)
+                self._waiting[name] = marker
+        self._draw_waiting()
+        for name in self._waiting:
+            self.traces[name].clear()
+
+    def _draw_waiting(self) -> None:
+        """Draw some of the markers that wait to be drawn; the rest when the window had its turn."""
+        for drawn, (name, marker) in enumerate(list(self._waiting.items())):
+            if drawn and (drawn + 1) * max(len(marker.origin), _FEWEST) > _AT_ONCE:
+                self._later.start()
+                break
+            self.refresh(name, marker)
+
+    def _draw_later(self) -> None:
+        """Draw more of those that wait, and make room for their values."""
+        self._draw_waiting()
+        self.set_view(*self._seen)
 
     def refresh(self, name: str, shown: Shown) -> None:
         """Draw the samples of one marker as they stand now."""
         trace = self.traces[name]
         self._shown[name] = shown
+        self._waiting.pop(name, None)
         values = self.quantity.of(shown.now)
         source = values if shown.before is shown.now else self.quantity.of(shown.before)
         if values is None or source is None:
@@ -227,6 +253,7 @@ class PlotRow(PlotFrame):
 
     def set_view(self, start: float, stop: float, current: Artifact | None) -> None:
         """Show these frames and, unless a hand moved them, the values that matter there."""
+        self._seen = (start, stop, current)
         values = self._values_within(start, stop, current) if self.follows else None
         self.view.setRange(xRange=(start, stop), yRange=values, padding=0)
 
