@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from types import MappingProxyType
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from markermend.arrays import FloatArray
+from markermend.arrays import ByteArray, FloatArray
 from markermend.measures import acceleration, distance, speed
 from markermend.patch import Patch
 from markermend.take import AXES, Origin, Take
@@ -22,15 +25,15 @@ class Way:
     ----------
     positions : (n, 3) mm, NaN = missing
     rate : Hz
-    residuals, cameras : (n,) as the file has them, or None
+    residuals, cameras : give (n,) as the file has them, which few rows show; or None
     other, predicted, source : (n, 3) mm, another marker, the body's prediction, and the samples
         before any repair; or None
     """
 
     positions: FloatArray
     rate: float
-    residuals: FloatArray | None = None
-    cameras: FloatArray | None = None
+    residuals: Callable[[], FloatArray] | None = None
+    cameras: Callable[[], FloatArray] | None = None
     other: FloatArray | None = None
     predicted: FloatArray | None = None
     source: FloatArray | None = None
@@ -67,17 +70,25 @@ def way_of(
     source : (frames, 3) mm, the samples before any repair; by default the way's own
     """
     column = take.index(marker)
-    residuals = None if take.residuals is None else take.residuals[:, column].astype(np.float64)
+    residuals = None if take.residuals is None else partial(_as_floats, take.residuals[:, column])
     cameras = None
     if take.cameras is not None:
-        # A count of a sample that was not seen says nothing.
-        seen = take.origin[:, column] != Origin.MISSING
-        cameras = np.where(seen, take.cameras[:, column].astype(float), np.nan)
+        cameras = partial(_counted, take.cameras[:, column], take.origin[:, column])
     other = None if partner is None else take.positions[:, take.index(partner)]
     # Every row reads them several times, which is slow across other markers' and axes' samples.
     positions = np.asfortranarray(take.positions[:, column])
     source = positions if source is None else source
     return Way(positions, take.rate, residuals, cameras, other, predicted, source)
+
+
+def _as_floats(values: NDArray[Any]) -> FloatArray:
+    """Values as the plots draw them."""
+    return values.astype(np.float64)
+
+
+def _counted(cameras: NDArray[Any], origin: ByteArray) -> FloatArray:
+    """Cameras of each sample; a count of one that was not seen says nothing."""
+    return np.where(origin != Origin.MISSING, cameras.astype(np.float64), np.nan)
 
 
 @dataclass(frozen=True, eq=False)
@@ -180,7 +191,7 @@ _ALL = (
         "Residual",
         "mm",
         "Residual in the file",
-        lambda w: w.residuals,
+        lambda w: None if w.residuals is None else w.residuals(),
         least=0.5,
         reach=-1,
         places=2,
@@ -190,7 +201,7 @@ _ALL = (
         "Cameras",
         "",
         "Number of cameras in the file",
-        lambda w: w.cameras,
+        lambda w: None if w.cameras is None else w.cameras(),
         least=4.0,
         reach=-1,
         places=0,
