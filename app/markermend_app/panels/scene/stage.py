@@ -125,10 +125,12 @@ def centre_at(positions: FloatArray, frame: int, body: Sequence[int]) -> FloatAr
 
 def _extent(points: FloatArray) -> float:
     """Extent of (frames, n, 3) points in a frame, mm; a metre where it cannot be told."""
+    if not points.size:
+        return 1000.0
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RuntimeWarning)
         spans = np.nanmax(points, axis=1) - np.nanmin(points, axis=1)
-        size = float(np.nanpercentile(spans.max(axis=1), 50)) if len(points) else math.nan
+        size = float(np.nanpercentile(spans.max(axis=1), 50))
     return size if math.isfinite(size) and size > 0 else 1000.0
 
 
