@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from itertools import combinations
+
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
@@ -204,3 +207,24 @@ def test_the_palette_offers_every_action_and_does_nothing_that_is_disabled(windo
     qtbot.keyClick(found.line, Qt.Key.Key_Return)
     assert found.isVisible()
     qtbot.keyClick(found.line, Qt.Key.Key_Escape)
+
+
+def test_the_palette_paints_texts_keys_and_what_cannot_be_done_apart(window, qtbot):
+    found = opened_palette(window, qtbot)
+    qtbot.keyClicks(found.line, "redo")
+    view = found.list
+    assert view.item(0).text() == "Edit: Redo"
+    # A widget in every row would keep the window from opening the palette at once.
+    assert not any(view.itemWidget(view.item(i)) for i in range(view.count()))
+    row = view.visualItemRect(view.item(0))
+
+    def painted(entry: palette.Entry):
+        view.item(0).setData(Qt.ItemDataRole.UserRole, entry)
+        return view.viewport().grab(row).toImage()
+
+    entry = view.item(0).data(Qt.ItemDataRole.UserRole)
+    assert not entry.usable
+    assert entry.aside
+    images = [painted(e) for e in (entry, replace(entry, usable=True), replace(entry, aside=""))]
+    images.append(painted(replace(entry, text="Edit: Undo")))
+    assert all(a != b for a, b in combinations(images, 2))

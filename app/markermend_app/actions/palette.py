@@ -6,15 +6,16 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QAction, QIcon, QKeyEvent
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QPoint, Qt
+from PySide6.QtGui import QAction, QIcon, QKeyEvent, QPainter, QPalette
 from PySide6.QtWidgets import (
     QDialog,
-    QHBoxLayout,
     QLabel,
     QLineEdit,
     QListWidget,
     QListWidgetItem,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
     QVBoxLayout,
     QWidget,
 )
@@ -26,6 +27,9 @@ from markermend_app.style import theme
 from markermend_app.words import tr
 
 SHOWN = 60
+Index = QModelIndex | QPersistentModelIndex
+_ENTRY = Qt.ItemDataRole.UserRole
+_LINE = Qt.AlignmentFlag.AlignVCenter | Qt.TextFlag.TextSingleLine
 _WIDTH, _HEIGHT = 560, 420
 
 
@@ -128,6 +132,35 @@ def ranked(wanted: str, found: Sequence[Entry]) -> list[Entry]:
     return [entry for _, entry in good]
 
 
+class _EntryDelegate(QStyledItemDelegate):
+    """Paints an entry's text and, at the end of its row, what stands aside.
+
+    Widgets in every row would take longer to make than the palette may take to open.
+    """
+
+    def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
+        """As ever, but without the text, which is painted apart."""
+        super().initStyleOption(option, index)
+        option.text = ""
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        """Background and icon as ever, then the texts."""
+        super().paint(painter, option, index)
+        entry: Entry = index.data(_ENTRY)
+        look, metrics = theme.current(), option.fontMetrics
+        rect = option.rect.adjusted(36, 0, -8, 0)
+        painter.save()
+        painter.setFont(option.font)
+        painter.setPen(look.muted)
+        painter.drawText(rect, _LINE | Qt.AlignmentFlag.AlignRight, entry.aside)
+        rect.adjust(0, 0, -metrics.horizontalAdvance(entry.aside) - 8, 0)
+        dimmed = option.palette.color(QPalette.ColorGroup.Disabled, QPalette.ColorRole.Text)
+        painter.setPen(look.text if entry.usable else dimmed)
+        text = metrics.elidedText(entry.text, Qt.TextElideMode.ElideRight, rect.width())
+        painter.drawText(rect, _LINE, text)
+        painter.restore()
+
+
 class Palette(QDialog):
     """A line to type in and what fits below it; Return does the first or the chosen one.
 
@@ -151,6 +184,7 @@ class Palette(QDialog):
         self.list.setAccessibleName(self.tr("Found"))
         self.list.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.list.setUniformItemSizes(True)
+        self.list.setItemDelegate(_EntryDelegate(self.list))
         self.list.itemClicked.connect(lambda _: self._go())
         column = QVBoxLayout(self)
         column.setContentsMargins(8, 8, 8, 8)
@@ -185,22 +219,11 @@ class Palette(QDialog):
         """List what fits."""
         self._shown = ranked(wanted, self._found)[:SHOWN]
         self.list.clear()
-        muted = theme.current().muted
         for entry in self._shown:
             icon = theme.blank_icon() if entry.icon.isNull() else entry.icon
-            item = QListWidgetItem(icon, "", self.list)
+            item = QListWidgetItem(icon, entry.text, self.list)
             item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{entry.text} {entry.aside}")
-            row = QWidget()
-            line = QHBoxLayout(row)
-            line.setContentsMargins(28, 0, 8, 0)
-            text, aside = QLabel(entry.text), QLabel(entry.aside)
-            text.setEnabled(entry.usable)
-            aside.setProperty("role", "muted")
-            line.addWidget(text, 1)
-            line.addWidget(aside)
-            self.list.setItemWidget(item, row)
-            if not entry.usable:
-                item.setForeground(muted)
+            item.setData(_ENTRY, entry)
         if self._shown:
             self.list.setCurrentRow(0)
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
@@ -135,7 +134,7 @@ class Smoothing(QObject):
         if self._stale:
             self.said.emit(self.tr("The review changed meanwhile; do it again."))
             return
-        part = np.ix_(range(answer.start, answer.stop), columns)
+        part = slice(answer.start, answer.stop), columns
         positions, origin = answer.take.positions[part], answer.take.origin[part]
         if self._document.do(
             lambda s: hand.replace_samples(

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from markermend.arrays import FloatArray
+from markermend.arrays import ByteArray, FloatArray
 from markermend.review.session import Session
-from markermend_app.panels.plots.quantity import way_of
+from markermend_app.panels.plots.quantity import Way, way_of
 from markermend_app.panels.plots.row import Shown
 
 
@@ -45,14 +45,17 @@ class Drawn:
         known = self._known.get(name)
         if known is not None and known[0] == partner and known[1] is predicted:
             return known[2]
-        take = session.take
-        column = take.index(name)
-        if column in session.state.written:
-            before = way_of(session.original, name, partner, predicted)
-            now = way_of(take, name, partner, predicted, before.positions)
-        else:
-            # What was not repaired need not be worked out twice.
-            now = before = way_of(take, name, partner, predicted)
-        shown = Shown(now, before, take.origin[:, column].copy())
+        take, original, column = session.take, session.original, session.take.index(name)
+
+        def gather() -> tuple[Way, Way, ByteArray]:
+            origin = take.origin[:, column].copy()
+            if column not in session.state.written:
+                # What was not repaired need not be worked out twice.
+                way = way_of(take, name, partner, predicted)
+                return way, way, origin
+            before = way_of(original, name, partner, predicted)
+            return way_of(take, name, partner, predicted, before.positions), before, origin
+
+        shown = Shown(gather)
         self._known[name] = partner, predicted, shown
         return shown

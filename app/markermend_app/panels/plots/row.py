@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
 from operator import is_
 
 import numpy as np
@@ -38,19 +38,35 @@ def same_objects(these: Sequence[object], those: Sequence[object]) -> bool:
     return len(these) == len(those) and all(map(is_, these, those))
 
 
-@dataclass(frozen=True, eq=False)
 class Shown:
-    """A marker as the plots draw it.
+    """A marker as the plots draw it, gathered when it is first drawn: many markers take long.
 
-    Attributes
+    Parameters
     ----------
-    now, before : its way as it stands, and as it was in the file; one object where they agree
-    origin : (frames,) uint8, see :class:`markermend.take.Origin`
+    gather : gives ``now``, ``before`` and ``origin``
     """
 
-    now: Way
-    before: Way
-    origin: ByteArray
+    def __init__(self, gather: Callable[[], tuple[Way, Way, ByteArray]]) -> None:
+        self._gather = gather
+
+    @cached_property
+    def _gathered(self) -> tuple[Way, Way, ByteArray]:
+        return self._gather()
+
+    @property
+    def now(self) -> Way:
+        """Its way as it stands."""
+        return self._gathered[0]
+
+    @property
+    def before(self) -> Way:
+        """Its way as it was in the file; the same object where both agree."""
+        return self._gathered[1]
+
+    @property
+    def origin(self) -> ByteArray:
+        """(frames,) uint8, see :class:`markermend.take.Origin`."""
+        return self._gathered[2]
 
 
 class PlotRow(PlotFrame):
@@ -124,11 +140,11 @@ class PlotRow(PlotFrame):
 
     def _draw_waiting(self) -> None:
         """Draw some of the markers that wait to be drawn; the rest when the window had its turn."""
-        for drawn, (name, marker) in enumerate(list(self._waiting.items())):
-            if drawn and (drawn + 1) * max(len(marker.origin), _FEWEST) > _AT_ONCE:
+        for drawn, (name, marker) in enumerate(list(self._waiting.items()), start=1):
+            self.refresh(name, marker)
+            if self._waiting and (drawn + 1) * max(len(marker.origin), _FEWEST) > _AT_ONCE:
                 self._later.start()
                 break
-            self.refresh(name, marker)
 
     def _draw_later(self) -> None:
         """Draw more of those that wait, and make room for their values."""
