@@ -125,6 +125,37 @@ def test_the_proposal_is_previewed_with_its_band(bench, qtbot):
     assert not any(row.proposed for row in bench.panel.rows)
 
 
+def test_a_repair_keeps_its_band_also_when_the_review_is_opened_again(
+    bench, damaged, qtbot, tmp_path
+):
+    document, panel = bench.document, bench.panel
+    gap = next(a for a in document.session.artifacts if a.kind is Kind.GAP)
+    document.select(gap.id)
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=20_000)
+    previewed = [row.band.boundingRect() for row in panel.rows]
+    assert all(box.height() > 0 for box in previewed)
+
+    document.repair_current()
+    document.select(gap.id)
+    for row, box in zip(panel.rows, previewed, strict=True):
+        assert not row.proposed
+        # The review keeps it in micrometres.
+        assert row.band.boundingRect().getRect() == pytest.approx(box.getRect(), abs=2e-3)
+
+    document.undo()
+    document.select(None)
+    assert all(row.band.boundingRect().isEmpty() for row in panel.rows)
+    document.redo()
+
+    mesh = document.mesh
+    document.open(None, None)
+    document.open(open_session(damaged[0], folder=tmp_path), mesh)
+    document.select(gap.id)
+    assert document.current.status is Status.REPAIRED
+    for row, box in zip(panel.rows, previewed, strict=True):
+        assert row.band.boundingRect().getRect() == pytest.approx(box.getRect(), abs=2e-3)
+
+
 def test_double_click_on_nothing_shows_everything(bench):
     bench.panel.set_view(250, 350)
     bench.double_click(300)

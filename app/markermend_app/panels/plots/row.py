@@ -32,6 +32,9 @@ _AT_ONCE, _FEWEST = 300_000, 40_000
 """Samples drawn at a time, where a marker counts for as many at least: curves take time to make."""
 _NONE: FloatArray = np.zeros(0)
 
+Banded = tuple[Patch, FloatArray]
+"""Values, and (frames,) mm how far off them the marker may be in each frame."""
+
 
 def same_objects(these: Sequence[object], those: Sequence[object]) -> bool:
     """Whether two sequences hold the very same objects: then what was drawn of them still holds."""
@@ -223,15 +226,16 @@ class PlotRow(PlotFrame):
         if artifact is not None and offered:
             self.edges.place(artifact.start, artifact.stop)
 
-    def show_proposal(self, patches: Sequence[Patch], band_mm: FloatArray | None) -> None:
-        """Draw what a repair would put here; the band goes with the first patch."""
-        asked = (patches, band_mm, *(self._shown.get(p.marker) for p in patches))
+    def show_proposal(self, patches: Sequence[Patch], banded: Banded | None) -> None:
+        """Draw what a repair would put here, and how far off it, or what it did put, may be."""
+        markers = [p.marker for p in (*patches, *(banded or ())[:1])]
+        asked = (*patches, *(banded or ()), *map(self._shown.get, markers))
         if same_objects(asked, self._asked):
             return
         self._asked = asked
+        self._show_band(banded)
         self.proposed = []
-        self.band.clear()
-        for i, patch in enumerate(patches):
+        for patch in patches:
             joined = self.joined(patch)
             if joined is None:
                 continue
@@ -243,14 +247,21 @@ class PlotRow(PlotFrame):
             item = self._proposals[len(self.proposed)]
             item.setData(*joined)
             self.proposed.append(item)
-            if self.column is not None and i == 0 and band_mm is not None:
-                inner = np.arange(patch.start, patch.stop, dtype=np.float64)
-                values = patch.values[:, patch.axes.index(self.quantity.name)]
-                if len(band_mm) == len(inner):
-                    self.band.set_data(inner, values, band_mm)
         for item in self._proposals[len(self.proposed) :]:
             if item.xData is not None:
                 item.setData(_NONE, _NONE)
+
+    def _show_band(self, banded: Banded | None) -> None:
+        """Draw the range around the values of a patch that is shown here, or none."""
+        self.band.clear()
+        if banded is None:
+            return
+        patch, band_mm = banded
+        concerned = patch.marker in self._shown and self.quantity.name in patch.axes
+        if concerned and len(band_mm) == len(patch.values):
+            values = patch.values[:, patch.axes.index(self.quantity.name)]
+            inner = np.arange(patch.start, patch.stop, dtype=np.float64)
+            self.band.set_data(inner, values, band_mm)
 
     def joined(self, patch: Patch) -> tuple[FloatArray, FloatArray] | None:
         """What a patch would make of the values, with one known value on either side."""

@@ -27,6 +27,7 @@ from markermend_app.panels.plots.quantity import COORDINATES, QUANTITIES, can_sh
 from markermend_app.panels.plots.range import surrounded, time_range, well_seen
 from markermend_app.panels.plots.row import PlotRow, Shown
 from markermend_app.panels.plots.rows_menu import fill_rows_menu, remembered_rows
+from markermend_app.panels.plots.shown_repair import shown_repair
 from markermend_app.panels.plots.stack import PlotStack
 from markermend_app.panels.staying_menu import StayingMenu
 from markermend_app.style import theme
@@ -304,11 +305,10 @@ class TrajectoryPanel(QWidget):
         self.place_buttons()
 
     def _show_proposal(self) -> None:
-        """Draw what a repair of the current artifact would put there."""
-        proposal = self.document.proposal
-        patches = () if proposal is None else proposal.patches
+        """Draw what a repair of the current artifact would put there, and how far off it may be."""
+        patches, banded = shown_repair(self.document)
         for row in self.rows:
-            row.show_proposal(patches, None if proposal is None else proposal.band_mm)
+            row.show_proposal(patches, banded)
         self.buttons.refresh()
         if patches and self.fit_when_proposed:
             self.fit_when_proposed = False
