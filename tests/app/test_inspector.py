@@ -114,6 +114,25 @@ def test_methods_stand_in_the_order_of_their_keys_and_can_be_chosen(qtbot, inspe
     assert methods.outcome.text().startswith(REPAIRS["linear"].label)
 
 
+def test_the_error_of_a_model_picked_by_hand_is_measured_unless_that_takes_long(
+    qtbot, inspector, document
+):
+    methods = inspector.artifact.methods
+    gap = select(document, Kind.GAP)
+    for name, said in (
+        ("ffnn_lin", ", expected error not measured"),
+        ("pma", ", expected error "),
+    ):
+        document.choose_method(name)
+        qtbot.waitUntil(lambda: document.proposal is not None, timeout=20_000)
+        text = methods.outcome.text()
+        assert text.startswith(REPAIRS[name].label + said)
+        assert ("not measured" in text) == ("not measured" in said)
+    error = document.proposal.error_mm
+    document.repair_current()
+    assert document.session.notes[gap].error_mm == error > 0
+
+
 def test_the_other_methods_stand_in_one_list(qtbot, inspector, document):
     inspector.resize(300, 700)
     select(document, Kind.GAP)
@@ -163,13 +182,14 @@ def test_a_method_without_answer_says_why_and_cannot_be_applied(inspector, docum
     assert inspector.decisions.accept.isEnabled()
 
 
-def test_a_swap_promises_no_error(inspector, document, monkeypatch):
+@pytest.mark.parametrize(("name", "error"), [("swap", 0.0), ("leave_empty", None)])
+def test_what_invents_nothing_promises_no_error(inspector, document, monkeypatch, name, error):
     step = document.session.artifact(select(document, Kind.STEP))
     patch = Patch(step.marker, "xyz", step.start, step.stop, np.zeros((step.length, 3)))
-    swap = Repair("swap", (patch,), error_mm=0.0)
-    monkeypatch.setattr(Document, "proposal", property(lambda self: swap))
+    repair = Repair(name, (patch,), error_mm=error)
+    monkeypatch.setattr(Document, "proposal", property(lambda self: repair))
     document.proposal_changed.emit()
-    assert inspector.artifact.methods.outcome.text() == "Swap markers"
+    assert inspector.artifact.methods.outcome.text() == REPAIRS[name].label
 
 
 def test_what_a_repair_leaves_is_told_before_and_after(inspector, document, monkeypatch):

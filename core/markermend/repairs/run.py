@@ -16,7 +16,7 @@ from markermend.errors import DataError
 from markermend.mesh import Mesh
 from markermend.patch import Patch, patched
 from markermend.progress import Progress, quiet
-from markermend.repairs.advice import with_expected_error
+from markermend.repairs.advice import MODELS, with_expected_error
 from markermend.repairs.automatic import best_repair, counting_references, follow_one
 from markermend.repairs.look_again import looked_at
 from markermend.repairs.registry import Evidence, Repair, find_method
@@ -73,6 +73,9 @@ def propose(
 ) -> Repair:
     """Propose a repair for one artifact, changing nothing.
 
+    Beside what :func:`propose_from` does, models of the body that say nothing of their error are
+    measured on known stretches of the marker nearby.
+
     Parameters
     ----------
     take : the recording as it stands
@@ -108,15 +111,15 @@ def propose(
             method = "local_regression" if len(references) > 2 else "pattern"
         if method == "pattern" and params is None:
             params = {"donor": references[0]}
-        return propose_from(evidence, artifact, method=method, params=params)
+        return _measured(evidence, artifact, method, params)
     evidence = evidence_for(take, known, mesh, progress=progress)
     twin = _mirror(artifact, (a for a in others if a.status is Status.REPAIRED))
     if twin is not None and method in (AUTO, "swap"):
         return refuse("swap", _swapped(twin))
-    done = propose_from(evidence, artifact, method=method, params=params)
+    done = _measured(evidence, artifact, method, params)
     if not done.patches and any(a.status is Status.REPAIRED for a in others):
         believing = evidence_for(take, known, mesh, believe_repairs=True, progress=progress)
-        second = propose_from(believing, artifact, method=method, params=params)
+        second = _measured(believing, artifact, method, params)
         if second.patches:
             return replace(second, reason=_from_repairs(done.reason))
     if done.patches or method != AUTO:
@@ -155,6 +158,13 @@ def propose_from(
                 return with_expected_error(evidence, artifact, done)
             return looked_at(evidence.take, with_expected_error(evidence, artifact, done))
         return best_repair(evidence, artifact)
+
+
+def _measured(evidence: Evidence, artifact: Artifact, method: str, params: object) -> Repair:
+    """Propose a repair, and measure how far off it may be where its method does not say."""
+    done = propose_from(evidence, artifact, method=method, params=params)
+    with _threads().limit(limits=1):
+        return with_expected_error(evidence, artifact, done, methods=MODELS)
 
 
 def repair_all(

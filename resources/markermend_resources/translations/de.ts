@@ -2655,6 +2655,10 @@
         <translation>, erwarteter Fehler {0}</translation>
     </message>
     <message>
+        <source>, expected error not measured</source>
+        <translation>, erwarteter Fehler nicht gemessen</translation>
+    </message>
+    <message>
         <source>, following {0}</source>
         <translation>, folgt {0}</translation>
     </message>

@@ -166,6 +166,8 @@ class MethodList(QWidget):
         # A swap invents nothing, so that there is nothing to be off by.
         if proposal.error_mm:
             text += self.tr(", expected error {0}").format(units.length(proposal.error_mm))
+        elif proposal.error_mm is None and method != "leave_empty":
+            text += self.tr(", expected error not measured")
         followed = self._document.preview.references
         if followed:
             text += self.tr(", following {0}").format(", ".join(followed))
