@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from functools import cache
 
 from markermend.artifact import Kind
+from markermend_app import units
 from markermend_app.style import theme
 from markermend_app.words import tr
 
@@ -133,6 +134,15 @@ def told(text: str) -> str:
         if found is not None:
             return tr(form).format(*map(told, found.groups()))
     return text
+
+
+def told_repair(method: str, error_mm: float | None) -> str:
+    """A repair's method and how far off it is expected to be; a swap cannot be off."""
+    from markermend.repairs.registry import REPAIRS
+
+    # A plugin that made it may be gone.
+    label = tr(REPAIRS[method].label) if method in REPAIRS else method
+    return f"{label}, ± {units.length(error_mm)}" if error_mm else label
 
 
 def told_group(name: str) -> str:

@@ -13,6 +13,7 @@ from markermend.patch import Patch
 from markermend.repairs.registry import REPAIRS, Repair
 from markermend.review.file import open_session
 from markermend.take import Take
+from markermend_app import units
 from markermend_app.document import Document
 from markermend_app.looking import Selection
 from markermend_app.panels.inspector.inspector import Inspector
@@ -131,6 +132,10 @@ def test_the_error_of_a_model_picked_by_hand_is_measured_unless_that_takes_long(
     error = document.proposal.error_mm
     document.repair_current()
     assert document.session.notes[gap].error_mm == error > 0
+    document.select(gap)
+    # It stands beside the repair for whoever comes back to it.
+    said = f"Repaired: {REPAIRS['pma'].label}, ± {units.length(error)}"
+    assert inspector.artifact.status.text() == said
 
 
 def test_the_other_methods_stand_in_one_list(qtbot, inspector, document):

@@ -25,14 +25,12 @@ from PySide6.QtWidgets import (
 
 from markermend.artifact import Artifact
 from markermend.review.alike import alike
-from markermend_app import units
 from markermend_app.dialogs.help_key import help_in
 from markermend_app.dialogs.params_form import inset
 from markermend_app.document import Document
 from markermend_app.scope import Scope
 from markermend_app.style import theme
-from markermend_app.telling import told
-from markermend_app.words import tr
+from markermend_app.telling import told, told_repair
 
 MARKER, FRAMES, SURE, OUTCOME = range(4)
 SURE_ENOUGH = 50
@@ -205,10 +203,7 @@ class AlikeDialog(QDialog):
             return self.tr("working it out…")
         if not repair.patches:
             return self.tr("left as it is: {0}").format(told(repair.reason))
-        from markermend.repairs import REPAIRS
-
-        label = tr(REPAIRS[repair.method].label)
-        text = f"{label}, ± {units.length(repair.error_mm)}" if repair.error_mm else label
+        text = told_repair(repair.method, repair.error_mm)
         # Alone it may be refused: here it can follow what is repaired along with it.
         return f"{text}. {told(repair.reason)}" if repair.reason else text
 

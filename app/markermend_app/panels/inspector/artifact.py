@@ -30,8 +30,7 @@ from markermend_app.panels.inspector.note_line import NoteLine
 from markermend_app.panels.inspector.take import heading, plain
 from markermend_app.panels.markers.badge import kind_icon, tinted_icon
 from markermend_app.style import theme
-from markermend_app.telling import told
-from markermend_app.words import tr
+from markermend_app.telling import told, told_repair
 
 
 class ArtifactPage(QWidget):
@@ -165,14 +164,10 @@ class ArtifactPage(QWidget):
         return self.tr("possible") if confidence >= 0.4 else self.tr("doubtful")
 
     def _status_text(self, a: Artifact) -> str:
-        """What was decided, and by which method."""
+        """What was decided, by which method, and how far off it is expected to be."""
         note = self._document.session.notes.get(a.id) if self._document.session else None
         if a.status is Status.REPAIRED and note is not None:
-            from markermend.repairs.registry import REPAIRS
-
-            known = note.method in REPAIRS
-            label = tr(REPAIRS[note.method].label) if known else note.method
-            return self.tr("Repaired: {0}").format(label)
+            return self.tr("Repaired: {0}").format(told_repair(note.method, note.error_mm))
         return {
             Status.PENDING: self.tr("Open: not decided yet"),
             Status.ACCEPTED: self.tr("Accepted: to be repaired"),

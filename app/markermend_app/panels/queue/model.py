@@ -25,8 +25,7 @@ from markermend_app.panels.inspector.artifact_text import describe
 from markermend_app.panels.markers.badge import dot_icon
 from markermend_app.panels.markers.naming import short_names
 from markermend_app.style import theme
-from markermend_app.telling import told
-from markermend_app.words import tr
+from markermend_app.telling import told, told_repair
 
 Index = QModelIndex | QPersistentModelIndex
 STATUS, KIND, MARKER, AXES, FRAMES, TIME, LENGTH, SIZE, CONFIDENCE, REPAIR, WHY = range(11)
@@ -258,13 +257,7 @@ class QueueModel(QAbstractTableModel):
     def _repair_text(self, a: Artifact) -> str:
         """How a repaired artifact was repaired."""
         note = self._notes.get(a.id)
-        if note is None:
-            return ""
-        from markermend.repairs.registry import REPAIRS
-
-        known = note.method in REPAIRS
-        label = tr(REPAIRS[note.method].label) if known else note.method
-        return label if note.error_mm is None else f"{label}, ± {units.length(note.error_mm)}"
+        return "" if note is None else told_repair(note.method, note.error_mm)
 
 
 def count_decided(artifacts: Iterable[Artifact]) -> tuple[int, int]:
