@@ -32,7 +32,8 @@ def settle(
     ----------
     features : (frames, joints, 7) relative to the root, without NaN
     variance : (frames, joints, 7) of their errors
-    pilot : (frames, joints, 7) poses near the truth, which say how the body bends
+    pilot : (frames, joints, 7) poses near the truth, which say how the body bends; with the root of
+        the noisy ones, and rotations of unit length
     parents : index of each joint's parent, -1 for the root
     order : joints, parents first
 
@@ -50,7 +51,9 @@ def settle(
     spread, axes = np.linalg.eigh(np.cov(start.T))
     kept = spread > _LEAST * spread[-1]
     scale = np.sqrt(spread[kept])
-    poses = _from_local(start, features, parents, joints, middle)
+    poses = pilot.copy()
+    other = np.sum(pilot[..., 3:] * features[..., 3:], axis=2) < 0
+    poses[..., 3:][other] *= -1.0
     left = (features - poses)[:, joints].reshape(len(features), -1)
     at = (start - mean) @ axes[:, kept] / scale
     directions = axes[:, kept] * scale
@@ -63,7 +66,7 @@ def settle(
         some = slice(first, first + _AT_ONCE)
         middles = firsts[some] + counts[some] // 2
         rows = slice(firsts[first], firsts[some][-1] + counts[some][-1])
-        slopes = _linear(start[middles], features[middles], parents, joints, middle, directions)
+        slopes = _linear(start[middles], poses[middles], parents, joints, middle, directions)
         slopes *= certain[some, :, None]
         across = slopes.transpose(0, 2, 1)
         wanted = across @ (_grouped(left[rows], _ALIKE) * certain[some, None]).transpose(0, 2, 1)
@@ -132,16 +135,15 @@ def _from_local(
 
 def _linear(
     local: FloatArray,
-    like: FloatArray,
+    poses: FloatArray,
     parents: Sequence[int],
     joints: Sequence[int],
     middle: dict[int, FloatArray],
     directions: FloatArray,
 ) -> FloatArray:
-    """(frames, joints · 7, directions) how poses change along directions of local."""
-    poses = _from_local(local, like, parents, joints, middle)
+    """(frames, joints · 7, directions) how poses, given also as local, change along directions."""
     frames, columns = len(local), directions.shape[1]
-    turning, moving = np.zeros((2, like.shape[1], frames, 3, columns))
+    turning, moving = np.zeros((2, poses.shape[1], frames, 3, columns))
     slopes = np.empty((frames, len(joints), FEATURES, columns))
     for n, joint in enumerate(joints):
         parent, k = parents[joint], _LOCAL * n

@@ -191,10 +191,10 @@ def smooth_each(values: FloatArray, rate: float, pilot: FloatArray | None = None
         )
         risk = uniform_filter1d(taken**2, window, axis=0, mode="nearest")
         risk += 2.0 * gain.mean() if pilot is None else np.mean(gain**2)
-        # The better of the two counts whole, so that one exponential serves both.
-        better = risk < least
-        less = np.exp(-sharp * window * np.abs(risk - least))
+        lower = np.maximum(least - risk, 0.0)
+        fall = np.exp(-sharp * window * lower)
         least = np.minimum(least, risk)
-        total = np.where(better, less * total + out, total + less * out)
-        weight = np.where(better, less * weight + 1.0, weight + less)
+        share = np.exp(-sharp * window * (risk - least))
+        total = fall * total + share * out
+        weight = fall * weight + share
     return total / weight
