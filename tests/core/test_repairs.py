@@ -23,6 +23,7 @@ from markermend.repairs import (
     repair,
     repair_all,
 )
+from markermend.repairs.interpolation import too_few
 from markermend.take import Origin, Take
 
 RATE = 100.0
@@ -175,6 +176,13 @@ def test_curves_do_not_extrapolate(
     done = propose(with_missing(rigid, "M1", start, stop), gap("M1", start, stop), method=name)
     assert not done.patches
     assert word in done.reason
+
+
+def test_too_few_samples_are_told_as_an_operator_would(rigid: Take) -> None:
+    gone = propose(with_missing(rigid, "M1", 0, 300), gap("M1", 300, 310), method="kalman")
+    assert gone.reason == "M1 has no trusted samples near the interval's beginning; needed: 4."
+    assert "only one trusted sample near the interval's end" in too_few("M1", 9, 1, 2)
+    assert "only 3 trusted samples near the interval's end" in too_few("M1", 9, 3, 4)
 
 
 def test_curves_do_not_look_at_flagged_samples(rigid: Take) -> None:

@@ -88,10 +88,17 @@ def _too_little(artifact: Artifact, before: int, after: int, side: int, frames: 
     if artifact.start == 0 or artifact.stop == frames:
         end = "beginning" if artifact.start == 0 else "end"
         return f"The interval reaches the take's {end}; a curve needs samples on both sides."
-    where = "before" if before < side else "after"
+    return too_few(artifact.marker, before, after, side)
+
+
+def too_few(marker: str, before: int, after: int, needed: int) -> str:
+    """Say at which end of an interval a marker has fewer trusted samples than are needed."""
+    end = "beginning" if before < needed else "end"
+    count = before if before < needed else after
+    seen = {0: "no trusted samples", 1: "only one trusted sample"}
     return (
-        f"{artifact.marker} has only {min(before, after)} trusted samples near {where} the "
-        f"interval; {side} are needed."
+        f"{marker} has {seen.get(count, f'only {count} trusted samples')} near the interval's "
+        f"{end}; needed: {needed}."
     )
 
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.artifact import Artifact
+from markermend.repairs.interpolation import too_few
 from markermend.repairs.registry import Evidence, Repair, register
 from markermend.repairs.result import make_repair, refuse
 
@@ -77,12 +78,7 @@ def repair_kalman(evidence: Evidence, artifact: Artifact, params: Any) -> Repair
     start, stop = artifact.start - first, artifact.stop - first
     sides = int(known[:start].sum()), int(known[stop:].sum())
     if min(sides) < LEAST_SIDE:
-        where = "before" if sides[0] < LEAST_SIDE else "after"
-        reason = (
-            f"{artifact.marker} has only {min(sides)} trusted samples near {where} the interval; "
-            f"{LEAST_SIDE} are needed."
-        )
-        return refuse(METHOD, reason, params)
+        return refuse(METHOD, too_few(artifact.marker, *sides, LEAST_SIDE), params)
     mean, deviation = _across(evidence, artifact, first, known)
     return make_repair(METHOD, evidence, artifact, mean, params, deviation)
 

@@ -1412,6 +1412,14 @@
         <translation>Angepasst: {0}</translation>
     </message>
     <message>
+        <source>Nudge the beginning of {0}</source>
+        <translation>Anfang verschoben: {0}</translation>
+    </message>
+    <message>
+        <source>Nudge the end of {0}</source>
+        <translation>Ende verschoben: {0}</translation>
+    </message>
+    <message>
         <source>Split {0}</source>
         <translation>Geteilt: {0}</translation>
     </message>
@@ -1636,12 +1644,28 @@
         <translation>{0} ist nur in {1} Frames zusammen mit seinen Bezugsmarkern zu sehen; {2} sind nötig.</translation>
     </message>
     <message>
-        <source>{0} has only {1} trusted samples near before the interval; {2} are needed.</source>
-        <translation>{0} hat kurz vor dem Intervall nur {1} verlässliche Messwerte; {2} sind nötig.</translation>
+        <source>{0} has no trusted samples near the interval&apos;s beginning; needed: {1}.</source>
+        <translation>{0} hat nahe am Anfang des Intervalls keine verlässlichen Messwerte; nötig: {1}.</translation>
     </message>
     <message>
-        <source>{0} has only {1} trusted samples near after the interval; {2} are needed.</source>
-        <translation>{0} hat kurz nach dem Intervall nur {1} verlässliche Messwerte; {2} sind nötig.</translation>
+        <source>{0} has no trusted samples near the interval&apos;s end; needed: {1}.</source>
+        <translation>{0} hat nahe am Ende des Intervalls keine verlässlichen Messwerte; nötig: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} has only one trusted sample near the interval&apos;s beginning; needed: {1}.</source>
+        <translation>{0} hat nahe am Anfang des Intervalls nur einen verlässlichen Messwert; nötig: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} has only one trusted sample near the interval&apos;s end; needed: {1}.</source>
+        <translation>{0} hat nahe am Ende des Intervalls nur einen verlässlichen Messwert; nötig: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} has only {1} trusted samples near the interval&apos;s beginning; needed: {2}.</source>
+        <translation>{0} hat nahe am Anfang des Intervalls nur {1} verlässliche Messwerte; nötig: {2}.</translation>
+    </message>
+    <message>
+        <source>{0} has only {1} trusted samples near the interval&apos;s end; needed: {2}.</source>
+        <translation>{0} hat nahe am Ende des Intervalls nur {1} verlässliche Messwerte; nötig: {2}.</translation>
     </message>
     <message>
         <source>The result would be about {0} mm off; too far to be used.</source>
