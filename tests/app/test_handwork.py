@@ -249,10 +249,35 @@ def test_keys_nudge_split_join_and_reclass(window, qtbot):
     assert (document.current.start, document.current.stop) == (60, 92)
     qtbot.keyClick(window, Qt.Key.Key_3, CTRL)
     assert document.current.kind is Kind.NOISE
-    for _ in range(7):
+    for _ in range(6):
         undo(window, qtbot)
     assert state(window) == before
     assert document.session.artifact(artifact.id) == artifact
+
+
+def test_nudges_of_one_edge_are_one_step_that_tells_where_it_ended(window, qtbot):
+    document, before = window.document, state(window)
+    artifact, steps = document.current, len(document.session.history)
+    first = document.session.original.first_frame
+    document.show([artifact.marker])
+
+    def told_last():
+        return window.history.model.index(len(document.session.history)).data()
+
+    for _ in range(3):
+        qtbot.keyClick(window, Qt.Key.Key_BraceLeft)
+    assert (document.current.start, document.current.stop) == (63, 90)
+    assert len(document.session.history) == steps + 1
+    assert told_last().endswith(f", {63 + first}–{89 + first}")
+    qtbot.keyClick(window, Qt.Key.Key_BracketRight)
+    qtbot.keyClick(window, Qt.Key.Key_BracketRight)
+    assert len(document.session.history) == steps + 2, "the other edge is a step of its own"
+    assert told_last().endswith(f", {63 + first}–{91 + first}")
+    undo(window, qtbot)
+    assert (document.current.start, document.current.stop) == (63, 90)
+    undo(window, qtbot)
+    assert document.session.artifact(artifact.id) == artifact
+    assert state(window) == before
 
 
 def test_the_menu_of_the_queue_joins_artifacts_of_one_marker(window, qtbot):

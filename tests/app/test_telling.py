@@ -48,6 +48,8 @@ def steps(take, truth):
     session.annotate(noise.id, "odd")
     session.change(noise.id, kind=Kind.STEP)
     session.change(noise.id, stop=noise.stop + 2)
+    hand.nudge(session, noise.id, start=1)
+    hand.nudge(session, noise.id, stop=1)
     hand.split(session, step.id, 300)
     hand.cut(session, "T10", 10, 20)
     hand.rename(session, {"STRN": "STERNUM"})

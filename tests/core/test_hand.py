@@ -13,6 +13,7 @@ from markermend.files import read, write
 from markermend.review import hand
 from markermend.review.file import open_session
 from markermend.review.session import Session
+from markermend.review.step import stretch
 from markermend.take import Origin, Take
 
 
@@ -190,3 +191,43 @@ def test_a_take_changed_on_disk_keeps_renamed_markers_that_are_the_same(tmp_path
     assert again.session.original.labels == ("A", "B", "C")
     assert again.session.artifacts == ()
     again.close()
+
+
+def test_nudges_go_on_in_one_step_until_something_else_is_done():
+    session = Session(make_take())
+    noise = artifact(start=20, stop=30)
+    session.mark(noise)
+    for _ in range(3):
+        hand.nudge(session, noise.id, start=-1)
+    assert session.history[1:] == (f"Nudge the beginning of {noise.kind} on {noise.marker}",)
+    hand.nudge(session, noise.id, stop=2)
+    hand.nudge(session, noise.id, start=1)
+    assert len(session.history) == 4, "the other edge came between"
+    session.mark_exported()
+    hand.nudge(session, noise.id, start=1)
+    assert session.exported_at == 4, "what was exported stays in the history"
+    frames = [(20, 30), (17, 30), (17, 32), (18, 32), (19, 32)]
+    assert [stretch(s) for s in session.steps[0]] == frames
+    hand.nudge(session, noise.id, start=-1)
+    assert len(session.history) == 4, "a nudge taken back by the opposite one leaves no step"
+    hand.nudge(session, noise.id, start=100)
+    assert len(session.history) == 4, "an artifact keeps one frame"
+    session.travel(1)
+    assert session.artifact(noise.id) == noise
+
+
+def test_a_repaired_artifact_that_is_nudged_gets_its_samples_back_and_again_by_one_undo():
+    session = Session(make_take())
+    noise = artifact(start=20, stop=30)
+    session.mark(noise)
+    measured = session.positions.copy()
+    session.repair([(noise.id, proposal(noise))])
+    repaired = session.positions.copy()
+    assert not np.array_equal(repaired, measured, equal_nan=True)
+    for _ in range(2):
+        hand.nudge(session, noise.id, stop=1)
+    assert session.artifact(noise.id).status is Status.PENDING
+    assert np.array_equal(session.positions, measured, equal_nan=True)
+    session.undo()
+    assert session.artifact(noise.id).status is Status.REPAIRED
+    assert np.array_equal(session.positions, repaired, equal_nan=True)

@@ -210,14 +210,10 @@ class HandWork(QObject):
             self._document.change(self._document.current.id, kind=kind)
 
     def nudge(self, start: int, stop: int) -> None:
-        """Move the edges of the current artifact by frames; it stays at least one frame long."""
-        current, session = self._document.current, self._document.session
-        if current is None or session is None:
-            return
-        first = max(0, current.start + start)
-        last = min(session.original.frames, current.stop + stop)
-        if first < last:
-            self._document.change(current.id, start=first, stop=last)
+        """Move an edge of the current artifact by frames; it stays at least one frame long."""
+        current = self._document.current
+        if current is not None:
+            self._document.do(lambda s: hand.nudge(s, current.id, start=start, stop=stop))
 
     # Inner workings
 

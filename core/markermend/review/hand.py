@@ -23,9 +23,11 @@ from markermend.review.edits import (
     SetNames,
     SetNotes,
     SetSamples,
+    merged,
 )
 from markermend.review.restoring import taking_back
 from markermend.review.session import Session, describe
+from markermend.review.step import artifacts_of
 from markermend.take import AXES, Origin, Take, is_unlabelled
 
 
@@ -216,6 +218,39 @@ def without_emptied(take: Take, original: Take) -> Take:
         if is_unlabelled(label) and original.present[:, i].any() and not take.present[:, i].any()
     ]
     return drop(take, empty) if empty else take
+
+
+def nudge(session: Session, artifact_id: str, *, start: int = 0, stop: int = 0) -> Change:
+    """Move one edge of an artifact by frames; one nudge after the other is one step.
+
+    Parameters
+    ----------
+    session : the review
+    artifact_id : whose edge
+    start, stop : frames by which the beginning or the end moves; the artifact stays within the
+        take and at least one frame long
+
+    Raises
+    ------
+    DataError
+        when there is no such artifact
+    """
+    old = session.artifact(artifact_id)
+    first = max(0, old.start + start)
+    last = min(session.original.frames, old.stop + stop)
+    if first >= last or (first, last) == (old.start, old.stop):
+        return Change()
+    label = f"Nudge the {'beginning' if start else 'end'} of {describe([old])}"
+    done = session.steps[0]
+    # What was exported stays a step of its own, so that the history still knows it.
+    goes_on = (
+        bool(done)
+        and done[-1].label == label
+        and artifacts_of(done[-1]) == (artifact_id,)
+        and session.exported_at != len(done)
+    )
+    back = [session.undo()] if goes_on else []
+    return merged([*back, session.change(artifact_id, start=first, stop=last, label=label)])
 
 
 def _perform(

@@ -256,6 +256,7 @@ class Session:
         axes: str | None = None,
         start: int | None = None,
         stop: int | None = None,
+        label: str = "",
     ) -> Change:
         """Give an artifact another class, other axes or other edges; a repaired one reopens."""
         old = self.artifact(artifact_id)
@@ -272,7 +273,7 @@ class Session:
             new = new.with_status(Status.PENDING)
         edits = (*taking_back(self._state, [old]), SetArtifacts({old.id: new}))
         what = f"Call {describe([old])} {new.kind}" if new.kind != old.kind else ""
-        return self.perform(what or f"Adjust {describe([old])}", Group(edits))
+        return self.perform(label or what or f"Adjust {describe([old])}", Group(edits))
 
     # History
 

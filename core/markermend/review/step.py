@@ -50,9 +50,17 @@ def artifacts_of(step: Step) -> tuple[str, ...]:
 
 
 def stretch(step: Step) -> tuple[int, int] | None:
-    """First frame, and the one past the last, that a step is about; None if it is about many."""
+    """First frame, and the one past the last, that a step is about; None if it is about many.
+
+    Where an artifact's edges are moved these are its frames afterwards.
+    """
     if not decides(step) or len(artifacts_of(step)) > 1:
         return None
+    if not parts(step.edit, SetSamples):
+        for moved in parts(step.edit, SetArtifacts):
+            for a in moved.changes.values() if isinstance(moved, SetArtifacts) else ():
+                if a is not None:
+                    return a.start, a.stop
     found: list[Artifact | Patch] = []
     for edit in (step.inverse, step.edit):
         for part in parts(edit, SetArtifacts, SetSamples):
