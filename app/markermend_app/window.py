@@ -119,7 +119,7 @@ class MainWindow(QMainWindow):
     def _make_panels(self) -> None:
         document = self.document
         self.trajectories = TrajectoryPanel(document)
-        self.overview = Overview(document)
+        self.overview = Overview(document, self.lane)
         self.tree = MarkerTree(document)
         self.queue = ReviewQueue(document)
         self.inspector = Inspector(document)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import threading
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
@@ -15,6 +17,7 @@ from markermend.mesh import Group, Mesh
 from markermend.review import hand
 from markermend.review.file import open_session
 from markermend.take import Take
+from markermend_app.background.jobs import Lane
 from markermend_app.document import Document
 from markermend_app.panels.overview.overview import Overview
 from markermend_app.panels.overview.picture import arrange, heat, residual_levels, row_edges
@@ -28,13 +31,13 @@ def make(qtbot, tmp_path):
     """Open a take in an overview."""
     made = []
 
-    def build(take: Take, artifacts=(), mesh=None) -> Overview:
+    def build(take: Take, artifacts=(), mesh=None, first=None) -> Overview:
         theme.watcher.theme = theme.LIGHT
         document = Document()
         document.open(open_session(take, folder=tmp_path), mesh)
         if artifacts:
             document.add_detected(artifacts, "test")
-        panel = Overview(document)
+        panel = Overview(document, first)
         qtbot.addWidget(panel)
         panel.resize(692, 182)
         panel.show()
@@ -177,6 +180,32 @@ def test_residuals_are_made_anew_once_damage_is_known(overview, qtbot):
         )
 
     qtbot.waitUntil(anew, timeout=30_000)
+
+
+def test_residuals_give_way_to_jobs_that_come_first(make, damaged, qtbot):
+    lane, order, held = Lane("first"), [], threading.Event()
+
+    def search(progress):
+        assert held.wait(30)
+
+    def found(_):
+        # As detection follows once the body is known: queued when the job before has ended.
+        order.append(panel.residuals.share)
+        lane.submit("Last", lambda progress: None, last, order.append)
+
+    def last(_):
+        order.append(panel.residuals.share)
+
+    panel = make(damaged[0], damaged[1], first=lane)
+    lane.submit("First", search, found, order.append)
+    panel.mode.choose("residual")
+    panel.grab()
+    qtbot.wait(100)
+    assert panel.residuals.share is None
+    held.set()
+    qtbot.waitUntil(lambda: panel.residuals.values is not None, timeout=30_000)
+    assert order == [None, None], "they began before the last job was done"
+    lane.close()
 
 
 def test_unknown_residuals_are_grey_and_levels_stay_in_range():

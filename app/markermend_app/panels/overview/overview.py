@@ -24,6 +24,7 @@ from markermend.heat import worst
 from markermend.review.edits import Change
 from markermend.take import Take
 from markermend_app import units
+from markermend_app.background.jobs import Lane
 from markermend_app.document import Document
 from markermend_app.items.focus import paint_focus
 from markermend_app.panels.inspector.artifact_text import describe
@@ -58,12 +59,12 @@ class Overview(QWidget):
     With the keyboard here, ↑ and ↓ go from marker to marker, + and − zoom.
     """
 
-    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, document: Document, first: Lane | None = None) -> None:
+        super().__init__()
         self.document = document
         self._view = (0.0, 0.0)
         self._span = (0.0, 1.0)
-        self.residuals = Residuals(self)
+        self.residuals = Residuals(first, self)
         self.residuals.changed.connect(self._repaint)
         self._held: tuple[float, tuple[float, float]] | None = None
         self._rows: Rows | None = None

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from functools import partial
 
 import numpy as np
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from markermend.arrays import Float32Array
 from markermend.artifact import Artifact, distrusted
@@ -24,6 +24,11 @@ class Residuals(QObject):
     change little by it and stay. When artifacts of several markers come or go, as after
     detection, all are made anew: what they learned from was damaged.
 
+    Parameters
+    ----------
+    first : the jobs that residuals give way to; detection above all, after which they would have
+        to be made anew
+
     Signals
     -------
     changed() : some came, or they are farther under way
@@ -31,10 +36,19 @@ class Residuals(QObject):
 
     changed = Signal()
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(self, first: Lane | None = None, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        self._first = first
+        if first is not None:
+            first.finished.connect(self._let_in)
+        # A take is painted before the jobs on it are queued.
+        self._begin = QTimer(self)
+        self._begin.setSingleShot(True)
+        self._begin.setInterval(0)
+        self._begin.timeout.connect(self._work)
         self.values: Float32Array | None = None
         self.share: float | None = None
+        self._waits = False
         self._session: Session | None = None
         self._stale: set[str] = set()
         self._artifacts: tuple[Artifact, ...] = ()
@@ -51,7 +65,22 @@ class Residuals(QObject):
             differ = {m for m in before.keys() | now.keys() if before.get(m) != now.get(m)}
             self._stale |= _named(differ if len(differ) < 2 else session.original.labels)
             self._artifacts = session.artifacts
-        if not self._stale or self.share is not None:
+        if self._stale and self.share is None:
+            self._begin.start()
+
+    def _let_in(self) -> None:
+        """Have what waits asked for again, now that a job is done that came first."""
+        if self._waits:
+            self._waits = False
+            self.changed.emit()
+
+    def _work(self) -> None:
+        """Begin, unless others come first."""
+        session = self._session
+        if session is None or not self._stale or self.share is not None:
+            return
+        if self._first is not None and self._first.busy:
+            self._waits = True
             return
         if self._lane is None:
             self._lane = Lane("residuals", self)
