@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from functools import cache
 
 from markermend.artifact import Kind
-from markermend_app import units
+from markermend_app import file_words, units
 from markermend_app.style import theme
 from markermend_app.words import tr
 
@@ -100,13 +100,16 @@ _SAME = (
     "The interval is empty already.",
     "The detector still finds damage there: a {0} of {1} mm.",
     "The detector still finds damage there: a {0} of {1} mm and {2} more.",
+    # Why a name is refused.
+    "A marker needs a name.",
+    "There is a “{0}” already; choose another name.",
     "{0} frames ({1})",
     "{0} frame ({1})",
 )
 _FORMS: Mapping[str, str] = {
     "Detect (sudden)": "Find gaps, peaks, noise and steps",
     "Detect (all kinds)": "Find artifacts of all classes",
-    **{form: form for form in _SAME},
+    **{form: form for form in (*file_words.ODDITIES, *file_words.VALUES, *_SAME)},
 }
 """Forms as the engine writes them, and as they are told."""
 _PARTS = (
@@ -114,7 +117,7 @@ _PARTS = (
     *("forearm", "hand", "thigh", "shank", "foot"),
 )
 _SIDES = {"Left": "Left {0}", "Right": "Right {0}"}
-FORMS = (*_FORMS.values(), *_PARTS, *_SIDES.values(), "{0} and {1}")
+FORMS = (*_FORMS.values(), *file_words.NAMES, *_PARTS, *_SIDES.values(), "{0} and {1}")
 """Everything that is translated here."""
 
 
@@ -148,7 +151,7 @@ def told_repair(method: str, error_mm: float | None) -> str:
 
     # A plugin that made it may be gone.
     label = tr(REPAIRS[method].label) if method in REPAIRS else method
-    return f"{label}, ± {units.length(error_mm)}" if error_mm else label
+    return f"{label}, {units.give_or_take(error_mm)}" if error_mm else label
 
 
 def told_group(name: str) -> str:

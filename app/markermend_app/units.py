@@ -26,6 +26,20 @@ def length(mm: float, places: int = 1) -> str:
     return f"{number(mm, places)} {unit()}"
 
 
+def error(mm: float) -> str:
+    """An expected error with its unit; one that would be rounded to nothing is told as a limit."""
+    name = unit()
+    places = 1 + _MORE_PLACES[name]
+    limit = 0.5 * 10.0**-places
+    return f"< {limit:.{places + 1}f} {name}" if mm * FACTORS[name] < limit else length(mm)
+
+
+def give_or_take(mm: float) -> str:
+    """An expected error as what stands behind a value or a method."""
+    told = error(mm)
+    return told if told.startswith("<") else f"± {told}"
+
+
 def number(mm: float, places: int = 1) -> str:
     """A length without its unit."""
     name = unit()

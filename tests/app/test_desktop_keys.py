@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import pytest
+from driving import answer_with
 from plots import SHIFT, Bench
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QInputDialog, QMenu
+from PySide6.QtWidgets import QApplication, QMenu
 
 from markermend.artifact import Kind
 from markermend_app.panels.markers.marker_model import NAME
@@ -89,8 +90,7 @@ def the_menu():
     return menu, [a.objectName() for a in menu.actions() if a.objectName()]
 
 
-def test_the_right_button_on_a_marker_in_the_tree_is_about_that_marker(window, qtbot, monkeypatch):
-    monkeypatch.setattr(QInputDialog, "getText", lambda *_, **__: ("HEAD", True))
+def test_the_right_button_on_a_marker_in_the_tree_is_about_that_marker(window, qtbot):
     tree = window.tree
     index = tree._proxy.mapFromSource(tree._model.index_of("LSHO")).siblingAtColumn(NAME)
     at = tree.view.visualRect(index).center()
@@ -99,8 +99,9 @@ def test_the_right_button_on_a_marker_in_the_tree_is_about_that_marker(window, q
     assert window.document.shown[0] == "LSHO"
     assert menu.actions()[0].text() == "LSHO"
     assert offered == ["rename_marker", "merge_marker", "smooth"]
+    answer_with(qtbot, "HEAD")
+    # The dialog that opens closes the menu.
     menu.actions()[2].trigger()
-    menu.close()
     assert "HEAD" in window.document.session.original.labels
     tree.view.customContextMenuRequested.emit(QPoint(20, tree.view.viewport().height() - 2))
     assert QApplication.activePopupWidget() is None

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from driving import answer_with
 from plots import SHIFT, Bench
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QInputDialog
 
 import markermend as mm
 from markermend.artifact import Artifact, Kind, Status
@@ -154,7 +154,7 @@ def test_merging_an_unlabelled_trajectory_in_and_renaming_come_out_right_in_the_
     qtbot.keyClick(window, Qt.Key.Key_M, CTRL)
     assert choose(window, qtbot, "clav") == ["CLAV"]
     assert document.session.artifacts == ()
-    monkeypatch.setattr(QInputDialog, "getText", lambda *_, **__: ("STERNUM", True))
+    answer_with(qtbot, "STERNUM")
     document.show(["STRN"])
     qtbot.keyClick(window, Qt.Key.Key_F2)
     assert document.shown == ("STERNUM",)

@@ -1,11 +1,11 @@
-"""A review without a mouse: from panel to panel, and back to the plots."""
+"""A review without a mouse: from panel to panel, and back to the plots; what is typed is kept."""
 
 from __future__ import annotations
 
 import pytest
 from driving import key
-from PySide6.QtCore import QItemSelectionModel, Qt
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QItemSelectionModel, Qt, QTimer
+from PySide6.QtWidgets import QApplication, QLabel, QLineEdit
 
 from markermend_app.actions import shortcuts
 from markermend_app.looking import Selection
@@ -185,3 +185,24 @@ def test_tab_never_leaves_what_can_be_seen(window, qtbot):
         key(qtbot, focus(), Qt.Key.Key_Tab)
         corner = focus().mapTo(window, focus().rect().center())
         assert window.rect().contains(corner), focus()
+
+
+def test_a_refused_name_stays_to_be_mended(window, qtbot):
+    document = window.document
+    told = []
+
+    def type_a_taken_name():
+        dialog = QApplication.activeModalWidget()
+        line, problem = dialog.findChild(QLineEdit), dialog.findChildren(QLabel)[-1]
+        qtbot.keyClicks(line, "T10")
+        qtbot.keyClick(line, Qt.Key.Key_Return)
+        told.extend([dialog.isVisible(), line.text(), problem.text()])
+        qtbot.keyClicks(line, "a")
+        qtbot.keyClick(line, Qt.Key.Key_Return)
+
+    QTimer.singleShot(200, type_a_taken_name)
+    key(qtbot, window, Qt.Key.Key_F2)
+    assert told[:2] == [True, "T10"]
+    assert "T10" in told[2]
+    assert "T10a" in document.session.take.labels
+    assert "CLAV" not in document.session.take.labels

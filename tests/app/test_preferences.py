@@ -198,3 +198,19 @@ def test_return_in_a_field_presses_no_button(qtbot) -> None:
     qtbot.addWidget(preferences)
     preferences.show()
     assert not [b.text() for b in preferences.findChildren(QPushButton) if b.isDefault()]
+
+
+@pytest.mark.parametrize(
+    ("unit", "mm", "told"),
+    [
+        ("mm", 0.03, "< 0.05 mm"),
+        ("mm", 0.05, "0.1 mm"),
+        ("mm", 0.8, "0.8 mm"),
+        ("cm", 0.03, "< 0.005 cm"),
+        ("m", 0.03, "< 0.00005 m"),
+    ],
+)
+def test_an_expected_error_is_never_told_as_nothing(unit, mm, told):
+    settings.remember(units.SETTING, unit)
+    assert units.error(mm) == told
+    assert units.give_or_take(mm) == (told if "<" in told else f"± {told}")

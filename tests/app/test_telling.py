@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QCoreApplication, QTranslator
 
+import markermend as mm
 from markermend.artifact import Kind, Status
 from markermend.detectors import detect
 from markermend.mesh.names import _FROM_THE_TOP
@@ -128,3 +130,14 @@ def test_why_there_is_no_repair_is_told(damaged, brackets):
     assert told(both).count("⟦") == 2
     left = in_words((replace(truth[1], amplitude_mm=7.3), truth[2]))
     assert told(left) == ("⟦The detector still finds damage there: a ⟦peak⟧ of 7.3 mm and 1 more.⟧")
+
+
+def test_what_is_odd_about_a_file_keeps_its_values(brackets, tmp_path):
+    path = tmp_path / "odd.csv"
+    path.write_text("time,A_X,A_Y,A_Z\n0.00,1,2,3\n0.01,0,0,0\n0.02,x,2,3\n")
+    sentences = mm.read(path).warnings
+    assert sentences
+    for sentence in sentences:
+        said = told(sentence)
+        assert said.startswith("⟦"), sentence
+        assert re.findall(r"\d+", said) == re.findall(r"\d+", sentence)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtWidgets import QApplication, QLineEdit
 
 WAIT = 20_000
 
@@ -15,3 +16,15 @@ def key(qtbot, window, what, modifier=Qt.KeyboardModifier.NoModifier):
 def proposed(qtbot, window):
     """Wait for the previewed repair."""
     qtbot.waitUntil(lambda: window.document.proposal is not None, timeout=WAIT)
+
+
+def answer_with(qtbot, word):
+    """Type a word into the dialog that the next key opens, and press Return."""
+
+    def write():
+        line = QApplication.activeModalWidget().findChild(QLineEdit)
+        line.selectAll()
+        qtbot.keyClicks(line, word)
+        qtbot.keyClick(line, Qt.Key.Key_Return)
+
+    QTimer.singleShot(200, write)

@@ -3,18 +3,29 @@
 from __future__ import annotations
 
 import traceback
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QInputDialog, QMessageBox, QWidget
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QLabel,
+    QLineEdit,
+    QMessageBox,
+    QVBoxLayout,
+    QWidget,
+)
 
 import markermend
 from markermend.errors import MarkermendError
 from markermend.take import Take
+from markermend_app.telling import told
 from markermend_app.words import tr as _tr
 
 Buttons = QMessageBox.StandardButton
 Role = QMessageBox.ButtonRole
+Ends = QDialogButtonBox.StandardButton
 
 
 def show_problem(parent: QWidget, error: Exception) -> None:
@@ -40,9 +51,9 @@ def tell_damaged(parent: QWidget, take: Take) -> None:
     box.setIcon(QMessageBox.Icon.Warning)
     box.setWindowTitle(_tr("Damaged file"))
     box.setText(_tr("{0} is damaged. What can be read of it is shown.").format(name))
-    told = " ".join(take.warnings)
+    found = " ".join(map(told, take.warnings))
     kept = _tr("The original is never replaced; repairs can be exported to another file.")
-    box.setInformativeText(f"{told} {kept}".strip())
+    box.setInformativeText(f"{found} {kept}".strip())
     box.open()
 
 
@@ -103,10 +114,45 @@ def ask_replace_source(parent: QWidget, target: Path) -> bool:
     return box.clickedButton() is go
 
 
-def ask_text(parent: QWidget, question: str, proposed: str) -> str | None:
-    """Ask for a word; None when nothing was given."""
-    text, given = QInputDialog.getText(parent, question, question, text=proposed)
-    return text if given else None
+def ask_text(
+    parent: QWidget, question: str, proposed: str, refuse: Callable[[str], str]
+) -> str | None:
+    """Ask for a word until there is nothing against it; None when nothing was given.
+
+    Parameters
+    ----------
+    parent : the window
+    question : what is asked
+    proposed : what stands there at first
+    refuse : says what is wrong with a word, or nothing
+    """
+    dialog = QDialog(parent)
+    dialog.setWindowTitle(question)
+    line, problem = QLineEdit(proposed), QLabel()
+    line.setAccessibleName(question)
+    line.selectAll()
+    problem.setProperty("role", "warning")
+    problem.setWordWrap(True)
+    problem.hide()
+    buttons = QDialogButtonBox(Ends.Ok | Ends.Cancel)
+    column = QVBoxLayout(dialog)
+    for widget in (QLabel(question), line, problem, buttons):
+        column.addWidget(widget)
+
+    def finish() -> None:
+        problem.setText(refuse(line.text()))
+        problem.setVisible(bool(problem.text()))
+        if problem.text():
+            line.setFocus()
+        else:
+            dialog.accept()
+
+    buttons.accepted.connect(finish)
+    buttons.rejected.connect(dialog.reject)
+    dialog.setMinimumWidth(360)
+    given = dialog.exec() == QDialog.DialogCode.Accepted
+    dialog.deleteLater()
+    return line.text() if given else None
 
 
 def show_about(parent: QWidget) -> None:

@@ -47,7 +47,10 @@ class FloatingButtons(QFrame):
         self.repair.setEnabled(editable and status is not Status.REPAIRED and answered)
 
     def place(self, interval: QRectF | None, plot: QRectF) -> None:
-        """Stand to the right of an interval, else to its left, else inside; hide without one."""
+        """Stand to the right of an interval, else to its left, else inside; hide without one.
+
+        It stays within the plot, whose axes would be covered else; a low one at its upper edge.
+        """
         if interval is None:
             self.hide()
             return
@@ -58,7 +61,8 @@ class FloatingButtons(QFrame):
         if x < plot.left():
             x = min(interval.right(), plot.right()) - _GAP - size.width()
         self.resize(size)
-        self.move(round(x), round(plot.top()) + _GAP)
+        y = max(plot.top(), min(plot.top() + _GAP, plot.bottom() - size.height()))
+        self.move(round(max(x, plot.left())), round(y))
         self.show()
         self.raise_()
 

@@ -131,7 +131,7 @@ def _text(row: Standing, column: int) -> str:
         )
     if column in (MEAN, WORST):
         error = row.mean_mm if column == MEAN else row.worst_mm
-        return "–" if error is None else units.length(error)
+        return "–" if error is None else units.error(error)
     return _percent(_KEYS[column](row))
 
 

@@ -109,7 +109,7 @@ class Row:
                 )
             )
             if s.worst_mm is not None:
-                worst = units.length(s.worst_mm)
+                worst = units.error(s.worst_mm)
                 lines.append(tr("Largest expected error of a repair: {0}").format(worst))
             lines += [
                 tr("{0}: {1} open, {2} decided").format(

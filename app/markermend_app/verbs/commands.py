@@ -233,7 +233,7 @@ class Commands(QObject):
             one, many = self.tr("1 artifact found."), self.tr("{0} artifacts found.")
             text = one if len(found) == 1 else many.format(len(found))
             # What is odd about the file was said before, and must not be lost.
-            self.said.emit(" ".join((text, *take.warnings[:1])))
+            self.said.emit(" ".join((text, *map(told, take.warnings[:1]))))
             if self._document.current is None:
                 self._document.step(1)
 
@@ -378,7 +378,7 @@ class Commands(QObject):
         elif file.warning:
             text = file.warning
         elif take.warnings:
-            text = take.warnings[0]
+            text = told(take.warnings[0])
         self.said.emit(text)
         if take.read_only:
             dialogs.tell_damaged(self._window, take)

@@ -139,10 +139,20 @@ class HandWork(QObject):
 
     def rename_marker(self) -> None:
         """Give the foremost marker another name in the whole take."""
-        if not self._document.shown:
+        session = self._document.session
+        if session is None or not self._document.shown:
             return
         old = self._document.shown[0]
-        new = dialogs.ask_text(self._window, self.tr("Rename {0}").format(old), old)
+        take = session.original
+
+        def refuse(new: str) -> str:
+            try:
+                take.renamed({old: new.strip()})
+            except DataError as error:
+                return told(str(error))
+            return ""
+
+        new = dialogs.ask_text(self._window, self.tr("Rename {0}").format(old), old, refuse)
         if new is not None:
             self._change(lambda s: hand.rename(s, {old: new}))
 

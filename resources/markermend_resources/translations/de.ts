@@ -1388,6 +1388,118 @@
         <translation>Artefakte aller Klassen gesucht</translation>
     </message>
     <message>
+        <source>{0} samples have the residual word 65535, which is -1 without its sign; they were read as missing.</source>
+        <translation>{0} Werte haben das Residuenwort 65535, also -1 ohne Vorzeichen; sie wurden als fehlend gelesen.</translation>
+    </message>
+    <message>
+        <source>{0} samples at exactly (0, 0, 0) with a valid residual were read as missing.</source>
+        <translation>{0} Werte bei genau (0, 0, 0) mit gültigem Residuum wurden als fehlend gelesen.</translation>
+    </message>
+    <message>
+        <source>{0} samples at exactly (0, 0, 0) were read as missing.</source>
+        <translation>{0} Werte bei genau (0, 0, 0) wurden als fehlend gelesen.</translation>
+    </message>
+    <message>
+        <source>{0} cells that are no numbers were read as missing.</source>
+        <translation>{0} Zellen, die keine Zahlen sind, wurden als fehlend gelesen.</translation>
+    </message>
+    <message>
+        <source>Labels that occur more than once were numbered: {0}.</source>
+        <translation>Mehrfach vorkommende Namen wurden nummeriert: {0}.</translation>
+    </message>
+    <message>
+        <source>The file marks every sample as invalid, yet has coordinates; they were read as valid.</source>
+        <translation>Die Datei nennt jeden Wert ungültig, hat aber Koordinaten; sie wurden als gültig gelesen.</translation>
+    </message>
+    <message>
+        <source>The file tells no unit of length; by the size of things metres were assumed.</source>
+        <translation>Die Datei nennt keine Längeneinheit; der Größe nach wurden Meter angenommen.</translation>
+    </message>
+    <message>
+        <source>The file tells no unit of length; by the size of things millimetres were assumed.</source>
+        <translation>Die Datei nennt keine Längeneinheit; der Größe nach wurden Millimeter angenommen.</translation>
+    </message>
+    <message>
+        <source>The file tells no unit of length; millimetres were assumed.</source>
+        <translation>Die Datei nennt keine Längeneinheit; Millimeter wurden angenommen.</translation>
+    </message>
+    <message>
+        <source>The file tells no unit of length that is known; millimetres were assumed.</source>
+        <translation>Die Datei nennt keine bekannte Längeneinheit; Millimeter wurden angenommen.</translation>
+    </message>
+    <message>
+        <source>The columns tell no unit of length that is known; millimetres were assumed.</source>
+        <translation>Die Spalten nennen keine bekannte Längeneinheit; Millimeter wurden angenommen.</translation>
+    </message>
+    <message>
+        <source>The table has no times; 100 Hz was assumed.</source>
+        <translation>Die Tabelle hat keine Zeiten; 100 Hz wurden angenommen.</translation>
+    </message>
+    <message>
+        <source>The file does not tell its frame rate; its times were used.</source>
+        <translation>Die Datei nennt ihre Bildrate nicht; ihre Zeiten wurden verwendet.</translation>
+    </message>
+    <message>
+        <source>The file does not tell its frame rate; 100 Hz was assumed.</source>
+        <translation>Die Datei nennt ihre Bildrate nicht; 100 Hz wurden angenommen.</translation>
+    </message>
+    <message>
+        <source>The file tells no rate; 120 Hz was assumed.</source>
+        <translation>Die Datei nennt keine Rate; 120 Hz wurden angenommen.</translation>
+    </message>
+    <message>
+        <source>The file is cut short: it says that it has {0} frames, {1} are present.</source>
+        <translation>Die Datei ist abgeschnitten: sie soll {0} Frames haben, {1} sind vorhanden.</translation>
+    </message>
+    <message>
+        <source>The file is cut short; the poses before its end were read.</source>
+        <translation>Die Datei ist abgeschnitten; die Posen vor ihrem Ende wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>The file is cut short; its last pose was left out.</source>
+        <translation>Die Datei ist abgeschnitten; ihre letzte Pose wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>The header counts {0} frames; {1} were read.</source>
+        <translation>Der Dateikopf zählt {0} Frames; {1} wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>16-bit integers</source>
+        <translation>16-Bit-Ganzzahlen</translation>
+    </message>
+    <message>
+        <source>32-bit floats</source>
+        <translation>32-Bit-Gleitkommazahlen</translation>
+    </message>
+    <message>
+        <source>far-off coordinates or (0, 0, 0)</source>
+        <translation>weit entfernte Koordinaten oder (0, 0, 0)</translation>
+    </message>
+    <message>
+        <source>residuals mean nothing</source>
+        <translation>Residuen ohne Bedeutung</translation>
+    </message>
+    <message>
+        <source>negative residual ({0} samples)</source>
+        <translation>negatives Residuum ({0} Werte)</translation>
+    </message>
+    <message>
+        <source>residual word 65535, read as -1 ({0} samples)</source>
+        <translation>Residuenwort 65535, als -1 gelesen ({0} Werte)</translation>
+    </message>
+    <message>
+        <source>(0, 0, 0) with a valid residual ({0} samples)</source>
+        <translation>(0, 0, 0) mit gültigem Residuum ({0} Werte)</translation>
+    </message>
+    <message>
         <source>Accept {0}</source>
         <translation>Angenommen: {0}</translation>
     </message>
@@ -1700,12 +1812,56 @@
         <translation>Der Detektor findet dort noch Schäden: {0} von {1} mm und {2} weitere.</translation>
     </message>
     <message>
+        <source>A marker needs a name.</source>
+        <translation>Ein Marker braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>There is a “{0}” already; choose another name.</source>
+        <translation>Es gibt schon „{0}“; bitte einen anderen Namen wählen.</translation>
+    </message>
+    <message>
         <source>{0} frames ({1})</source>
         <translation>{0} Frames ({1})</translation>
     </message>
     <message>
         <source>{0} frame ({1})</source>
         <translation>{0} Frame ({1})</translation>
+    </message>
+    <message>
+        <source>Processor</source>
+        <translation>Prozessor</translation>
+    </message>
+    <message>
+        <source>Storage</source>
+        <translation>Speicherung</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>Missing samples</source>
+        <translation>Fehlende Werte</translation>
+    </message>
+    <message>
+        <source>Force plates</source>
+        <translation>Kraftmessplatten</translation>
+    </message>
+    <message>
+        <source>Step mm</source>
+        <translation>Schritt mm</translation>
+    </message>
+    <message>
+        <source>Manufacturer</source>
+        <translation>Hersteller</translation>
+    </message>
+    <message>
+        <source>Software</source>
+        <translation>Software</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
     </message>
     <message>
         <source>head</source>
@@ -2151,8 +2307,8 @@
         <translation>Kein Verfahren hat hier eine Antwort.</translation>
     </message>
     <message>
-        <source>↑ ↓ choose, F repairs.</source>
-        <translation>↑ ↓ wählen, F repariert.</translation>
+        <source>↑ ↓ choose, F repairs. ± is judged by like stretches in sight.</source>
+        <translation>↑ ↓ wählen, F repariert. ± ist an ähnlichen gesehenen Strecken geschätzt.</translation>
     </message>
     <message>
         <source>Without an answer here: {0}.</source>

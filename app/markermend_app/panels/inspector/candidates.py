@@ -70,7 +70,7 @@ class Candidates(QFrame):
             error = found[i].error_mm
             labels[0].setPixmap(_stroke(color))
             labels[1].setText(tr(REPAIRS[found[i].method].label))
-            labels[2].setText(f"± {units.length(error)}" if error else "–")
+            labels[2].setText(units.give_or_take(error) if error else "–")
             for label in labels[1:]:
                 font = label.font()
                 font.setBold(chosen)
@@ -80,7 +80,7 @@ class Candidates(QFrame):
         elif not found:
             self.said.setText(self.tr("No method has an answer here."))
         else:
-            text = self.tr("↑ ↓ choose, F repairs.")
+            text = self.tr("↑ ↓ choose, F repairs. ± is judged by like stretches in sight.")
             if c.hopeless:
                 text += " " + self.tr("Without an answer here: {0}.").format(c.hopeless)
             self.said.setText(text)

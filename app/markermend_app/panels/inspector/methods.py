@@ -165,7 +165,7 @@ class MethodList(QWidget):
         text = tr(REPAIRS[method].label) if method in REPAIRS else method
         # A swap invents nothing, so that there is nothing to be off by.
         if proposal.error_mm:
-            text += self.tr(", expected error {0}").format(units.length(proposal.error_mm))
+            text += self.tr(", expected error {0}").format(units.error(proposal.error_mm))
         elif proposal.error_mm is None and method != "leave_empty":
             text += self.tr(", expected error not measured")
         followed = self._document.preview.references

@@ -21,9 +21,13 @@ from markermend_app.actions.menus import hint_of
 from markermend_app.document import Document
 from markermend_app.panels.markers.badge import kind_icon
 from markermend_app.style import theme
+from markermend_app.telling import told
+from markermend_app.words import tr
 
 _KNOWN = ("subject", "subjects", "x_screen", "y_screen")
 """Keys of a take's info that are told elsewhere, or tell operators nothing."""
+_WORDED = ("storage", "missing_samples")
+"""Keys whose values are words of the engine, not of the file."""
 
 
 def heading(text: str = "") -> QLabel:
@@ -182,7 +186,7 @@ class TakePage(QWidget):
             (self.tr("Analog"), "" if take.analog is None else str(len(take.analog.labels))),
             (self.tr("Events"), str(len(take.events)) if take.events else ""),
             *(
-                (key.replace("_", " ").capitalize(), text)
+                (tr(key.replace("_", " ").capitalize()), _value(key, text))
                 for key, text in take.info.items()
                 if key not in _KNOWN
             ),
@@ -193,7 +197,7 @@ class TakePage(QWidget):
             self.facts.addRow(_name(self.tr("Missing")), self._gaps)
         self._refresh_gaps()
         for sentence in take.warnings:
-            self.warnings.addWidget(_warning(sentence))
+            self.warnings.addWidget(_warning(told(sentence)))
 
     def _refresh_gaps(self) -> None:
         """Tell how much is missing now."""
@@ -212,6 +216,11 @@ class TakePage(QWidget):
         label = plain()
         label.setText(value)
         self.facts.addRow(_name(name), label)
+
+
+def _value(key: str, text: str) -> str:
+    """A fact of the file; what the engine words is told in the language of the window."""
+    return "; ".join(map(told, text.split("; "))) if key in _WORDED else text
 
 
 def _name(text: str) -> QLabel:
