@@ -244,6 +244,18 @@ def test_a_review_that_is_opened_first_loads_the_repairs_on_the_worker(
     assert begun[:2] == ["Opening box.c3d"] * 2
 
 
+def test_a_take_that_is_not_searched_loads_the_repairs_on_the_worker_too(
+    window, qtbot, take_path, monkeypatch
+):
+    settings.remember("detect_on_open", False)
+    monkeypatch.setattr(mm, "repairs", importlib.import_module("markermend.repairs"))
+    monkeypatch.delitem(sys.modules, "markermend.repairs")
+    window.commands.open_path(take_path)
+    qtbot.waitUntil(lambda: window.document.mesh is not None and not window.lane.busy, timeout=WAIT)
+    assert window.document.current is None
+    assert "markermend.repairs" in sys.modules
+
+
 def test_an_open_take_fits_small_screens_too(reviewed, qtbot):
     reviewed.resize(1500, 900)
     qtbot.waitUntil(reviewed.queue.progress.isVisible)

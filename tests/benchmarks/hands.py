@@ -88,6 +88,7 @@ class Operator:
         self.window.commands.open_path(path)
         spin(lambda: self.document.session is not None and self.document.mesh is not None)
         if found is not None:
+            spin(lambda: not self.window.lane.busy)
             self.document.add_detected(found, "planted")
             self.document.step(1)
         spin(lambda: not self.window.lane.busy and self.document.current is not None)

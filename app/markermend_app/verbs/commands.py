@@ -104,17 +104,22 @@ class Commands(QObject):
     def _look_at_first(self, file: SessionFile, label: str) -> None:
         """Put the first artifact under review, once the methods that are listed are loaded."""
 
-        def work(progress: Progress) -> None:
-            import markermend.repairs  # noqa: F401
-
-        def done(_: None) -> None:
+        def done() -> None:
             if self._document.file is file and self._document.current is None:
                 self._document.step(1)
 
+        self._load_methods(label, done)
+
+    def _load_methods(self, label: str, done: Callable[[], None] = lambda: None) -> None:
+        """Load the repair methods on the worker, before an artifact is looked at."""
+
+        def work(progress: Progress) -> None:
+            import markermend.repairs  # noqa: F401
+
         if "markermend.repairs" in sys.modules:
-            done(None)
+            done()
         else:
-            self._lane.submit(label, work, done, self.show_problem)
+            self._lane.submit(label, work, lambda _: done(), self.show_problem)
 
     def _learn_body(self, file: SessionFile) -> None:
         """Look how the body moves, and for artifacts in a take that is new."""
@@ -135,8 +140,11 @@ class Commands(QObject):
             new = not file.session.history and not file.read_only
             if new and settings.flag("detect_on_open", True):
                 self.detect()
+            else:
+                self._load_methods(label)
 
-        self._lane.submit(self.tr("Looking at the body"), work, done, self.show_problem)
+        label = self.tr("Looking at the body")
+        self._lane.submit(label, work, done, self.show_problem)
 
     def close_take(self) -> None:
         """Close the take, after asking what becomes of unexported work."""

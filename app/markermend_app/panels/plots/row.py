@@ -100,7 +100,7 @@ class PlotRow(PlotFrame):
         self._asked: Sequence[object] = ()
         self._waiting: dict[str, Shown] = {}
         self._seen: tuple[float, float, Artifact | None] = (0.0, 1.0, None)
-        self._later = QTimer()
+        self._later = QTimer(self.view)
         self._later.setSingleShot(True)
         self._later.timeout.connect(self._draw_later)
         self._before = False
