@@ -81,7 +81,7 @@ _SAME = (
     "is said to stand at 0, 0, 0 for {0}",
     "stands up to {0} from where its bones reach, for {1}",
     # Why there is no repair, or this one.
-    "{0} Worked out from other repairs instead; look at it closely.",
+    "Worked out from other repairs; look at it closely. Without them: {0}",
     "No other marker of the body is seen all through the interval of {0}; three are needed.",
     "Only one other marker of the body is seen all through the interval of {0}; three are needed.",
     "Only two others of the body are seen all through the interval of {0}; three are needed.",
@@ -93,7 +93,6 @@ _SAME = (
     "{0} has only {1} trusted samples near the interval's beginning; needed: {2}.",
     "{0} has only {1} trusted samples near the interval's end; needed: {2}.",
     "The result would be about {0} mm off; too far to be used.",
-    "{0} would leave damage.",
     "Already exchanged together with {0}.",
     "No counterpart is known that carries the opposite step.",
     "There is no signal to smooth inside a gap.",
@@ -106,10 +105,16 @@ _SAME = (
     "{0} frames ({1})",
     "{0} frame ({1})",
 )
+# Whose first part is a repair method's label.
+_OF_METHODS = (
+    "{0} is not used: {1}",
+    "{0} may be about {1} mm off.",
+    "{0} would leave damage.",
+)
 _FORMS: Mapping[str, str] = {
     "Detect (sudden)": "Find gaps, peaks, noise and steps",
     "Detect (all kinds)": "Find artifacts of all classes",
-    **{form: form for form in (*file_words.ODDITIES, *file_words.VALUES, *_SAME)},
+    **{form: form for form in (*file_words.ODDITIES, *file_words.VALUES, *_OF_METHODS, *_SAME)},
 }
 """Forms as the engine writes them, and as they are told."""
 _PARTS = (
@@ -141,7 +146,9 @@ def told(text: str) -> str:
     for pattern, form in _patterns():
         found = pattern.fullmatch(text)
         if found is not None:
-            return tr(form).format(*map(told, found.groups()))
+            first, *rest = found.groups() or ("",)
+            said = tr(first) if form in _OF_METHODS else told(first)
+            return tr(form).format(said, *map(told, rest))
     return text
 
 

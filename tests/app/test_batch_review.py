@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
@@ -105,6 +107,11 @@ def test_the_list_tells_how_each_take_stands(window, shoot, qtbot):
     assert told[1] == f"0/{total} · {100 * missing:.1f} % missing"
     assert told[2] == f"not searched · {100 * missing:.1f} % missing"
     assert [row.share for row in model.rows] == [1 / total, 0.0, None]
+    glance = model.rows[0].glance
+    for worst, words in ((0.01, "< 0.05 mm"), (3.21, "± 3.2 mm")):
+        standing = replace(glance.standing, worst_mm=worst)
+        row = replace(model.rows[0], glance=replace(glance, standing=standing))
+        assert row.facts().endswith(words)
 
 
 def test_what_is_exported_is_marked_also_when_it_is_listed_again(window, shoot, qtbot, tmp_path):

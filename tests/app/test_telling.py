@@ -126,8 +126,10 @@ def test_why_there_is_no_repair_is_told(damaged, brackets):
     for refused in refusals:
         assert not refused.patches
         assert told(refused.reason).startswith("⟦"), refused.reason
-    both = f"{few.reason} Worked out from other repairs instead; look at it closely."
+    both = f"Worked out from other repairs; look at it closely. Without them: {few.reason}"
     assert told(both).count("⟦") == 2
+    assert told(f"Cubic spline is not used: {few.reason}").startswith("⟦⟦Cubic spline⟧ is not")
+    assert told("Kalman may be about 7 mm off.") == "⟦⟦Kalman⟧ may be about 7 mm off.⟧"
     left = in_words((replace(truth[1], amplitude_mm=7.3), truth[2]))
     assert told(left) == ("⟦The detector still finds damage there: a ⟦peak⟧ of 7.3 mm and 1 more.⟧")
 

@@ -136,6 +136,8 @@ def test_of_four_markers_two_gone_at_once_get_curves_or_the_reason(head: Take) -
     take, pairs = filled(head, long)
     assert all("three are needed" in r.reason for _, r in pairs)
     assert {r.method for _, r in pairs} == {"pattern"}
+    # Beside the pattern's own expected error, it must be plain whose reason that is.
+    assert all(r.reason.startswith("Local regression is not used: ") for _, r in pairs)
     told = np.mean([r.error_mm for _, r in pairs])
     assert 0.4 < error(head, take, long) / told < 2.0
 

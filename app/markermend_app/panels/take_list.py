@@ -82,7 +82,7 @@ class Row:
             tr("{0:.1f} % missing").format(100 * s.gap_now),
         ]
         if s.worst_mm is not None:
-            facts.append(f"± {units.length(s.worst_mm, 0)}")
+            facts.append(units.give_or_take(s.worst_mm))
         return " · ".join(facts)
 
     def icon(self) -> QIcon:

@@ -54,7 +54,7 @@ def best_repair(evidence: Evidence, artifact: Artifact) -> Repair:
         if not other.patches:
             continue
         if not usual.patches and not (best.patches and other.leaves):
-            best = replace(other, reason=usual.reason)
+            best = replace(other, reason=_instead_of(usual))
         elif not other.leaves and doubtful and _as_near(other, usual, FAR_NEARER, 0.0):
             further = f"about {usual.error_mm:.0f} mm off"
             best = replace(other, reason=f"{find_method(usual.method).label} may be {further}.")
@@ -84,7 +84,12 @@ def follow_one(evidence: Evidence, artifact: Artifact, refused: Repair) -> Repai
     if take.skeleton or artifact.length <= LONGEST_SPLINE_S * take.rate:
         return refused
     done = _by_defaults(without_own(evidence, artifact), artifact, "pattern")
-    return replace(done, reason=refused.reason) if done.patches else refused
+    return replace(done, reason=_instead_of(refused)) if done.patches else refused
+
+
+def _instead_of(refused: Repair) -> str:
+    """Why another method than the usual one repairs it."""
+    return f"{find_method(refused.method).label} is not used: {refused.reason}"
 
 
 def _doubtful(take: Take, artifact: Artifact, usual: Repair) -> bool:

@@ -388,7 +388,7 @@ def _mirror(artifact: Artifact, done: Iterable[Artifact]) -> Artifact | None:
 
 def _from_repairs(reason: str) -> str:
     """Why repairs of other markers were believed."""
-    return f"{reason} Worked out from other repairs instead; look at it closely."
+    return f"Worked out from other repairs; look at it closely. Without them: {reason}"
 
 
 def _swapped(twin: Artifact) -> str:

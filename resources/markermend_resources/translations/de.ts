@@ -1500,6 +1500,14 @@
         <translation>(0, 0, 0) mit gültigem Residuum ({0} Werte)</translation>
     </message>
     <message>
+        <source>{0} is not used: {1}</source>
+        <translation>{0} wird nicht verwendet: {1}</translation>
+    </message>
+    <message>
+        <source>{0} may be about {1} mm off.</source>
+        <translation>{0} kann etwa {1} mm daneben liegen.</translation>
+    </message>
+    <message>
         <source>Accept {0}</source>
         <translation>Angenommen: {0}</translation>
     </message>
@@ -1736,10 +1744,6 @@
         <translation>steht bis zu {0} von dort, wohin seine Knochen reichen, {1} lang</translation>
     </message>
     <message>
-        <source>{0} Worked out from other repairs instead; look at it closely.</source>
-        <translation>{0} Stattdessen aus anderen Reparaturen berechnet; bitte genau ansehen.</translation>
-    </message>
-    <message>
         <source>No other marker of the body is seen all through the interval of {0}; three are needed.</source>
         <translation>Kein anderer Marker des Körpers ist während des ganzen Intervalls von {0} zu sehen; drei sind nötig.</translation>
     </message>
@@ -1786,6 +1790,10 @@
     <message>
         <source>{0} would leave damage.</source>
         <translation>{0} würde Schäden übrig lassen.</translation>
+    </message>
+    <message>
+        <source>Worked out from other repairs; look at it closely. Without them: {0}</source>
+        <translation>Aus anderen Reparaturen berechnet; bitte genau ansehen. Ohne sie: {0}</translation>
     </message>
     <message>
         <source>Already exchanged together with {0}.</source>
