@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
 
+from markermend_app.panels.tour_card import TourCard
+
 if TYPE_CHECKING:
     from markermend_app.window import MainWindow
 
@@ -40,6 +42,7 @@ class PanelWalk:
             (docks["takes"], window.takes.view),
             (window.welcome, window.welcome.first),
             (window.trajectories, window.trajectories.canvas),
+            *((card, card.end) for card in window.findChildren(TourCard)),
             (window.overview, window.overview),
             (docks["queue"], window.queue.place),
             (docks["quality"], window.quality.view),

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer
-from PySide6.QtWidgets import QDockWidget, QScrollArea, QWidget
+from PySide6.QtWidgets import QApplication, QDockWidget, QScrollArea, QWidget
 
 from markermend.artifact import Status
 from markermend_app import settings
@@ -89,6 +89,9 @@ class Tour(QObject):
         """Leave the tour, which does not begin by itself again."""
         self._following.stop()
         self._done = _never
+        focus = QApplication.focusWidget()
+        if focus is not None and self.card.isAncestorOf(focus):
+            self._window.walk.home()
         self.card.leave()
         settings.remember(SEEN, True)
 

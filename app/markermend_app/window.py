@@ -6,12 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QChildEvent, QSize, Qt
-from PySide6.QtGui import (
-    QActionGroup,
-    QCloseEvent,
-    QDragEnterEvent,
-    QDropEvent,
-)
+from PySide6.QtGui import QActionGroup, QCloseEvent, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import (
     QDockWidget,
     QMainWindow,
@@ -46,6 +41,7 @@ from markermend_app.panels.toolbar import Toolbar
 from markermend_app.panels.transport import Transport
 from markermend_app.panels.welcome import Welcome
 from markermend_app.preferred import Preferred
+from markermend_app.pressing import Pressing
 from markermend_app.sight import Sight
 from markermend_app.style import theme
 from markermend_app.verbs.bulk import Bulk
@@ -102,6 +98,7 @@ class MainWindow(QMainWindow):
             self._take_preference,
             self,
         )
+        self.pressing = Pressing(self)
         self.lay_out(ROOMY.boundedTo(self.screen().availableSize() * 0.94))
         self._default_state = self.saveState(LAYOUT_VERSION)
         self._restore_layout()

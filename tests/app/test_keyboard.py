@@ -206,3 +206,24 @@ def test_a_refused_name_stays_to_be_mended(window, qtbot):
     assert "T10" in told[2]
     assert "T10a" in document.session.take.labels
     assert "CLAV" not in document.session.take.labels
+
+
+@pytest.mark.parametrize("what", [Qt.Key.Key_Space, Qt.Key.Key_Return])
+def test_the_button_that_tab_reached_is_pressed_and_nothing_plays(window, qtbot, what):
+    lasso, speed = window.scene.buttons.lasso, window.transport.speed
+    lasso.setFocus(Qt.FocusReason.TabFocusReason)
+    qtbot.keyClick(window.windowHandle(), what)
+    assert window.scene.buttons.tool == "lasso"
+    assert not window.transport.playing
+    speed.setFocus(Qt.FocusReason.TabFocusReason)
+    qtbot.keyClick(window.windowHandle(), what)
+    assert speed.view().isVisible()
+    speed.hidePopup()
+    assert not window.transport.playing
+
+
+def test_after_a_click_on_a_button_the_space_bar_plays(window, qtbot):
+    qtbot.mouseClick(window.inspector.decisions.accept, Qt.MouseButton.LeftButton)
+    qtbot.keyClick(window.windowHandle(), Qt.Key.Key_Space)
+    assert window.transport.playing
+    qtbot.keyClick(window.windowHandle(), Qt.Key.Key_Space)

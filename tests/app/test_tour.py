@@ -54,6 +54,16 @@ def tour(window):
     return window.findChild(Tour)
 
 
+def test_the_card_is_reached_and_ended_by_keys_alone(window, tour, qtbot):
+    qtbot.keyClick(window.welcome.demo, Qt.Key.Key_Space)
+    window.trajectories.canvas.setFocus()
+    qtbot.keyClick(window.trajectories.canvas, Qt.Key.Key_F6)
+    assert tour.card.end.hasFocus()
+    qtbot.keyClick(tour.card.end, Qt.Key.Key_Space)
+    assert not tour.running
+    qtbot.waitUntil(lambda: QApplication.focusWidget() is window.trajectories.canvas)
+
+
 def test_every_step_is_done_by_doing_it(window, tour, qtbot):
     document, card = window.document, tour.card
     assert tour.place == 0
