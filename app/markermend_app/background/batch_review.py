@@ -23,6 +23,7 @@ from markermend_app.background.loading import (
     load_item,
     open_prepared,
     prepare,
+    takes_folder,
 )
 from markermend_app.dialogs import ask as dialogs
 from markermend_app.dialogs.file_filters import open_filter
@@ -80,24 +81,20 @@ class BatchReview(QObject):
 
     # Asking which
 
-    @property
-    def _folder(self) -> str:
-        """Where the open take lies: what belongs with it is likely near."""
-        path = self._document.path
-        return str(path.parent) if path else ""
-
     def review_batch(self) -> None:
         """Ask for takes, or for the list that a batch wrote, and review them."""
         filters = f"{open_filter()};;{self.tr('List of a batch')} (review.json)"
         title = self.tr("Review a batch: takes, or the review.json of a batch")
-        names, _ = QFileDialog.getOpenFileNames(self._window, title, self._folder, filters)
+        start = str(takes_folder(self._document.path))
+        names, _ = QFileDialog.getOpenFileNames(self._window, title, start, filters)
         if names:
             self.start([Path(name) for name in names])
 
     def review_folder(self) -> None:
         """Ask for a folder and review the takes in it and below."""
         title = self.tr("Review the takes of a folder, or what a batch wrote to it")
-        name = QFileDialog.getExistingDirectory(self._window, title, self._folder)
+        start = str(takes_folder(self._document.path))
+        name = QFileDialog.getExistingDirectory(self._window, title, start)
         if name:
             self.start([Path(name)])
 

@@ -226,6 +226,14 @@ def _stamp(path: Path) -> tuple[int, int]:
     return told.st_size, told.st_mtime_ns
 
 
+def takes_folder(open_take: Path | None) -> Path:
+    """Where takes are looked for: beside the open one, else the last one opened; not the demo."""
+    from markermend_resources import demo_take
+
+    known = (p for p in (open_take, *settings.recent()) if p is not None and p != demo_take())
+    return next((p.parent for p in known if p.parent.is_dir()), Path())
+
+
 def proposed_place(path: Path, ending: str) -> Path:
     """Where a file made from a take is proposed: beside it, but the demo's in the user's home."""
     from markermend_resources import demo_take

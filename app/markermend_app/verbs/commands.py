@@ -17,7 +17,7 @@ from markermend.progress import Progress
 from markermend.review.file import SessionFile
 from markermend_app import detection, settings
 from markermend_app.background.jobs import Lane
-from markermend_app.background.loading import Opened, load
+from markermend_app.background.loading import Opened, load, takes_folder
 from markermend_app.dialogs import ask as dialogs
 from markermend_app.dialogs.file_filters import open_filter
 from markermend_app.document import Document
@@ -50,7 +50,7 @@ class Commands(QObject):
 
     def open(self) -> None:
         """Ask for a take and open it."""
-        start = str(self._document.path.parent) if self._document.path else ""
+        start = str(takes_folder(self._document.path))
         name, _ = QFileDialog.getOpenFileName(
             self._window, self.tr("Open take"), start, open_filter()
         )
