@@ -74,6 +74,18 @@ def test_rejecting_a_repaired_artifact_restores_its_source():
     assert a.id not in session.notes
 
 
+def test_a_decision_made_already_is_no_second_step():
+    session = Session(make_take())
+    a, b = artifact(), artifact("C")
+    session.add_detected([a, b], "paper")
+    session.set_status([a.id], Status.REJECTED)
+    steps, revision = session.history, session.revision
+    session.set_status([a.id], Status.REJECTED)
+    assert (session.history, session.revision) == (steps, revision)
+    session.set_status([a.id, b.id], Status.REJECTED)
+    assert session.history[-1] == f"Reject {b.kind} on {b.marker}"
+
+
 def test_reopening_leaves_an_overlapping_repair_alone():
     session = Session(make_take())
     a, b = artifact(start=30, stop=40), artifact(start=36, stop=50, kind=Kind.STEP)

@@ -182,8 +182,13 @@ class Session:
         return self.perform(f"Detect ({method})", SetArtifacts(changes))
 
     def set_status(self, ids: Sequence[str], status: Status) -> Change:
-        """Accept, reject or reopen; reopening or rejecting a repaired one restores its samples."""
-        chosen = [self.artifact(i) for i in ids]
+        """Accept, reject or reopen; reopening or rejecting a repaired one restores its samples.
+
+        Those that have the status already stay as they are; where all have, no step is made.
+        """
+        chosen = [a for a in map(self.artifact, ids) if a.status is not status]
+        if not chosen:
+            return Change()
         edits: list[Edit] = []
         if status is not Status.REPAIRED:
             edits.extend(taking_back(self._state, chosen))
