@@ -33,6 +33,16 @@ class PanelWalk:
         plots.activateWindow()
         plots.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
+    def filter(self) -> None:
+        """Give the keyboard to what narrows down the review queue, if it is there, or the tree."""
+        name, line = "markers", self._window.tree.filter
+        if _is_in(QApplication.focusWidget(), self._window.docks["queue"]):
+            name, line = "queue", self._window.queue.filter
+        self._window.show_dock(name)
+        line.activateWindow()
+        line.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        line.selectAll()
+
     def _stops(self) -> list[tuple[QWidget, QWidget]]:
         """Open panels, each with the part of it that takes the keys."""
         window, docks = self._window, self._window.docks

@@ -227,3 +227,43 @@ def test_after_a_click_on_a_button_the_space_bar_plays(window, qtbot):
     qtbot.keyClick(window.windowHandle(), Qt.Key.Key_Space)
     assert window.transport.playing
     qtbot.keyClick(window.windowHandle(), Qt.Key.Key_Space)
+
+
+def test_lists_are_narrowed_down_from_where_the_hands_are(window, qtbot):
+    qtbot.keyClick(window.windowHandle(), Qt.Key.Key_F, Qt.KeyboardModifier.ControlModifier)
+    assert focus() is window.tree.filter
+    window.queue.view.setFocus()
+    qtbot.keyClick(window.windowHandle(), Qt.Key.Key_F, Qt.KeyboardModifier.ControlModifier)
+    assert focus() is window.queue.filter
+
+
+def choose(view, qtbot, *entries):
+    """Open a list's menu as the menu key does, and choose an entry by its words."""
+    view.setFocus()
+    view.customContextMenuRequested.emit(view.visualRect(view.currentIndex()).center())
+    menu = QApplication.activePopupWidget()
+    for text in entries:
+        action = next(a for a in menu.actions() if a.text() == text)
+        menu = action.menu() or menu
+    action.trigger()
+    QApplication.activePopupWidget().close()
+
+
+def test_the_queue_is_sorted_from_its_menu_and_turned_round(window, qtbot):
+    view, model = window.queue.view, window.queue.model
+    frames = sorted(a.start for a in model.rows)
+    assert [a.start for a in model.rows] != frames
+    for expected in (frames, frames[::-1]):
+        choose(view, qtbot, "Sort by", "Frames")
+        assert [a.start for a in model.rows] == expected
+        assert window.document.queue == tuple(a.id for a in model.rows)
+
+
+def test_the_quality_of_markers_is_sorted_from_its_menu(window, qtbot):
+    window.show_dock("quality")
+    qtbot.waitUntil(lambda: bool(window.quality.model.rows))
+    choose(window.quality.view, qtbot, "Marker")
+    names = [s.marker for s in window.quality.model.rows]
+    assert names == sorted(names)
+    choose(window.quality.view, qtbot, "Marker")
+    assert [s.marker for s in window.quality.model.rows] == names[::-1]

@@ -87,6 +87,14 @@ ACTIONS: tuple[Action, ...] = (
         anything,
     ),
     Action(
+        "filter",
+        "Filter the list",
+        "Edit",
+        ("Ctrl+F",),
+        "search",
+        "Narrow down the markers, or the review queue while the keyboard is there",
+    ),
+    Action(
         "preferences",
         "Preferences…",
         "|Edit",

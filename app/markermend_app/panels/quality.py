@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QModelIndex, QPersistentModelIndex, Qt, QTimer
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QPoint, Qt, QTimer
 from PySide6.QtGui import QPainter, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -23,6 +23,7 @@ from markermend.take import is_unlabelled
 from markermend_app.document import Document
 from markermend_app.panels.markers.badge import hint, paint_counts
 from markermend_app.panels.quality_model import COUNTS, DECIDED, OPEN, QualityModel
+from markermend_app.panels.sort_menu import sort_menu
 from markermend_app.style import theme
 
 Index = QModelIndex | QPersistentModelIndex
@@ -34,7 +35,8 @@ _ROW_PX = 26
 class QualityPanel(QWidget):
     """A table of the take and its markers.
 
-    A click shows a marker in the plots, a double click or Return goes to its worst open artifact.
+    A click shows a marker in the plots, a double click or Return goes to its worst open artifact,
+    the right button sorts.
     Unlabelled trajectories are listed where something was found on them.
     """
 
@@ -62,6 +64,8 @@ class QualityPanel(QWidget):
         header.setSortIndicator(OPEN, Qt.SortOrder.DescendingOrder)
         header.sortIndicatorChanged.connect(self._sort)
         header.sectionResized.connect(self._resize_column)
+        self.view.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self.view.customContextMenuRequested.connect(self._show_menu)
         self.view.horizontalHeader().setStretchLastSection(True)
         self.view.horizontalScrollBar().valueChanged.connect(
             self.head.horizontalScrollBar().setValue
@@ -148,6 +152,12 @@ class QualityPanel(QWidget):
         """Order the markers by a column."""
         self.model.sort(column, order)
         self._follow_shown()
+
+    def _show_menu(self, at: QPoint) -> None:
+        """Offer to sort, which the head does at a click only."""
+        menu = sort_menu(self.head.horizontalHeader(), self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu.popup(self.view.viewport().mapToGlobal(at))
 
     def _follow_shown(self) -> None:
         """Choose the foremost marker of the plots."""

@@ -65,6 +65,7 @@ def view_verbs(window: MainWindow) -> dict[str, Callable[[], object]]:
         "preferences": lambda: window.preferred.open(),
         "shortcuts": lambda: ShortcutSheet(window).exec(),
         "palette": lambda: _open_palette(window),
+        "filter": window.walk.filter,
         **{f"method_{key}": partial(_choose_method, document, key) for key in METHOD_KEYS},
         "about": lambda: dialogs.show_about(window),
     }

@@ -628,6 +628,14 @@
         <translation>Von Hand</translation>
     </message>
     <message>
+        <source>Filter the list</source>
+        <translation>Liste filtern</translation>
+    </message>
+    <message>
+        <source>Narrow down the markers, or the review queue while the keyboard is there</source>
+        <translation>Die Marker eingrenzen, oder die Prüfliste, solange die Tastatur dort ist</translation>
+    </message>
+    <message>
         <source>Repair selection</source>
         <translation>Auswahl reparieren</translation>
     </message>
@@ -2078,6 +2086,10 @@
     <message>
         <source>{0} and {1}</source>
         <translation>{0} und {1}</translation>
+    </message>
+    <message>
+        <source>Sort by</source>
+        <translation>Sortieren nach</translation>
     </message>
 </context>
 <context>

@@ -40,6 +40,7 @@ from markermend_app.panels.queue.model import (
     count_decided,
 )
 from markermend_app.panels.queue.view import QueueView
+from markermend_app.panels.sort_menu import sort_menu
 from markermend_app.panels.spared import show_if_it_fits, spare
 from markermend_app.style import theme
 
@@ -217,11 +218,12 @@ class ReviewQueue(QWidget):
         if many and len({a.marker for a in chosen}) == 1:
             join = partial(self.verb_requested.emit, "join_artifacts")
             entry(menu, "join_artifacts", join).setEnabled(self._document.editable)
+        menu.addSeparator()
+        menu.addMenu(sort_menu(self.view.horizontalHeader(), menu))
         return menu
 
     def _show_menu(self, at: QPoint) -> None:
-        if self.selected():
-            self.menu().popup(self.view.viewport().mapToGlobal(at))
+        self.menu().popup(self.view.viewport().mapToGlobal(at))
 
     # Following the document
 
