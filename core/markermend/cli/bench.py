@@ -12,6 +12,7 @@ from markermend.cli.bench_e3 import run_e3
 from markermend.cli.bench_gaps import run_gaps
 from markermend.cli.bench_pose import run_pose
 from markermend.cli.bench_predictors import run_predictors
+from markermend.cli.bench_slides import run_slides
 from markermend.cli.bench_smooth import run_smooth
 from markermend.cli.bench_takes import clean_takes
 from markermend.cli.bench_training import run_training
@@ -79,6 +80,7 @@ RUN = {
     "gaps": run_gaps,
     "pose": run_pose,
     "predictors": run_predictors,
+    "slides": run_slides,
     "smooth": run_smooth,
     "constraints": run_constraints,
     "training": run_training,

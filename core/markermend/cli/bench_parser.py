@@ -18,6 +18,8 @@ from markermend.cli.bench_pose import SUMMARY as POSE
 from markermend.cli.bench_pose import add_pose
 from markermend.cli.bench_predictors import SUMMARY as PREDICTORS
 from markermend.cli.bench_predictors import add_predictors
+from markermend.cli.bench_slides import SUMMARY as SLIDES
+from markermend.cli.bench_slides import add_slides
 from markermend.cli.bench_smooth import SUMMARY as SMOOTH
 from markermend.cli.bench_smooth import add_smooth
 from markermend.cli.bench_training import SUMMARY as TRAINING
@@ -31,6 +33,7 @@ EXPERIMENTS = {
     "gaps": GAPS,
     "pose": POSE,
     "predictors": PREDICTORS,
+    "slides": SLIDES,
     "smooth": SMOOTH,
     "constraints": CONSTRAINTS,
     "training": TRAINING,
@@ -47,6 +50,7 @@ def add_experiments(parser: argparse.ArgumentParser) -> None:
         "gaps": add_gaps,
         "pose": add_pose,
         "predictors": add_predictors,
+        "slides": add_slides,
         "smooth": add_smooth,
         "constraints": add_constraints,
         "training": add_training,

@@ -38,7 +38,7 @@ RAMP = 10
 """Frames, of those looked at, that a marker is supposed to slide."""
 LEAST_MM, LEAST_SCORE = 8.0, 6.0
 """A shift, and how many times what the regression leaves over it is."""
-LARGEST_REST_MM = 4.0
+LARGEST_REST_MM = 7.0
 """A frame that leaves more over holds no place to speak of."""
 OWN = 0.3
 """Share of a shift that posture does not share; with less it may be posture's altogether."""
