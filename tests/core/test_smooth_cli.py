@@ -102,10 +102,10 @@ def test_a_part_of_the_take_with_a_named_method(
     [
         (["--method", "nothing"], "choose one of auto, "),
         (["--method", "bspline", "--set", "degree"], "write NAME=VALUE"),
-        (["--method", "bspline", "--set", "degree=x"], "write NAME=VALUE"),
+        (["--method", "bspline", "--set", "degree=x"], "it is a whole number"),
         (["--method", "bspline", "--set", "points=4"], "has no parameter “points”"),
-        (["--method", "moving_average", "--set", "symmetric=perhaps"], "write NAME=VALUE"),
-        (["--frames", "5000", "6000"], "nothing to smooth"),
+        (["--method", "moving_average", "--set", "symmetric=perhaps"], "it is true or false"),
+        (["--frames", "5000", "6000"], "from frame 5000 to 6000; "),
     ],
 )
 def test_bad_usage_is_explained(

@@ -17,6 +17,7 @@ from markermend.cli.console import (
     write_json,
     write_text,
 )
+from markermend.cli.numbers import add_seed
 from markermend.errors import DataError, ExportError
 
 SUMMARY = "ask people which version of a movement looks most natural, not knowing which is which"
@@ -37,7 +38,7 @@ def add_blind(p: argparse.ArgumentParser) -> None:
         metavar="KEY.json",
         help="which letter hides which version, to be kept back (default: FILE_key.json)",
     )
-    p.add_argument("--seed", metavar="N", type=int, help="same seed, same letters (default: any)")
+    add_seed(p, "letters", None)
     p.add_argument("--tally", metavar="KEY.json", help="count the votes by this key")
     p.add_argument("--force", action="store_true", help="overwrite what is there already")
 

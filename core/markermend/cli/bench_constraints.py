@@ -7,6 +7,7 @@ from pathlib import Path
 
 import markermend as mm
 from markermend.cli.console import Bar, say
+from markermend.cli.numbers import add_jobs, add_seed, add_simulations
 
 SUMMARY = "model averaging with its constraints on and off, on the same gaps, with a t-test"
 
@@ -14,9 +15,9 @@ SUMMARY = "model averaging with its constraints on and off, on the same gaps, wi
 def add_constraints(p: argparse.ArgumentParser) -> None:
     """Give the experiment its options."""
     p.add_argument("takes", metavar="TAKE", nargs="+", help="recordings with little missing")
-    p.add_argument("--simulations", metavar="N", type=int, default=10, help="per take and setting")
-    p.add_argument("--seed", metavar="N", type=int, default=0, help="same seed, same gaps")
-    p.add_argument("--jobs", metavar="N", type=int, default=-1, help="processes (-1: all cores)")
+    add_simulations(p, 10, "per take and setting")
+    add_seed(p, "gaps")
+    add_jobs(p)
 
 
 def run_constraints(options: argparse.Namespace) -> int:

@@ -6,6 +6,7 @@ import argparse
 
 from markermend.cli.bench_takes import clean_takes
 from markermend.cli.console import STDOUT, Bar, check_outputs, say, write_text
+from markermend.cli.numbers import add_jobs, add_seed, add_simulations, positive, share
 
 SUMMARY = "contaminate clean takes, detect, reconstruct, compare with what was there"
 
@@ -44,21 +45,25 @@ def add_e3(p: argparse.ArgumentParser) -> None:
         "--share",
         metavar="P",
         nargs="+",
-        type=float,
+        type=share,
         default=[0.05, 0.1, 0.2],
         help="damaged share of the frames (default: 0.05 0.1 0.2)",
     )
     p.add_argument(
-        "--amplitude", metavar="MM", type=float, default=10.0, help="mean amplitude (default: 10)"
+        "--amplitude",
+        metavar="MM",
+        type=positive,
+        default=10.0,
+        help="mean amplitude (default: 10)",
     )
     p.add_argument(
         "--all-classes",
         action="store_true",
         help="reconstruct all that detectors flag, not only what they call the class planted",
     )
-    p.add_argument("--simulations", metavar="N", type=int, default=200, help="per setting")
-    p.add_argument("--seed", metavar="N", type=int, default=0, help="same seed, same result")
-    p.add_argument("--jobs", metavar="N", type=int, default=-1, help="processes (-1: all cores)")
+    add_simulations(p, 200, "per setting")
+    add_seed(p, "result")
+    add_jobs(p)
     p.add_argument("--csv", metavar="FILE", help="write all rows as CSV; “-” for standard output")
     p.add_argument("--force", action="store_true", help="overwrite what is there already")
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import markermend as mm
 from markermend.cli.console import STDOUT, Bar, check_outputs, say, write_text
+from markermend.cli.numbers import add_jobs, add_seed, add_simulations
 
 SUMMARY = "hide pieces of takes, fill them, compare with what was hidden"
 
@@ -34,9 +35,9 @@ def add_gaps(p: argparse.ArgumentParser) -> None:
     p.add_argument(
         "--reference", metavar="NAME", help="error the list knows, to compare with (such as pma)"
     )
-    p.add_argument("--simulations", metavar="N", type=int, default=10, help="per take and setting")
-    p.add_argument("--seed", metavar="N", type=int, default=0, help="same seed, same gaps")
-    p.add_argument("--jobs", metavar="N", type=int, default=-1, help="processes (-1: all cores)")
+    add_simulations(p, 10, "per take and setting")
+    add_seed(p, "gaps")
+    add_jobs(p)
     p.add_argument("--csv", metavar="FILE", help="write every case as CSV; “-” for standard output")
     p.add_argument(
         "--measures", action="store_true", help="how single gaps are spread: mean, mode, IQR, AIC…"

@@ -24,6 +24,7 @@ from markermend.cli.bench_smooth import SUMMARY as SMOOTH
 from markermend.cli.bench_smooth import add_smooth
 from markermend.cli.bench_training import SUMMARY as TRAINING
 from markermend.cli.bench_training import add_training
+from markermend.cli.numbers import add_jobs, add_seed, add_simulations, from_zero, positive, share
 
 EXPERIMENTS = {
     "blind": BLIND,
@@ -84,7 +85,7 @@ def _add_e1(p: argparse.ArgumentParser) -> None:
         "--share",
         metavar="P",
         nargs="+",
-        type=float,
+        type=share,
         default=[0.05, 0.1, 0.2],
         help="damaged share of the frames by class (default: 0.05 0.1 0.2)",
     )
@@ -92,20 +93,20 @@ def _add_e1(p: argparse.ArgumentParser) -> None:
         "--amplitude",
         metavar="MM",
         nargs="+",
-        type=float,
+        type=positive,
         default=[5.0, 10.0],
         help="mean amplitudes (default: 5 10)",
     )
     p.add_argument(
         "--rounded",
         metavar="N",
-        type=int,
+        type=from_zero,
         default=0,
         help="frames over which the kinks of slow changes are rounded (default: 0, sharp)",
     )
-    p.add_argument("--simulations", metavar="N", type=int, default=100, help="per setting")
-    p.add_argument("--seed", metavar="N", type=int, default=0, help="same seed, same result")
-    p.add_argument("--jobs", metavar="N", type=int, default=-1, help="processes (-1: all cores)")
+    add_simulations(p, 100, "per setting")
+    add_seed(p, "result")
+    add_jobs(p)
     p.add_argument("--csv", metavar="FILE", help="write all counts as CSV; “-” for standard output")
     p.add_argument(
         "--figures", metavar="FOLDER", help="draw confusion matrices and calibration as SVG there"

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import markermend as mm
 from markermend.cli.console import STDOUT, Bar, check_outputs, say, write_text
+from markermend.cli.numbers import add_seed
 from markermend.errors import MethodError
 
 SUMMARY = "damage clean skeleton recordings, restore people never seen, compare with the truth"
@@ -30,7 +31,7 @@ def add_pose(p: argparse.ArgumentParser) -> None:
     )
     p.add_argument("--case", metavar="TEXT", nargs="+", help="only cases whose name has this text")
     p.add_argument("--hidden", action="store_true", help="show errors by number of occluded joints")
-    p.add_argument("--seed", metavar="N", type=int, default=1, help="same seed, same damage")
+    add_seed(p, "damage", 1)
     p.add_argument(
         "--csv", metavar="FILE", help="write every error as CSV; “-” for standard output"
     )

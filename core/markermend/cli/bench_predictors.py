@@ -7,6 +7,7 @@ from pathlib import Path
 
 import markermend as mm
 from markermend.cli.console import STDOUT, Bar, check_outputs, say, write_text
+from markermend.cli.numbers import add_jobs, from_one, from_zero
 
 SUMMARY = "compare predictors of a marker: residual, its distribution, what stays of a drift"
 
@@ -18,7 +19,7 @@ def add_predictors(p: argparse.ArgumentParser) -> None:
         "--order",
         metavar="L",
         nargs="+",
-        type=int,
+        type=from_one,
         default=[1, 2, 3, 4, 5],
         help="orders of the polynomial (default: 1 2 3 4 5)",
     )
@@ -26,14 +27,18 @@ def add_predictors(p: argparse.ArgumentParser) -> None:
         "--lags",
         metavar="K",
         nargs="+",
-        type=int,
+        type=from_zero,
         default=[0, 1, 3, 5],
         help="numbers of former frames (default: 0 1 3 5)",
     )
     p.add_argument(
-        "--markers", metavar="N", type=int, default=12, help="per take, 0 for all (default: 12)"
+        "--markers",
+        metavar="N",
+        type=from_zero,
+        default=12,
+        help="per take, 0 for all (default: 12)",
     )
-    p.add_argument("--jobs", metavar="N", type=int, default=-1, help="processes (-1: all cores)")
+    add_jobs(p)
     p.add_argument(
         "--csv", metavar="FILE", help="write all figures as CSV; “-” for standard output"
     )
@@ -57,7 +62,7 @@ def run_predictors(options: argparse.Namespace) -> int:
             takes,
             orders=options.order,
             lags=options.lags,
-            markers=max(0, options.markers),
+            markers=options.markers,
             n_jobs=options.jobs,
             progress=bar,
         )

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import markermend as mm
 from markermend.cli.console import STDOUT, Bar, check_outputs, say, write_text
+from markermend.cli.numbers import add_seed, from_one, positive
 
 if TYPE_CHECKING:
     from markermend.bench.smooth import Truth
@@ -35,12 +36,14 @@ def add_smooth(p: argparse.ArgumentParser) -> None:
         "--noise",
         metavar="MM",
         nargs="+",
-        type=float,
+        type=positive,
         default=[0.3, 1.0, 3.0],
         help="root mean square of the noise (default: 0.3 1 3)",
     )
-    p.add_argument("--markers", metavar="N", type=int, default=12, help="per take (default: 12)")
-    p.add_argument("--seed", metavar="N", type=int, default=0, help="same seed, same result")
+    p.add_argument(
+        "--markers", metavar="N", type=from_one, default=12, help="per take (default: 12)"
+    )
+    add_seed(p, "result")
     p.add_argument("--csv", metavar="FILE", help="write errors as CSV; “-” for standard output")
     p.add_argument("--force", action="store_true", help="overwrite what is there already")
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import markermend as mm
 from markermend.cli.console import STDOUT, Bar, check_outputs, say, write_text
+from markermend.cli.numbers import add_seed, add_simulations, from_one, positive
 
 SUMMARY = "fill the same gaps with networks that learnt from less and from more of a take"
 
@@ -26,7 +27,7 @@ def add_training(p: argparse.ArgumentParser) -> None:
         "--length",
         metavar="N",
         nargs="+",
-        type=int,
+        type=from_one,
         default=[10, 20, 50, 100, 200],
         help="mean lengths of the gaps, in frames at 100 Hz (default: 10 20 50 100 200)",
     )
@@ -34,12 +35,12 @@ def add_training(p: argparse.ArgumentParser) -> None:
         "--train",
         metavar="S",
         nargs="+",
-        type=float,
+        type=positive,
         default=[4.0, 8.0, 16.0, 32.0],
         help="seconds to learn from (default: 4 8 16 32)",
     )
-    p.add_argument("--simulations", metavar="N", type=int, default=10, help="gaps for each length")
-    p.add_argument("--seed", metavar="N", type=int, default=0, help="same seed, same gaps")
+    add_simulations(p, 10, "gaps for each length")
+    add_seed(p, "gaps")
     p.add_argument("--csv", metavar="FILE", help="write all rows as CSV; “-” for standard output")
     p.add_argument("--figures", metavar="FOLDER", help="write the curves as SVG into this folder")
     p.add_argument("--force", action="store_true", help="overwrite what is there already")

@@ -6,6 +6,8 @@ import argparse
 from dataclasses import fields, replace
 from typing import Any
 
+from markermend.cli.numbers import share
+
 
 def add_detection(p: argparse.ArgumentParser, option: str) -> None:
     """Add the options.
@@ -29,7 +31,7 @@ def add_detection(p: argparse.ArgumentParser, option: str) -> None:
     p.add_argument(
         "--sensitivity",
         metavar="S",
-        type=float,
+        type=share,
         help="from 0 to 1 (default: 0.5): flag what is at least 1 − S sure; more is found, and "
         "more of it wrongly, the higher it is",
     )

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import argparse
-import math
-import re
 
 import markermend
 from markermend.cli.bench_parser import add_experiments
 from markermend.cli.detection import add_detection
+from markermend.cli.numbers import Span, add_jobs, add_seed, positive, share
 from markermend.cli.smooth_parser import SUMMARY as SMOOTH
 from markermend.cli.smooth_parser import add_smoothing
 from markermend.cli.train_parser import add_training
@@ -47,23 +46,6 @@ COMMANDS = {
     "bench": "rerun an experiment and print its table",
     "train": "learn one of Markermend's own models anew",
 }
-
-
-class Span:
-    """A length of time as people type it: ``20`` frames, ``0.2s`` or ``200ms``."""
-
-    def __init__(self, text: str) -> None:
-        found = re.fullmatch(r"(\d+(?:\.\d+)?|\.\d+)\s*(ms|s)?", text.strip())
-        if found is None or (found[2] is None and not found[1].isdigit()):
-            raise argparse.ArgumentTypeError(
-                f"“{text}” is no length; write frames (20), seconds (0.2s) or milliseconds (200ms)"
-            )
-        self.value = float(found[1])
-        self.seconds_per_unit = {None: 0.0, "s": 1.0, "ms": 0.001}[found[2]]
-
-    def frames(self, rate: float) -> int:
-        """Return the number of frames at a rate in Hz, rounded."""
-        return round(self.value * (self.seconds_per_unit * rate or 1.0))
 
 
 def make_parser() -> argparse.ArgumentParser:
@@ -145,7 +127,7 @@ def _add_clean(p: argparse.ArgumentParser) -> None:
     p.add_argument(
         "--min-confidence",
         metavar="P",
-        type=_share,
+        type=share,
         default=0.5,
         help="repair what is at least this sure, from 0 to 1 (default: 0.5)",
     )
@@ -207,7 +189,7 @@ def _add_denoise(p: argparse.ArgumentParser) -> None:
         help="file to write: .csv, .bvh, .amc or “-”",
     )
     p.add_argument(
-        "--rate", metavar="HZ", type=_positive, help="poses per second, where the file is silent"
+        "--rate", metavar="HZ", type=positive, help="poses per second, where the file is silent"
     )
     p.add_argument("--skeleton", metavar="ASF", help="skeleton of an AMC that is not beside it")
     p.add_argument(
@@ -261,7 +243,7 @@ def _add_batch(p: argparse.ArgumentParser) -> None:
     p.add_argument(
         "-o", "--output", metavar="DIR", required=True, help="folder for everything that is written"
     )
-    p.add_argument("--jobs", metavar="N", type=int, default=-1, help="processes (-1: all cores)")
+    add_jobs(p)
     p.add_argument(
         "--cluster",
         metavar="ADDRESS",
@@ -275,7 +257,7 @@ def _add_batch(p: argparse.ArgumentParser) -> None:
     p.add_argument(
         "--min-confidence",
         metavar="P",
-        type=_share,
+        type=share,
         help="repair what is at least this sure and list the rest for review, instead of what "
         "the recipe says (0.5 without one)",
     )
@@ -299,15 +281,17 @@ def _add_methods(p: argparse.ArgumentParser) -> None:
 
 def _add_simulate(p: argparse.ArgumentParser) -> None:
     _output(p)
-    p.add_argument("--duration", metavar="S", type=_positive, default=40.0, help="seconds")
-    p.add_argument("--rate", metavar="HZ", type=_positive, default=100.0, help="frames per second")
+    p.add_argument("--duration", metavar="S", type=positive, default=40.0, help="seconds")
+    p.add_argument("--rate", metavar="HZ", type=positive, default=100.0, help="frames per second")
     p.add_argument(
-        "--height", metavar="M", type=_positive, default=1.75, help="the performer's, in metres"
+        "--height", metavar="M", type=positive, default=1.75, help="the performer's, in metres"
     )
-    p.add_argument("--seed", metavar="N", type=int, default=0, help="same seed, same take")
+    add_seed(p, "take")
     p.add_argument("--clean", action="store_true", help="leave the take undamaged")
     p.add_argument(
-        "--truth", metavar="FILE", help="write where the damage is, as JSON; “-” as for --json"
+        "--truth",
+        metavar="FILE",
+        help="write where the damage is, as JSON; “-” for standard output",
     )
     _force(p)
 
@@ -353,30 +337,3 @@ def _repairing(p: argparse.ArgumentParser) -> None:
         default="auto",
         help="repair with this method only; a wrong name lists those there are (default: auto)",
     )
-
-
-def _share(text: str) -> float:
-    """Read a number from 0 to 1."""
-    value = _number(text)
-    if not 0.0 <= value <= 1.0:
-        raise argparse.ArgumentTypeError(f"“{text}” does not lie between 0 and 1")
-    return value
-
-
-def _positive(text: str) -> float:
-    """Read a number above 0."""
-    value = _number(text)
-    if value <= 0.0:
-        raise argparse.ArgumentTypeError(f"“{text}” is not above 0")
-    return value
-
-
-def _number(text: str) -> float:
-    """Read a finite number."""
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
-    if not math.isfinite(value):
-        raise argparse.ArgumentTypeError(f"“{text}” is not a number")
-    return value

@@ -8,6 +8,9 @@ from typing import Any
 
 from markermend.errors import MethodError
 
+_FLAGS = {"true": True, "false": False}
+_IN_WORDS = {bool: "true or false", int: "a whole number", float: "a number"}
+
 
 def settings_of(params: type, given: Sequence[str]) -> dict[str, Any]:
     """Read ``NAME=VALUE`` as the field of a parameter dataclass has it.
@@ -20,20 +23,21 @@ def settings_of(params: type, given: Sequence[str]) -> dict[str, Any]:
     Raises
     ------
     MethodError
-        when a text is no setting
+        when a text is no setting, or its value not of the field's kind
     """
-    kinds: dict[str, Any] = {f.name: type(f.default) for f in fields(params)}
+    kinds: dict[str, type] = {f.name: type(f.default) for f in fields(params)}
     settings: dict[str, Any] = {}
     for text in given:
         name, sign, value = text.partition("=")
         kind = kinds.get(name)
+        if not sign or not name:
+            raise MethodError(f"“{text}” is no setting; write NAME=VALUE.")
+        if kind is None:
+            settings[name] = value
+            continue
         try:
-            if not sign:
-                raise ValueError
-            if kind is bool:
-                settings[name] = {"true": True, "false": False}[value.lower()]
-            else:
-                settings[name] = value if kind is None else kind(value)
+            settings[name] = _FLAGS[value.lower()] if kind is bool else kind(value)
         except (ValueError, KeyError):
-            raise MethodError(f"“{text}” is no setting; write NAME=VALUE.") from None
+            wanted = _IN_WORDS.get(kind, f"a {kind.__name__}")
+            raise MethodError(f"“{name}” cannot be “{value}”; it is {wanted}.") from None
     return settings

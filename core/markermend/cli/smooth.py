@@ -21,7 +21,7 @@ from markermend.cli.console import (
     written,
 )
 from markermend.cli.settings import settings_of
-from markermend.errors import MethodError
+from markermend.errors import DataError, MethodError
 from markermend.smoothers import TOO_MUCH, derivatives, find_smoother, percent_sm1
 from markermend.smoothers.run import AUTO, read_settings
 from markermend.smoothers.table import derivatives_csv
@@ -44,6 +44,11 @@ def run(options: argparse.Namespace) -> int:
     if options.frames is not None:
         first, last = options.frames
         start, stop = first - take.first_frame, last - take.first_frame + 1
+        if not 0 <= start < stop <= take.frames:
+            raise DataError(
+                f"There is nothing to smooth from frame {first} to {last}; {options.take} has "
+                f"frames {take.first_frame} to {take.frame_number(take.frames - 1)}."
+            )
     with Bar() as bar:
         smoothed = mm.smooth(
             take,

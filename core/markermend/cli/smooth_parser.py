@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import argparse
 
+from markermend.cli.numbers import whole
+
 SUMMARY = "take noise out of trajectories and fill nothing"
 
 
@@ -27,7 +29,7 @@ def add_smoothing(p: argparse.ArgumentParser) -> None:
         "--frames",
         metavar=("FIRST", "LAST"),
         nargs=2,
-        type=int,
+        type=whole,
         help="smooth these frames only, by the file's own numbers, the last one included",
     )
     p.add_argument("--list", action="store_true", help="show what changed for every marker")

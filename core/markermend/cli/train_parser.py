@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import argparse
 
+from markermend.cli.numbers import add_jobs, add_seed, from_one, from_zero, whole
+
 MODELS = {
     "sudden": "how sure peaks, heavy noise and steps are: one curve a class",
     "slow": "how sure slow changes are: boosted trees on what is measured of each",
@@ -52,10 +54,12 @@ def _add_slow(p: argparse.ArgumentParser) -> None:
         ("--sets", 4, "marker sets put on each skeleton recording"),
         ("--performers", 6, "simulated performers beside them"),
         ("--rounds", 1, "copies of each marker that drifts are put into"),
-        ("--jobs", -1, "processes, -1 for one a core"),
     ):
-        help = f"{what} (default: {usual})"
-        p.add_argument(name, metavar="N", type=int, default=usual, help=help)
+        least = from_one if name == "--rounds" else from_zero
+        p.add_argument(
+            name, metavar="N", type=least, default=usual, help=f"{what} (default: {usual})"
+        )
+    add_jobs(p)
     add_model_output(p)
 
 
@@ -64,14 +68,14 @@ def _add_sudden(p: argparse.ArgumentParser) -> None:
     p.add_argument(
         "--performers",
         metavar="N",
-        type=int,
+        type=from_zero,
         default=6,
         help="simulated performers beside them (default: 6)",
     )
     p.add_argument(
         "--rounds",
         metavar="N",
-        type=int,
+        type=from_one,
         default=4,
         help="contaminations of each take and amplitude (default: 4)",
     )
@@ -94,7 +98,7 @@ def _add_pose(p: argparse.ArgumentParser) -> None:
     held_out.add_argument(
         "--fold",
         metavar="N",
-        type=int,
+        type=whole,
         nargs="*",
         choices=range(1, 11),
         help="ten-fold cross-validation: networks that never saw a tenth of the poses, drawn at"
@@ -118,7 +122,7 @@ def _add_pose(p: argparse.ArgumentParser) -> None:
         action="store_true",
         help="learn also from what the simulated depth sensor of “bench pose” sees, clean",
     )
-    p.add_argument("--epochs", metavar="N", type=int, default=100, help="default: 100")
+    p.add_argument("--epochs", metavar="N", type=from_one, default=100, help="default: 100")
     p.add_argument(
         "--resume",
         action="store_true",
@@ -129,7 +133,7 @@ def _add_pose(p: argparse.ArgumentParser) -> None:
 
 def add_model_output(p: argparse.ArgumentParser) -> None:
     """Add what every model needs: a seed and a file to write."""
-    p.add_argument("--seed", metavar="N", type=int, default=0, help="same seed, same model")
+    add_seed(p, "model")
     add_output(p)
 
 
