@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import IO, Any
+from typing import Any
 
 from markermend.batch.recipe import Recipe, read_recipe
 from markermend.errors import MethodError
-from markermend.files.atomic import write_whole
+from markermend.files.atomic import write_contents
 
 _NAME = re.compile(r"[\w][\w .+-]{0,59}")
 
@@ -45,11 +45,7 @@ def save_preset(name: str, method: str, params: Any) -> Path:
     text = Recipe(detector=method, detector_params=params).to_toml()
     path = _path(name)
     path.parent.mkdir(parents=True, exist_ok=True)
-
-    def fill(file: IO[bytes]) -> None:
-        file.write(text.encode())
-
-    write_whole(path, fill, backup=False)
+    write_contents(path, text.encode())
     return path
 
 

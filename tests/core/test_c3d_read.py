@@ -210,9 +210,9 @@ def test_what_is_not_c3d(tmp_path: Path) -> None:
         (tmp_path / name).write_bytes(content)
         with pytest.raises(mm.FileFormatError, match=name):
             mm.read(tmp_path / name)
-    with pytest.raises(mm.FileFormatError, match="cannot be opened"):
+    with pytest.raises(mm.FileFormatError, match="There is no file"):
         mm.read(tmp_path / "none.c3d")
-    with pytest.raises(mm.FileFormatError, match="cannot be opened"):
+    with pytest.raises(mm.FileFormatError, match="is a folder"):
         mm.read(tmp_path)
 
 

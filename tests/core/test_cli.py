@@ -17,7 +17,8 @@ import pytest
 import markermend as mm
 from markermend.cli import main
 from markermend.cli.console import check_outputs, count, table, write_json, write_text
-from markermend.cli.parser import COMMANDS, Span
+from markermend.cli.numbers import Span
+from markermend.cli.parser import COMMANDS
 from markermend.errors import ExportError, RangeError
 
 FRAMES, RATE, GAP = 400, 100.0, slice(150, 160)
@@ -92,6 +93,12 @@ def test_every_command_has_help(command: str, capsys: pytest.CaptureFixture[str]
         ["fill", "a.c3d", "-o", "b.c3d", "--max-gap", "soon"],
         ["clean", "a.c3d", "-o", "b.c3d", "--min-confidence", "2"],
         ["simulate", "-o", "a.c3d", "--rate", "0"],
+        ["simulate", "-o", "a.c3d", "--seed", "-1"],
+        ["detect", "a.c3d", "--sensitivity", "2"],
+        ["smooth", "a.c3d", "-o", "b.c3d", "--frames", "1", "b"],
+        ["bench", "e1", "a.c3d", "--jobs", "0"],
+        ["bench", "gaps", "a.c3d", "--simulations", "0"],
+        ["bench", "e3", "a.c3d", "--share", "7"],
     ],
 )
 def test_bad_usage_is_two(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
@@ -258,7 +265,9 @@ def test_clean_refuses_a_list_that_is_none(
     for text in ("not json", "[1]", "{}", '{"artifacts": [{"marker": "TOP0"}]}'):
         listed.write_text(text)
         assert run("clean", recording, "-o", tmp_path / "x.c3d", "--artifacts", listed) == 1
-        assert capsys.readouterr().err.count("\n") == 1
+        said = capsys.readouterr().err
+        assert said.count("\n") == 1
+        assert listed.name in said
 
 
 def test_fill_touches_gaps_only(recording: Path, tmp_path: Path) -> None:
@@ -362,6 +371,33 @@ def test_outputs_are_checked_before_work(tmp_path: Path) -> None:
         with pytest.raises(ExportError):
             check_outputs(paths, source=None, force=True)
     check_outputs([same, None, "-"], source=None, force=False)
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no named pipes")
+def test_what_is_no_file_is_never_replaced(tmp_path: Path) -> None:
+    pipe, link = tmp_path / "pipe", tmp_path / "link"
+    os.mkfifo(pipe)
+    link.symlink_to(pipe)
+    for path in (pipe, link):
+        with pytest.raises(ExportError, match="device"):
+            check_outputs([str(path)], source=None, force=True)
+        with pytest.raises(ExportError, match="could not be written"):
+            write_text(str(path), "new")
+    assert pipe.is_fifo()
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["link", "pipe"]
+
+
+def test_the_file_that_is_missing_is_named(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    movement, out = tmp_path / "01_01.amc", tmp_path / "out.csv"
+    assert run("denoise", movement, "-o", out) == 1
+    assert f"There is no file “{movement}”" in capsys.readouterr().err
+    movement.write_text(":FULLY-SPECIFIED\n")
+    assert run("denoise", movement, "-o", out, "--skeleton", tmp_path / "no.asf") == 1
+    assert "no.asf”; check its name" in capsys.readouterr().err
+    assert run("bench", "e1", "a.c3d", "--flaws", tmp_path / "flaws") == 1
+    assert "flaws” of flaws" in capsys.readouterr().err
 
 
 def test_text_is_written_whole_or_not(tmp_path: Path) -> None:

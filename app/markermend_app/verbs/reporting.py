@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import IO
 
 from PySide6.QtCore import QObject, QUrl, Signal
 from PySide6.QtGui import QDesktopServices
@@ -53,12 +52,12 @@ class Reporting(QObject):
         title = path.name if path is not None else target.stem
 
         def work(progress: Progress) -> None:
-            from markermend.files.atomic import write_whole
+            from markermend.files.atomic import write_contents
 
             progress(0.0, title)
             page = review_report(review, name=title).encode()
             progress(0.9, target.name)
-            write_whole(target, lambda file: _put(file, page), backup=False)
+            write_contents(target, page)
 
         def written(_: None) -> None:
             self.said.emit(self.tr("Report written to {0}.").format(target))
@@ -68,7 +67,3 @@ class Reporting(QObject):
             dialogs.show_problem(self._window, error)
 
         self._lane.submit(self.tr("Reporting"), work, written, failed)
-
-
-def _put(file: IO[bytes], page: bytes) -> None:
-    file.write(page)

@@ -13,6 +13,7 @@ from typing import Any
 import markermend as mm
 from markermend.detectors import DEFAULT, find_detector
 from markermend.errors import FileFormatError, MethodError
+from markermend.files.opening import not_opened
 from markermend.repairs import find_method
 
 NAME = "{name}"
@@ -119,8 +120,7 @@ def read_recipe(path: str | Path) -> Recipe:
     try:
         given = tomllib.loads(where.read_text(encoding="utf-8"))
     except OSError as error:
-        reason = (error.strerror or str(error)).lower()
-        raise FileFormatError(f"The recipe “{where}” cannot be opened: {reason}.") from error
+        raise not_opened(where, error) from error
     except ValueError as error:
         raise FileFormatError(f"The recipe “{where}” is not TOML: {error}.") from error
     for table, keys in _TABLES.items():

@@ -15,7 +15,7 @@ from markermend.artifact_json import to_dict
 from markermend.batch.recipe import NAME, Recipe
 from markermend.batch.sources import Source
 from markermend.errors import DataError, MarkermendError
-from markermend.files.atomic import write_whole
+from markermend.files.atomic import write_contents
 from markermend.outcome import Outcome, cleaned_document, outcomes
 from markermend.patch import patched
 from markermend.progress import Progress, part
@@ -161,7 +161,7 @@ def sha256(path: Path) -> str:
 
 def write_text(path: Path, text: str) -> None:
     """Write a text file whole or not at all."""
-    write_whole(path, lambda file: _put(file, text), backup=False)
+    write_contents(path, text.encode())
 
 
 def json_text(values: Mapping[str, Any]) -> str:
@@ -178,11 +178,6 @@ def why(error: Exception) -> str:
     if isinstance(error, OSError):
         return f"{error.filename or 'A file'} cannot be used: {error.strerror or error}."
     return f"Markermend itself failed ({type(error).__name__}: {error}); please report it."
-
-
-def _put(file: Any, text: str) -> None:
-    """Write text into a binary file."""
-    file.write(text.encode())
 
 
 def _describe(job: Job, source: str, take: Take, clean: Take, done: Sequence[Outcome]) -> None:

@@ -19,6 +19,7 @@ import numpy as np
 from markermend.arrays import FloatArray
 from markermend.artifact import Artifact, Kind
 from markermend.errors import DataError, FileFormatError
+from markermend.files.opening import not_opened
 from markermend.progress import Progress, quiet
 from markermend.repairs import evidence_for, propose_from
 from markermend.take import AXES, Take, is_unlabelled
@@ -96,8 +97,10 @@ def read_cases(path: str | Path) -> tuple[GapCase, ...]:
     try:
         entries = json.loads(Path(path).read_text(encoding="utf-8"))
         return tuple(_case(entry) for entry in entries)
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise FileFormatError(f"{path} is no list of gaps to replay ({error}).") from error
+    except OSError as error:
+        raise not_opened(Path(path), error) from error
+    except (ValueError, KeyError, TypeError) as error:
+        raise FileFormatError(f"{path} is no list of gaps to replay: {error}.") from error
 
 
 def _case(entry: Mapping[str, Any]) -> GapCase:

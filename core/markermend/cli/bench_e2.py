@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import markermend as mm
-from markermend.cli.console import STDOUT, Bar, check_outputs, read_json, say, write_text
+from markermend.cli.console import STDOUT, Bar, check_outputs, read_artifacts, say, write_text
 
 if TYPE_CHECKING:
     from markermend.bench.e2 import Reviewed
@@ -90,9 +90,8 @@ def run_e2(options: argparse.Namespace) -> int:
 
 def _reviewed(path: Path, lists: Path) -> Reviewed:
     """Read a take and its list."""
-    from markermend.artifact_json import artifacts_of
     from markermend.bench.e2 import Reviewed
 
-    document = read_json(str(lists / f"{path.stem}.json"))
+    damaged, document = read_artifacts(str(lists / f"{path.stem}.json"))
     complete = float(document.get("complete_from_mm", 0.0))
-    return Reviewed(path.stem, mm.read(path), artifacts_of(document), complete)
+    return Reviewed(path.stem, mm.read(path), damaged, complete)

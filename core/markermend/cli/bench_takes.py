@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import markermend as mm
-from markermend.cli.console import read_json
+from markermend.cli.console import read_artifacts
+from markermend.errors import MarkermendError
 
 if TYPE_CHECKING:
     from markermend.bench.e1 import Clean
@@ -15,12 +16,13 @@ if TYPE_CHECKING:
 
 def clean_takes(paths: Iterable[str], flaws: str | None) -> list[Clean]:
     """Read takes, and from a folder of JSON files named after them what is damaged in them."""
-    from markermend.artifact_json import artifacts_of
     from markermend.bench.e1 import Clean
 
+    if flaws and not Path(flaws).is_dir():
+        raise MarkermendError(f"There is no folder “{flaws}” of flaws; check its name.")
     takes = []
     for path in map(Path, paths):
         listed = Path(flaws) / f"{path.stem}.json" if flaws else None
-        known = artifacts_of(read_json(str(listed))) if listed and listed.exists() else ()
+        known = read_artifacts(str(listed))[0] if listed and listed.exists() else ()
         takes.append(Clean(path.stem, mm.read(path), known))
     return takes

@@ -7,13 +7,12 @@ from pathlib import Path
 
 import markermend as mm
 from markermend.artifact import Artifact, repair_in_words
-from markermend.artifact_json import artifacts_of
 from markermend.cli.console import (
     STDOUT,
     Bar,
     check_outputs,
     check_take_output,
-    read_json,
+    read_artifacts,
     say,
     write_json,
     write_text,
@@ -89,5 +88,5 @@ def _artifacts(
     """What is to be repaired, listed in a file or detected, and what found it."""
     if options.artifacts is None:
         return find(take, mesh, options, progress), options.detector
-    listed = read_json(options.artifacts)
-    return artifacts_of(listed), str(listed.get("method", ""))
+    listed, document = read_artifacts(options.artifacts)
+    return listed, str(document.get("method", ""))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import shutil
 import sys
 import time
@@ -12,9 +11,10 @@ from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
-from markermend.errors import ExportError, MarkermendError
+from markermend.errors import DataError, ExportError, MarkermendError
 
 if TYPE_CHECKING:
+    from markermend.artifact import Artifact
     from markermend.files import Export
 
 STDOUT = "-"
@@ -111,8 +111,8 @@ def check_outputs(paths: Sequence[str | None], *, source: str | None, force: boo
     Raises
     ------
     ExportError
-        when a path is the source, exists, is named twice, or lies in no folder; and when two
-        want standard output
+        when a path is the source, exists, is a folder or a device, is named twice, or lies in no
+        folder; and when two want standard output
     """
     if sum(path == STDOUT for path in paths) > 1:
         raise ExportError("Only one result can go to standard output.")
@@ -120,13 +120,17 @@ def check_outputs(paths: Sequence[str | None], *, source: str | None, force: boo
     for path in (Path(p) for p in paths if p is not None and p != STDOUT):
         where = path.resolve()
         if not where.parent.is_dir():
-            raise ExportError(f"There is no folder “{path.parent}” to write “{path.name}” into.")
+            raise ExportError(
+                f"There is no folder “{path.parent}” to write “{path.name}” into; make it first."
+            )
         if where.is_dir():
             raise ExportError(f"“{path}” is a folder; name a file to write.")
+        if path.exists() and not path.is_file():
+            raise ExportError(f"“{path}” is a device; name a file, or “-” for standard output.")
         if where in seen:
             raise ExportError(f"“{path}” is named for two results; give each its own file.")
         seen.add(where)
-        if where.exists():
+        if path.exists():
             if source is not None and Path(source).exists() and where.samefile(source):
                 raise ExportError(f"“{path}” is the take itself; name another file to write.")
             if not force:
@@ -166,14 +170,9 @@ def write_text(path: str, text: str) -> None:
             sys.stdout.reconfigure(encoding="utf-8")
         sys.stdout.write(text)
         return
-    target = Path(path)
-    partial = target.with_name(f".{target.name}.{os.getpid()}.part")
-    try:
-        with partial.open("w", encoding="utf-8", newline="") as file:
-            file.write(text)
-        partial.replace(target)
-    finally:
-        partial.unlink(missing_ok=True)
+    from markermend.files.atomic import write_contents
+
+    write_contents(Path(path), text.encode())
 
 
 def write_json(path: str, document: dict[str, Any]) -> None:
@@ -187,12 +186,35 @@ def read_json(path: str) -> dict[str, Any]:
     Raises
     ------
     MarkermendError
-        when the file is no JSON object
+        when the file cannot be opened or is no JSON object
     """
+    from markermend.files.opening import not_opened
+
     try:
         document = json.loads(Path(path).read_text(encoding="utf-8"))
+    except OSError as error:
+        raise not_opened(Path(path), error) from error
     except ValueError as error:
         raise MarkermendError(f"“{path}” is not JSON: {error}.") from error
     if not isinstance(document, dict):
         raise MarkermendError(f"“{path}” is not a JSON object.")
     return document
+
+
+def read_artifacts(path: str) -> tuple[tuple[Artifact, ...], dict[str, Any]]:
+    """Read the artifacts that a JSON of ``detect`` lists, and all that it says.
+
+    Raises
+    ------
+    MarkermendError
+        when the file is no such list
+    """
+    from markermend.artifact_json import artifacts_of
+
+    listed = read_json(path)
+    try:
+        return artifacts_of(listed), listed
+    except DataError as error:
+        raise DataError(
+            f"“{path}” is no list of artifacts as “detect --json” writes it: {error}"
+        ) from error

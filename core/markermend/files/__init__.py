@@ -13,6 +13,7 @@ import numpy as np
 
 from markermend.arrays import IntArray
 from markermend.errors import ExportError, FileFormatError
+from markermend.files.opening import not_opened
 from markermend.progress import Progress, quiet
 from markermend.take import Take
 
@@ -62,8 +63,7 @@ def read(path: str | PathLike[str], *, progress: Progress | None = None) -> Take
     try:
         return _reader(where)(where, progress=progress)
     except OSError as error:
-        reason = error.strerror or str(error)
-        raise FileFormatError(f"{where.name} cannot be opened: {reason.lower()}.") from error
+        raise not_opened(where, error) from error
 
 
 def _reader(path: Path) -> Callable[..., Take]:

@@ -35,6 +35,8 @@ def write_whole(target: Path, fill: Callable[[IO[bytes]], None], *, backup: bool
     kept: Path | None = None
     done = False
     try:
+        if target.exists() and not target.is_file():
+            raise OSError("what is there is no file")
         with open(temporary, "xb") as file:
             fill(file)
             file.flush()
@@ -58,6 +60,15 @@ def write_whole(target: Path, fill: Callable[[IO[bytes]], None], *, backup: bool
                     with contextlib.suppress(OSError):
                         path.unlink()
     return kept
+
+
+def write_contents(target: Path, contents: bytes) -> None:
+    """Write contents that are all there already, as :func:`write_whole` does."""
+
+    def fill(file: IO[bytes]) -> None:
+        file.write(contents)
+
+    write_whole(target, fill, backup=False)
 
 
 def _keep(target: Path) -> Path:

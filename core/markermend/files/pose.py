@@ -12,6 +12,7 @@ from markermend.files.amc import find_skeleton, read_amc, write_amc
 from markermend.files.asf import read_asf
 from markermend.files.atomic import write_whole
 from markermend.files.bvh import read_bvh, write_bvh
+from markermend.files.opening import not_opened
 from markermend.files.pose_csv import read_pose_csv, write_pose_csv
 from markermend.poses.pose import Pose
 from markermend.poses.skeleton import Movement, forward_kinematics, inverse_kinematics
@@ -53,6 +54,7 @@ def read_pose(
     """
     where = Path(path)
     try:
+        where.stat()
         match where.suffix.lower():
             case ".amc":
                 body = read_asf(Path(skeleton) if skeleton is not None else find_skeleton(where))
@@ -69,8 +71,7 @@ def read_pose(
                 rest = Movement(read_asf(where), {}, 1)
                 return forward_kinematics(rest, rate or _USUAL_AMC_RATE)
     except OSError as error:
-        reason = error.strerror or str(error)
-        raise FileFormatError(f"{where.name} cannot be opened: {reason.lower()}.") from error
+        raise not_opened(Path(error.filename or where), error) from error
     raise FileFormatError(
         f"{where.name} is no skeleton recording; its name should end in {', '.join(READABLE)}."
     )

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import io
-import zipfile
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -13,6 +11,7 @@ from scipy.signal import savgol_filter
 
 from markermend.arrays import Float32Array, FloatArray
 from markermend.errors import FileFormatError
+from markermend.files.npz import read_arrays, write_arrays
 from markermend.poses.normal import FEATURES
 from markermend.poses.nuitrack import JOINTS
 from markermend.poses.quaternion import unit, unrolled, upright
@@ -94,9 +93,7 @@ def save_networks(networks: dict[str, Network], path: Path) -> None:
         for i, (weight, bias) in enumerate(zip(network.weights, network.biases, strict=True)):
             arrays[f"{name}/weight{i}"] = weight.astype(np.float16)
             arrays[f"{name}/bias{i}"] = bias.astype(np.float16)
-    memory = io.BytesIO()
-    np.savez_compressed(memory, **arrays)
-    path.write_bytes(memory.getvalue())
+    write_arrays(path, arrays)
 
 
 def load_networks(path: Path) -> dict[str, Network]:
@@ -108,12 +105,13 @@ def load_networks(path: Path) -> dict[str, Network]:
         when the file holds no networks
     """
     try:
-        with np.load(path, allow_pickle=False) as file:
-            arrays = {key: file[key] for key in file.files}
+        arrays = read_arrays(path)
         names = dict.fromkeys(key.rpartition("/")[0] for key in arrays)
         return {name: _network(name, arrays) for name in names}
-    except (ValueError, KeyError, OSError, zipfile.BadZipFile) as error:
-        raise FileFormatError(f"{path.name} holds no trained networks: {error}.") from error
+    except (ValueError, KeyError) as error:
+        raise FileFormatError(
+            f"{path.name} holds no trained networks; “markermend train pose” writes them."
+        ) from error
 
 
 def _network(name: str, arrays: dict[str, Any]) -> Network:

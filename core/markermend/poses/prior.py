@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-import io
-import zipfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib.resources import files
 from pathlib import Path
-from typing import IO
 
 import numpy as np
 
 from markermend.arrays import FloatArray, IntArray
 from markermend.errors import DataError, FileFormatError
-from markermend.files.atomic import write_whole
+from markermend.files.npz import read_arrays, write_arrays
 from markermend.poses.bridging import bridged
 from markermend.poses.channels import to_channels
 from markermend.poses.covariance import LENGTHS_S, Moments, averaged, learn
@@ -151,19 +148,13 @@ def save_prior(prior: Prior, path: Path) -> None:
     """Write a prior, whole or not at all."""
     moments = prior.moments
     upper = np.triu_indices(len(moments.mean))
-    memory = io.BytesIO()
-    np.savez_compressed(
-        memory,
-        joints=np.array(prior.joints),
-        mean=moments.mean.astype(np.float32),
-        whole=moments.whole[upper].astype(np.float32),
-        within=moments.within[:, upper[0], upper[1]].astype(np.float32),
-    )
-
-    def put(file: IO[bytes]) -> None:
-        file.write(memory.getvalue())
-
-    write_whole(path, put, backup=False)
+    arrays = {
+        "joints": np.array(prior.joints),
+        "mean": moments.mean.astype(np.float32),
+        "whole": moments.whole[upper].astype(np.float32),
+        "within": moments.within[:, upper[0], upper[1]].astype(np.float32),
+    }
+    write_arrays(path, arrays)
 
 
 def load_prior(path: Path) -> Prior:
@@ -175,8 +166,7 @@ def load_prior(path: Path) -> Prior:
         when the file holds no prior
     """
     try:
-        with np.load(path, allow_pickle=False) as file:
-            arrays = {key: file[key] for key in file.files}
+        arrays = read_arrays(path)
         joints = tuple(str(joint) for joint in arrays["joints"])
         mean = arrays["mean"].astype(np.float64)
         if mean.shape != ((len(joints) - 1) * FEATURES,):
@@ -185,8 +175,10 @@ def load_prior(path: Path) -> Prior:
         within = _square(arrays["within"], len(mean))
         if len(within) != len(LENGTHS_S):
             raise ValueError("it knows other lengths")
-    except (ValueError, KeyError, OSError, zipfile.BadZipFile) as error:
-        raise FileFormatError(f"{path.name} holds no prior of poses: {error}.") from error
+    except (ValueError, KeyError) as error:
+        raise FileFormatError(
+            f"{path.name} holds no prior of poses; “markermend train prior” writes one."
+        ) from error
     return Prior(joints, Moments(mean, whole, within, WEIGHT, np.full(len(within), WEIGHT)))
 
 

@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-import io
-import zipfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib.resources import files
 from pathlib import Path
 from types import MappingProxyType
-from typing import IO
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
 from markermend.arrays import FloatArray
 from markermend.errors import DataError, FileFormatError
-from markermend.files.atomic import write_whole
+from markermend.files.npz import read_arrays, write_arrays
 from markermend.poses.normal import Normal, normalise
 from markermend.poses.nuitrack import CMU_SEGMENTS, JOINTS, PARENTS, mirrored, to_nuitrack
 from markermend.poses.pose import Pose
@@ -28,6 +25,7 @@ from markermend.progress import Progress, quiet
 
 _RIDGE = 0.01
 _STRIDE = 4
+_ARRAYS = ("bend", "place", "turned", "weights")
 _SHIPPED = ("models", "pose_segments.npz")
 
 
@@ -209,19 +207,7 @@ def _added(pose: Pose, features: FloatArray, normal: Normal) -> tuple[FloatArray
 
 def save_segments(learnt: Segments, path: Path) -> None:
     """Write what was learnt, in single precision."""
-    memory = io.BytesIO()
-    np.savez_compressed(
-        memory,
-        bend=learnt.bend.astype(np.float32),
-        place=learnt.place.astype(np.float32),
-        turned=learnt.turned.astype(np.float32),
-        weights=learnt.weights.astype(np.float32),
-    )
-
-    def put(file: IO[bytes]) -> None:
-        file.write(memory.getvalue())
-
-    write_whole(path, put, backup=False)
+    write_arrays(path, {name: getattr(learnt, name).astype(np.float32) for name in _ARRAYS})
 
 
 def load_segments(path: Path) -> Segments:
@@ -233,12 +219,14 @@ def load_segments(path: Path) -> Segments:
         when the file holds no segments
     """
     try:
-        with np.load(path, allow_pickle=False) as file:
-            arrays = [file[key].astype(float) for key in ("bend", "place", "turned", "weights")]
+        stored = read_arrays(path)
+        arrays = [stored[name].astype(float) for name in _ARRAYS]
         if arrays[3].shape != (3 * (len(JOINTS) - 1), len(CARRIERS), 6):
             raise ValueError("its sizes do not fit")
-    except (ValueError, KeyError, OSError, zipfile.BadZipFile) as error:
-        raise FileFormatError(f"{path.name} holds no segments: {error}.") from error
+    except (ValueError, KeyError) as error:
+        raise FileFormatError(
+            f"{path.name} holds no segments; “markermend train segments” writes them."
+        ) from error
     return Segments(*arrays)
 
 

@@ -10,13 +10,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.detectors.joint.measures import FEATURES
 from markermend.detectors.joint.trees import Trees, tree_arrays, trees_from
+from markermend.files.npz import read_arrays, write_arrays
 
 RATES = (2.0, 10.0)
 """Candidates a marker and minute whose log odds tell how the take's hills look: so many that
@@ -51,14 +51,13 @@ class Judge:
 
     def save(self, path: Path) -> None:
         """Write the arrays as one ``.npz``."""
-        arrays: dict[str, Any] = {"weights": self.weights, **tree_arrays(self.trees)}
-        np.savez_compressed(path, **arrays)
+        write_arrays(path, {"weights": self.weights, **tree_arrays(self.trees)})
 
 
 def load_judge(path: Path) -> Judge:
     """Read what :meth:`Judge.save` wrote; nothing in it is executed."""
-    with np.load(path, allow_pickle=False) as stored:
-        return Judge(trees_from(stored), stored["weights"].astype(np.float64))
+    stored = read_arrays(path)
+    return Judge(trees_from(stored), stored["weights"].astype(np.float64))
 
 
 def is_sharp(features: FloatArray) -> BoolArray:
