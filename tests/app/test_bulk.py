@@ -103,6 +103,10 @@ def test_after_several_rejections_it_asks_once_and_never_in_the_way(peaks, qtbot
     qtbot.keyClick(peaks, Qt.Key.Key_Y)
     assert document.session.artifact(on_t10[3]).confidence == pytest.approx(sure / 5)
     assert bulk.doubt is None
+    # Nor is it asked when the review is opened again.
+    document.opened.emit()
+    document.artifacts_changed.emit()
+    assert bulk.doubt is None
     qtbot.keyClick(peaks, Qt.Key.Key_Z, CTRL)
     assert document.session.artifact(on_t10[3]).confidence == sure
     assert bulk.doubt is None

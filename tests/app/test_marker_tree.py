@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QStyle, QStyleOptionViewItem
 
 from markermend.artifact import Artifact, Kind
 from markermend.mesh import Group, Mesh
+from markermend.review import hand
 from markermend.review.file import open_session
 from markermend.take import Analog, Points, Take
 from markermend_app.document import Document
@@ -216,3 +217,16 @@ def test_channels_are_checked_into_rows_of_their_own(tmp_path, damaged, qtbot):
     assert document.beside == ()
     document.open(None, None)
     document.proposals.close()
+
+
+def test_the_next_take_is_shown_whole(qtbot, review, damaged):
+    window = review(*damaged)
+    document, tree = window.document, window.tree
+    qtbot.keyClicks(tree.filter, "lwr")
+    hand.rename(document.session, {"T10": "T11"})
+    document.opened.emit()
+    assert tree.filter.text() == "lwr"
+    document.session.mark_exported()
+    document.open(open_session(damaged[0]), document.mesh)
+    assert tree.filter.text() == ""
+    assert tree._proxy.rowCount() > 0

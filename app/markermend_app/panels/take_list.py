@@ -39,6 +39,7 @@ if TYPE_CHECKING:
 Index = QModelIndex | QPersistentModelIndex
 ROW = Qt.ItemDataRole.UserRole
 _HEIGHT, _ICON, _BAR = 44, 16, 44
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 @dataclass(frozen=True)
@@ -69,7 +70,16 @@ class Row:
         return self.glance.decided / total if total else 1.0
 
     def facts(self) -> str:
-        """How many artifacts are decided, what is missing, and the worst repair."""
+        """How it stands, and the worst repair."""
+        return " · ".join(filter(None, (self.standing(), self.worst())))
+
+    def worst(self) -> str:
+        """How far off the worst repair may be; empty where nothing was repaired."""
+        worst = None if self.problem or self.glance is None else self.glance.standing.worst_mm
+        return "" if worst is None else units.give_or_take(worst)
+
+    def standing(self) -> str:
+        """How many artifacts are decided, and what is missing."""
         if self.problem:
             return tr("cannot be opened")
         if self.glance is None:
@@ -77,13 +87,8 @@ class Row:
         s = self.glance.standing
         total = self.glance.decided + self.glance.left
         counted = f"{self.glance.decided}/{total}" if self.glance.begun else tr("not searched")
-        facts = [
-            tr("exported") if self.glance.exported else counted,
-            tr("{0:.1f} % missing").format(100 * s.gap_now),
-        ]
-        if s.worst_mm is not None:
-            facts.append(units.give_or_take(s.worst_mm))
-        return " · ".join(facts)
+        done = tr("exported") if self.glance.exported else counted
+        return f"{done} · " + tr("{0:.1f} % missing").format(100 * s.gap_now)
 
     def icon(self) -> QIcon:
         """Exported, done, ready to be opened, neither, or not to be opened at all."""
@@ -226,7 +231,7 @@ class TakeModel(QAbstractListModel):
 
 
 class _RowDelegate(PlainDelegate):
-    """Name above, and below a small bar and the facts."""
+    """Name and worst repair above, and below a small bar and how the take stands."""
 
     def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
         """Two lines, as wide as there is room."""
@@ -239,20 +244,23 @@ class _RowDelegate(PlainDelegate):
         lower.setLeft(upper.left())
         lower.setTop(upper.bottom())
         row.icon().paint(painter, round(rect.left()), round(upper.center().y() - 8), _ICON, _ICON)
-        font = QFont(painter.font())
+        font, small = QFont(painter.font()), QFont(painter.font())
         font.setWeight(QFont.Weight.DemiBold if row.current else QFont.Weight.Normal)
+        small.setPointSize(theme.SMALL_PT)
+        painter.setFont(small)
+        painter.setPen(t.muted)
+        painter.drawText(upper, _RIGHT, row.worst())
+        upper.setRight(upper.right() - painter.fontMetrics().horizontalAdvance(row.worst()) - 8)
         painter.setFont(font)
         painter.setPen(t.muted if row.problem else t.text)
         _write(painter, upper, row.item.name, Qt.TextElideMode.ElideLeft)
-        font.setPointSize(theme.SMALL_PT)
-        font.setWeight(QFont.Weight.Normal)
-        painter.setFont(font)
+        painter.setFont(small)
         if row.share is not None:
             bar = QRectF(lower.left(), lower.top(), _BAR, lower.height())
             paint_share(painter, bar, row.share)
             lower.setLeft(bar.right() + 8)
         painter.setPen(t.muted)
-        _write(painter, lower, row.facts(), Qt.TextElideMode.ElideRight)
+        _write(painter, lower, row.standing(), Qt.TextElideMode.ElideRight)
 
 
 def _write(painter: QPainter, rect: QRectF, text: str, cut: Qt.TextElideMode) -> None:

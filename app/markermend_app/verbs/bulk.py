@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QWidget
 
 from markermend.artifact import Artifact, Kind
 from markermend.progress import Progress
-from markermend.review.alike import Doubt, doubts, lower
+from markermend.review.alike import Doubt, doubts, lower, lowered
 from markermend_app.background.jobs import Lane
 from markermend_app.dialogs.alike import AlikeDialog
 from markermend_app.document import Document
@@ -72,6 +72,7 @@ class Bulk(QObject):
         """Ask about the first sort that was rejected several times, unless asked before."""
         session = self._document.session
         found = () if session is None else doubts(session.artifacts)
+        self._asked |= {(d.marker, d.kind) for d in found if session and lowered(session, d)}
         new = next((d for d in found if (d.marker, d.kind) not in self._asked), None)
         if new != self.doubt:
             self.doubt = new

@@ -88,9 +88,15 @@ def doubts(artifacts: Sequence[Artifact]) -> tuple[Doubt, ...]:
 def lower(session: Session, doubt: Doubt) -> Change:
     """Make the rest less sure, as one step, so that they come last and no bulk repair takes them.
 
-    Their confidence is multiplied by :attr:`Doubt.share`.
+    Their confidence is multiplied by :attr:`Doubt.share`; see :func:`lowered`.
     """
     changes = {a.id: replace(a, confidence=a.confidence * doubt.share) for a in doubt.rest}
     many = f"{len(changes)} artifacts" if len(changes) > 1 else "1 artifact"
     label = f"Lower {many} ({doubt.kind} on {doubt.marker})"
     return session.perform(label, SetArtifacts(changes))
+
+
+def lowered(session: Session, doubt: Doubt) -> bool:
+    """Whether artifacts of this sort were made less sure in this review before."""
+    of = f"({doubt.kind} on {doubt.marker})"
+    return any(step.startswith("Lower ") and step.endswith(of) for step in session.history)

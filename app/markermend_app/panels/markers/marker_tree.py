@@ -34,6 +34,7 @@ from PySide6.QtWidgets import (
 )
 
 from markermend.review.edits import Change
+from markermend.review.session import Session
 from markermend_app.document import Document
 from markermend_app.panels.markers.badge import counts_width, hint, paint_counts
 from markermend_app.panels.markers.marker_menu import add_marker_verbs
@@ -77,6 +78,7 @@ class MarkerTree(QWidget):
         self._document = document
         self.setMinimumWidth(230)
         self._syncing = False
+        self._opened: Session | None = None
         self._model = MarkerModel(document.show, document.show_beside, self)
         self._proxy = _Filter(self)
         self._proxy.setSourceModel(self._model)
@@ -133,7 +135,7 @@ class MarkerTree(QWidget):
         whole.setContentsMargins(0, 0, 0, 0)
         whole.addWidget(self._pages)
 
-        document.opened.connect(self._rebuild)
+        document.opened.connect(self._start_over)
         document.mesh_changed.connect(self._rebuild)
         document.artifacts_changed.connect(self._count)
         document.data_changed.connect(self._samples_changed)
@@ -141,6 +143,13 @@ class MarkerTree(QWidget):
         document.beside_changed.connect(lambda: self._model.set_beside(document.beside))
         theme.watcher.changed.connect(self._recolour)
         self._recolour()
+        self._rebuild()
+
+    def _start_over(self) -> None:
+        """Show another take whole; the same one, of which markers were renamed, as it was."""
+        if self._document.session is not self._opened:
+            self._opened = self._document.session
+            self.filter.clear()
         self._rebuild()
 
     def _rebuild(self) -> None:
