@@ -97,6 +97,9 @@ _SAME = (
     "No counterpart is known that carries the opposite step.",
     "There is no signal to smooth inside a gap.",
     "The interval is empty already.",
+    "Edited by hand since; how far off it may be is not known any more.",
+    "Smoothed since; the expected error is that of the repair.",
+    "{0} Smoothed since; the expected error is that of the repair.",
     "The detector still finds damage there: a {0} of {1} mm.",
     "The detector still finds damage there: a {0} of {1} mm and {2} more.",
     # Why a name is refused.

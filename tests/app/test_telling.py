@@ -16,6 +16,7 @@ from markermend.mesh.names import _FROM_THE_TOP
 from markermend.repairs import propose
 from markermend.repairs.look_again import in_words
 from markermend.review import hand
+from markermend.review.restoring import OVERWRITTEN, SMOOTHED
 from markermend.review.session import Session
 from markermend.take import Take
 from markermend_app.telling import _PARTS, told, told_group
@@ -130,6 +131,8 @@ def test_why_there_is_no_repair_is_told(damaged, brackets):
     assert told(both).count("⟦") == 2
     assert told(f"Cubic spline is not used: {few.reason}").startswith("⟦⟦Cubic spline⟧ is not")
     assert told("Kalman may be about 7 mm off.") == "⟦⟦Kalman⟧ may be about 7 mm off.⟧"
+    assert told(OVERWRITTEN).startswith("⟦")
+    assert told(f"{few.reason} {SMOOTHED}").startswith("⟦⟦")
     left = in_words((replace(truth[1], amplitude_mm=7.3), truth[2]))
     assert told(left) == ("⟦The detector still finds damage there: a ⟦peak⟧ of 7.3 mm and 1 more.⟧")
 

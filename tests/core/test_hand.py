@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from reviews import artifact, make_take, proposal, state_of
@@ -10,6 +12,8 @@ import markermend as mm
 from markermend.artifact import Kind, Status
 from markermend.errors import DataError
 from markermend.files import read, write
+from markermend.patch import Patch
+from markermend.repairs.registry import Repair
 from markermend.review import hand
 from markermend.review.file import open_session
 from markermend.review.session import Session
@@ -231,3 +235,45 @@ def test_a_repaired_artifact_that_is_nudged_gets_its_samples_back_and_again_by_o
     session.undo()
     assert session.artifact(noise.id).status is Status.REPAIRED
     assert np.array_equal(session.positions, repaired, equal_nan=True)
+
+
+def repaired_review() -> tuple[Session, str, str]:
+    """Two repaired artifacts with bands, the second one out of the way."""
+    session = Session(make_take())
+    a, far = artifact(start=20, stop=30), artifact(start=40, stop=50)
+    session.add_detected([a, far], "paper")
+    banded = [replace(proposal(x), band_mm=np.full(x.length, 2.0)) for x in (a, far)]
+    session.repair([(a.id, banded[0]), (far.id, banded[1])])
+    return session, a.id, far.id
+
+
+def swap_by_hand(session: Session) -> None:
+    swapped = artifact(start=28, stop=34, kind=Kind.STEP, counterpart="C")
+    values = session.positions[28:34, :1]
+    patch = Patch("A", "xyz", 28, 34, values[:, 0].copy())
+    session.mark(swapped, Repair("swap", (patch,), error_mm=0.0))
+
+
+@pytest.mark.parametrize("work", [lambda s: hand.cut(s, "A", 28, 34), swap_by_hand])
+def test_what_is_written_over_a_repair_takes_its_error_and_band_away(work):
+    session, under, far = repaired_review()
+    before = dict(session.notes)
+    work(session)
+    note = session.notes[under]
+    assert (note.method, note.error_mm, note.band_mm) == (before[under].method, None, None)
+    assert note.leaves.startswith("Edited by hand since")
+    assert session.notes[far] == before[far]
+    session.undo()
+    assert dict(session.notes) == before
+
+
+def test_smoothing_a_repair_is_noted_once_and_its_error_still_told():
+    session, under, far = repaired_review()
+    before = session.notes[under]
+    for _ in range(2):
+        values, origin = session.positions[18:32, :1].copy(), session.origin[18:32, :1].copy()
+        hand.replace_samples(session, "Smooth", ["A"], 18, values, origin)
+    note = session.notes[under]
+    assert (note.error_mm, note.band_mm) == (before.error_mm, before.band_mm)
+    assert note.leaves == "Smoothed since; the expected error is that of the repair."
+    assert session.notes[far].leaves == ""

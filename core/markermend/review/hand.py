@@ -18,6 +18,7 @@ from markermend.patch import Patch
 from markermend.review.edits import (
     Change,
     Group,
+    RepairNote,
     SetArtifacts,
     SetBase,
     SetNames,
@@ -25,7 +26,7 @@ from markermend.review.edits import (
     SetSamples,
     merged,
 )
-from markermend.review.restoring import taking_back
+from markermend.review.restoring import overwritten, taking_back
 from markermend.review.session import Session, describe
 from markermend.review.step import artifacts_of
 from markermend.take import AXES, Origin, Take, is_unlabelled
@@ -259,7 +260,10 @@ def _perform(
     """Write patches as one step, and make the artifacts of these markers true again."""
     written = tuple(patches)
     changes = {} if keep_artifacts else _artifacts_after(session, written)
-    notes = {i: None for i, a in changes.items() if a is None and i in session.notes}
+    notes: dict[str, RepairNote | None] = {
+        **overwritten(session.state, written, smoothed=keep_artifacts),
+        **{i: None for i, a in changes.items() if a is None and i in session.notes},
+    }
     edits = (SetSamples(written), SetBase(written), SetArtifacts(changes), SetNotes(notes))
     return session.perform(label, Group(edits))
 

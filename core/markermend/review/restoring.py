@@ -1,16 +1,20 @@
-"""Taking repairs back: which samples return, and which another repair still covers."""
+"""Taking repairs back, or writing over them: which samples return, and what is noted of them."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from markermend.arrays import runs
 from markermend.artifact import Artifact, Status, axis_columns
 from markermend.patch import Patch
-from markermend.review.edits import Edit, SetNotes, SetSamples, State
+from markermend.review.edits import Edit, RepairNote, SetNotes, SetSamples, State
 from markermend.take import AXES
+
+OVERWRITTEN = "Edited by hand since; how far off it may be is not known any more."
+SMOOTHED = "Smoothed since; the expected error is that of the repair."
 
 
 def taking_back(state: State, artifacts: Sequence[Artifact]) -> tuple[Edit, ...]:
@@ -46,6 +50,36 @@ def taking_back(state: State, artifacts: Sequence[Artifact]) -> tuple[Edit, ...]
             for start, stop in runs(free).tolist():
                 patches.append(_restoring(state, name, a.axes, a.start + start, a.start + stop))
     return SetSamples(tuple(patches)), SetNotes(dict.fromkeys(leaving))
+
+
+def overwritten(
+    state: State, patches: Sequence[Patch], *, smoothed: bool = False
+) -> dict[str, RepairNote]:
+    """Notes of the repairs whose samples are written over by hand.
+
+    Parameters
+    ----------
+    state : the review as it stands
+    patches : what is written
+    smoothed : it is what was there, with less noise, so that the expected error still tells
+
+    Returns
+    -------
+    By artifact; expected error and band go, unless it was smoothed, and the note says what was done
+    """
+    notes = {}
+    for i, note in state.notes.items():
+        a = state.artifacts.get(i)
+        if a is None or a.status is not Status.REPAIRED:
+            continue
+        names = _markers(state, a)
+        if not any(p.marker in names and a.overlaps(p.start, p.stop) for p in patches):
+            continue
+        if not smoothed:
+            notes[i] = replace(note, error_mm=None, band_mm=None, leaves=OVERWRITTEN)
+        elif not note.leaves.endswith((SMOOTHED, OVERWRITTEN)):
+            notes[i] = replace(note, leaves=f"{note.leaves} {SMOOTHED}".strip())
+    return notes
 
 
 def _markers(state: State, artifact: Artifact) -> tuple[str, ...]:

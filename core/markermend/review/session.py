@@ -29,7 +29,7 @@ from markermend.review.edits import (
     merged,
 )
 from markermend.review.pace import Pace, Stopwatch, pace_of
-from markermend.review.restoring import taking_back
+from markermend.review.restoring import overwritten, taking_back
 from markermend.review.step import Step, decides, parts, same_finding, touched_by_hand
 from markermend.take import Take
 
@@ -227,7 +227,8 @@ class Session:
         if proposal is None:
             edit: Edit = SetArtifacts({artifact.id: artifact})
             return self.perform(f"Mark {describe([artifact])}", edit)
-        edit = Group(_repairing(artifact, proposal))
+        notes = SetNotes(overwritten(self._state, proposal.patches))
+        edit = Group((*_repairing(artifact, proposal), notes))
         what = f"Repair {describe([artifact])}"
         if proposal.method == "swap":
             what = f"Swap {artifact.marker} and {artifact.counterpart}"

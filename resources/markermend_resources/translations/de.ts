@@ -1820,6 +1820,18 @@
         <translation>Das Intervall ist schon leer.</translation>
     </message>
     <message>
+        <source>Edited by hand since; how far off it may be is not known any more.</source>
+        <translation>Seither von Hand bearbeitet; wie weit sie daneben liegen kann, ist nicht mehr bekannt.</translation>
+    </message>
+    <message>
+        <source>Smoothed since; the expected error is that of the repair.</source>
+        <translation>Seither geglättet; der erwartete Fehler ist der der Reparatur.</translation>
+    </message>
+    <message>
+        <source>{0} Smoothed since; the expected error is that of the repair.</source>
+        <translation>{0} Seither geglättet; der erwartete Fehler ist der der Reparatur.</translation>
+    </message>
+    <message>
         <source>The detector still finds damage there: a {0} of {1} mm.</source>
         <translation>Der Detektor findet dort noch Schäden: {0} von {1} mm.</translation>
     </message>
