@@ -223,6 +223,7 @@ class MainWindow(QMainWindow):
         choosing = self.actions_by_name["choose_references"]
         self.references.changed.connect(choosing.setChecked)
         self.references.changed.connect(self.scene.set_choosing)
+        self.references.changed.connect(self.tree.set_choosing)
         self.welcome.open_requested.connect(self.commands.open)
         self.welcome.demo_requested.connect(self.commands.open_demo)
         self.welcome.path_requested.connect(self.commands.open_path)
@@ -371,6 +372,8 @@ class MainWindow(QMainWindow):
         if not self.commands.let_go():
             event.ignore()
             return
+        # The next start opens one take, and has no list of them.
+        self.docks["takes"].hide()
         settings.remember("geometry", self.saveGeometry())
         settings.remember("state", self.saveState(LAYOUT_VERSION))
         self.document.open(None, None)

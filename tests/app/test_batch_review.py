@@ -189,3 +189,14 @@ def test_what_a_batch_left_is_reviewed_from_where_it_ended(window, shoot, qtbot,
     assert np.array_equal(session.positions, clean.positions, equal_nan=True)
     assert session.with_status(Status.PENDING)
     assert window.document.current.status is Status.PENDING
+
+
+def test_the_next_start_has_no_empty_list_of_takes(window, shoot, qtbot):
+    window.batch.start([shoot])
+    settled(window, qtbot)
+    assert not window.docks["takes"].isHidden()
+    window.close()
+    fresh = type(window)()
+    qtbot.addWidget(fresh)
+    assert fresh.docks["takes"].isHidden()
+    assert not fresh.docks["history"].isHidden()

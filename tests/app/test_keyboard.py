@@ -168,6 +168,15 @@ def test_markers_to_follow_are_chosen_by_return(window, qtbot):
         key(qtbot, window.tree.view, Qt.Key.Key_Return)
     assert document.preview.references == ("STRN",)
     assert document.shown == ("CLAV",)
+    # The arrows go to others, and the plots stay with what is repaired.
+    key(qtbot, window.tree.view, Qt.Key.Key_Down)
+    at = window.tree.view.currentIndex().data()
+    assert at not in ("STRN", "CLAV")
+    assert document.shown == ("CLAV",)
+    key(qtbot, window, Qt.Key.Key_K)
+    assert window.tree.view.currentIndex().data() == "CLAV"
+    key(qtbot, window.tree.view, Qt.Key.Key_Down)
+    assert document.shown != ("CLAV",)
 
 
 def test_tab_goes_from_the_methods_to_what_stands_below_them(window, qtbot):

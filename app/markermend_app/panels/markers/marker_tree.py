@@ -77,7 +77,7 @@ class MarkerTree(QWidget):
         super().__init__(parent)
         self._document = document
         self.setMinimumWidth(230)
-        self._syncing = False
+        self._syncing = self._choosing = False
         self._opened: Session | None = None
         self._model = MarkerModel(document.show, document.show_beside, self)
         self._proxy = _Filter(self)
@@ -253,13 +253,19 @@ class MarkerTree(QWidget):
 
     def _selected(self, _: QItemSelection, __: QItemSelection) -> None:
         """Show what was selected."""
-        if self._syncing:
+        if self._syncing or self._choosing:
             return
         labels = self._labels(self.view.selectionModel().selectedRows())
         if labels:
             self._syncing = True
             self._document.show(labels)
             self._syncing = False
+
+    def set_choosing(self, choosing: bool) -> None:
+        """Be told whether markers are chosen to follow: the plots stay where they are meanwhile."""
+        self._choosing = choosing
+        if not choosing:
+            self._follow_shown()
 
     def _show_menu(self, at: QPoint) -> None:
         """Offer what can be done to the marker under the pointer, or under the cursor by key."""
