@@ -207,7 +207,8 @@ def test_command_line_tells_failures_and_ends_with_one(
     assert main(["batch", "odd.c3d", "-o", "out"]) == 1
     assert "--resume" in capsys.readouterr().err
     assert main(["batch", "nothing.c3d", "-o", "out2"]) == 1
-    assert capsys.readouterr().err == "There is no take at “nothing.c3d”.\n"
+    said = capsys.readouterr().err
+    assert said == "There is no take at “nothing.c3d”; check its name and folder.\n"
     assert not Path("out2").exists()
 
 
@@ -226,8 +227,12 @@ def test_takes_are_found_and_named(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     assert names("**/*.c3d") == ["a", "b/a"]
     with pytest.raises(MarkermendError, match="same name"):
         names("a.c3d", "b/a.c3d")
-    with pytest.raises(MarkermendError, match="no take"):
+    with pytest.raises(MarkermendError, match="name another folder"):
         names("out")
+    with pytest.raises(MarkermendError, match="no take at “c”"):
+        names("c")
+    with pytest.raises(ExportError, match="is a file; name a folder"):
+        run_batch(find_takes(["a.c3d"]), "b/table.csv", jobs=1)
 
 
 def test_exports_beside_their_source_are_not_takes(tmp_path: Path) -> None:

@@ -367,8 +367,17 @@ def test_contaminated_real_takes(shared_data: Path, name: str) -> None:
 
 
 @pytest.mark.parametrize("method", ["joint", "paper"])
-@pytest.mark.parametrize("shape", [(0, 3, 3), (1, 3, 3), (5, 0, 3), (2, 1, 3)])
-def test_hardly_any_take_has_no_artifacts(method, shape):
+@pytest.mark.parametrize("shape", [(0, 3, 3), (1, 3, 3), (5, 0, 3), (2, 1, 3), (300, 3, 3)])
+def test_what_hardly_is_a_take_or_never_moves_has_no_artifacts(method, shape):
     apart = 100.0 * np.arange(shape[1])[None, :, None]
     take = Take(np.zeros(shape) + apart, tuple("ABC"[: shape[1]]), 100.0)
     assert detect(take, method=method) == ()
+
+
+def test_a_jump_is_found_at_one_frame_a_second():
+    time = np.arange(200.0)[:, None, None]
+    apart = 100.0 * np.arange(4)[None, :, None]
+    moving = 50 * np.sin(time / 40) + apart + np.random.default_rng(1).normal(0, 0.2, (200, 4, 3))
+    moving[100:130, 2, 1] += 80.0
+    found = detect(Take(moving, tuple("ABCD"), 1.0))
+    assert any(a.marker == "C" and a.start <= 100 < a.stop for a in found)

@@ -247,7 +247,7 @@ def test_noise_beside_a_joint_never_seen_is_taken_out():
 
 def test_too_little_is_said():
     pose = arm(2)
-    with pytest.raises(DataError, match="too few"):
+    with pytest.raises(DataError, match="too short"):
         denoise(pose)
 
 
@@ -356,7 +356,7 @@ def test_command_line(tmp_path, capsys):
     source, target = tmp_path / "in.csv", tmp_path / "out.csv"
     mm.write_pose(hide(arm(), slice(120, 140), 3), source)
     assert main(["denoise", str(source), "-o", str(target), "--list"]) == 0
-    assert "Filled: 20 positions" in capsys.readouterr().out
+    assert "Filled: 20 of" in capsys.readouterr().out
     assert mm.read_pose(target).seen.all()
     assert main(["denoise", str(source), "-o", str(target)]) == 1
     assert "--force" in capsys.readouterr().err

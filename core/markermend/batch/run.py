@@ -87,8 +87,8 @@ def run_batch(
     Raises
     ------
     ExportError
-        when the folder holds results already and neither ``resume`` nor ``force`` is set, or a
-        result would be written over one of the takes
+        when the folder is a file, or holds results already and neither ``resume`` nor ``force``
+        is set, or a result would be written over one of the takes
     MarkermendError
         when the cluster does not answer
     """
@@ -126,6 +126,8 @@ def run_batch(
 
 def _check(plan: Sequence[Job], folder: Path, *, fresh: bool) -> None:
     """Refuse, before any work is done, to write over takes or over earlier results."""
+    if folder.exists() and not folder.is_dir():
+        raise ExportError(f"“{folder}” is a file; name a folder for what is written.")
     if fresh and (folder / RECIPE).exists():
         raise ExportError(
             f"“{folder}” holds results already; add --resume to do what is left, or --force to do "

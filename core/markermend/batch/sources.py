@@ -48,20 +48,25 @@ def find_takes(
     Raises
     ------
     MarkermendError
-        when something given is not there, or two takes in different folders have one name
+        when something given is not there, everything is left out, or two takes in different
+        folders have one name
     """
     outside = None if leave_out is None else Path(leave_out).resolve()
     found: dict[Path, PurePosixPath] = {}
     for item in given:
         matched = list(_expand(str(item)))
         if not matched:
-            raise MarkermendError(f"There is no take at “{item}”.")
+            raise MarkermendError(f"There is no take at “{item}”; check its name and folder.")
         for path, below in matched:
             whole = path.resolve()
             if outside is None or not whole.is_relative_to(outside):
                 found.setdefault(whole, PurePosixPath(below.as_posix()))
     if not found:
-        raise MarkermendError("There is no take to be cleaned.")
+        raise MarkermendError(
+            f"All takes lie in “{leave_out}”; name another folder for what is written."
+            if outside is not None
+            else "There is no take to be cleaned."
+        )
     same = Counter(_key(relative.with_suffix("")) for relative in found.values())
     named = defaultdict(list)
     for path, relative in found.items():

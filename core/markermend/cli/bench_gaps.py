@@ -8,6 +8,7 @@ from pathlib import Path
 import markermend as mm
 from markermend.cli.console import STDOUT, Bar, check_outputs, say, write_text
 from markermend.cli.numbers import add_jobs, add_seed, add_simulations
+from markermend.errors import DataError
 
 SUMMARY = "hide pieces of takes, fill them, compare with what was hidden"
 
@@ -75,6 +76,8 @@ def run_gaps(options: argparse.Namespace) -> int:
                 takes, protocol, simulations=options.simulations, seed=options.seed
             )
         )
+    if not cases:
+        raise DataError("No gap fits into these takes, or is listed for them; name other takes.")
     if folder is not None:
         drawings = [str(folder / figure_name(p)) for p in dict.fromkeys(c.protocol for c in cases)]
         check_outputs(drawings, source=None, force=options.force)

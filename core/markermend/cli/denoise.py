@@ -45,7 +45,7 @@ def run(options: argparse.Namespace) -> int:
         found = ", ".join(f"{n} {kind}" for kind, n in sorted(kinds.items()))
         say(f"Found wrong: joints {found}.")
     say(
-        f"Filled: {count(int(restored.filled.sum()), 'position')} of"
+        f"Filled: {int(restored.filled.sum()):,} of"
         f" {count(restored.filled.size, 'position')}; noise taken out:"
         f" {float(np.median(restored.noise_mm)):.1f} mm (median of joints)."
     )

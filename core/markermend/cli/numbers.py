@@ -107,10 +107,10 @@ def add_jobs(p: argparse.ArgumentParser) -> None:
 
 
 def _jobs(text: str) -> int:
-    """Read a number of processes; below 0 it counts from all cores down."""
+    """Read a number of processes, or -1."""
     value = whole(text)
-    if value == 0:
-        raise argparse.ArgumentTypeError("0 processes can do nothing; -1 takes all cores")
+    if value < 1 and value != -1:
+        raise argparse.ArgumentTypeError(f"“{text}” is no number of processes; -1 takes all cores")
     return value
 
 

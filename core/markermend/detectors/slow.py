@@ -47,6 +47,7 @@ from markermend.take import Take
 WORTH_PROCESSES = 40_000
 # Smallest upper threshold when findings are confirmed.
 LEAST_MM = 3.0
+_ROUNDING_MM = 1e-6
 LOOSE = FfnnParams(iterations=45)
 CLOSE = FfnnParams()
 
@@ -138,6 +139,9 @@ def _judge(
         top = params.slow_k_top * float(sigma[axis])
         if params.confirm:
             top = max(top, LEAST_MM)
+        if top < _ROUNDING_MM:
+            # The neighbours foretell it exactly: nothing but rounding could stand out.
+            continue
         base = params.slow_k_base * float(sigma[axis])
         for sign in (1.0, -1.0):
             hills = hysteresis(

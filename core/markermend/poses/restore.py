@@ -99,7 +99,9 @@ def restore(
         when there are fewer than three poses, or no bone was ever seen whole
     """
     if pose.frames < _LEAST_FRAMES:
-        raise DataError(f"{pose.frames} poses are too few; it takes at least {_LEAST_FRAMES}.")
+        raise DataError(
+            f"The recording is too short: it takes {_LEAST_FRAMES} poses, and has {pose.frames}."
+        )
     tell = progress or quiet
     pose, faults = mend_faults(pose)
     fit = fitting(pose, prior) if prior is not None else None

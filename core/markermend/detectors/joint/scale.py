@@ -30,7 +30,7 @@ def jitter(change: FloatArray, valid: BoolArray, rate: float) -> FloatArray:
     over 0.6745, interpolated between blocks. Channels without a valid sample have 0.
     """
     frames = len(change)
-    count = max(1, round(frames / (BLOCK_S * rate)))
+    count = max(1, round(frames / max(BLOCK_S * rate, 1.0)))
     edges = np.linspace(0, frames, count + 1).astype(int)
     size = np.where(valid, np.abs(change), np.nan) if not valid.all() else np.abs(change)
     blocks = np.stack([median_of_seen(size[a:b]) for a, b in pairwise(edges)])
