@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+import markermend as mm
+from markermend import errors
 from markermend.cli.parser import COMMANDS
 from markermend_resources import manual_folder
 
@@ -28,6 +30,16 @@ def test_pages_made_from_the_code_are_up_to_date() -> None:
 def test_every_command_is_documented() -> None:
     text = (manual_folder() / "command-line.md").read_text(encoding="utf-8")
     assert [c for c in COMMANDS if not re.search(rf"markermend \[?{c}\b", text)] == []
+
+
+def test_every_public_name_is_in_the_reference() -> None:
+    text = (ROOT / "docs" / "sphinx" / "api.md").read_text(encoding="utf-8")
+    named = {
+        name.rpartition(".")[2] for name in re.findall(r"auto(?:function|class):: (\S+)", text)
+    }
+    # Errors are there as one module.
+    named |= {name for name in dir(errors) if name[0].isupper()}
+    assert set(mm.__all__) - named == set()
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda p: p.name)
