@@ -228,3 +228,21 @@ def test_the_palette_paints_texts_keys_and_what_cannot_be_done_apart(window, qtb
     images = [painted(e) for e in (entry, replace(entry, usable=True), replace(entry, aside=""))]
     images.append(painted(replace(entry, text="Edit: Undo")))
     assert all(a != b for a, b in combinations(images, 2))
+
+
+def test_an_action_is_found_and_given_a_key_by_keys_alone(qtbot, window):
+    sheet = ShortcutSheet(window)
+    qtbot.addWidget(sheet)
+    sheet.show()
+    qtbot.waitUntil(sheet.filter.hasFocus)
+    qtbot.keyClicks(sheet.filter, "all accepted")
+    qtbot.keyClick(sheet.filter, Qt.Key.Key_Down)
+    assert sheet._name() == "repair_accepted"
+    qtbot.keyClick(sheet.tree, Qt.Key.Key_Return)
+    assert sheet.keys.hasFocus()
+    qtbot.keyClick(sheet.keys, Qt.Key.Key_G)
+    qtbot.keyClick(sheet.keys, Qt.Key.Key_Tab)
+    assert sheet.set.hasFocus()
+    qtbot.keyClick(sheet.set, Qt.Key.Key_Space)
+    assert shortcuts.table()["repair_accepted"] == ("G",)
+    assert sheet.isVisible()

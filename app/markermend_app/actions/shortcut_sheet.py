@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QKeySequence
+from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
@@ -91,6 +91,9 @@ class ShortcutSheet(QDialog):
         self._fill()
         self.resize(640, 700)
         self.filter.setFocus()
+        for key in (Qt.Key.Key_Down, Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            onward = QShortcut(key, self.filter, self._go_to_list)
+            onward.setContext(Qt.ShortcutContext.WidgetShortcut)
 
     def select(self, name: str) -> None:
         """Choose an action, to change its keys."""
@@ -154,6 +157,13 @@ class ShortcutSheet(QDialog):
             item.setHidden(not all(word in text for word in wanted.casefold().split()))
         for section in self._sections():
             section.setHidden(all(item.isHidden() for item in _below(section)))
+
+    def _go_to_list(self) -> None:
+        """Go on from the filter to the first action that is left."""
+        left = [i for i in self._items() if i.data(0, _NAME) and not i.isHidden()]
+        self.tree.setFocus()
+        if left and self.tree.currentItem() not in left:
+            self.tree.setCurrentItem(left[0])
 
     # Changing
 
