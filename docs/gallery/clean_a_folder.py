@@ -10,7 +10,7 @@ import markermend as mm
 from markermend.patch import patched
 from markermend.repairs import repair_all
 
-folder, out = Path(sys.argv[1]), Path(sys.argv[2])
+folder, out = map(Path, sys.argv[1:3])
 out.mkdir(parents=True, exist_ok=True)
 
 for path in sorted(folder.rglob("*.c3d")):

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import markermend as mm
 from markermend.cli.console import Bar, say
+from markermend.cli.numbers import add_jobs, add_seed, add_simulations, positive
 
 SUMMARY = "let one marker at a time slide off and stay off, and look for it"
 
@@ -18,13 +19,13 @@ def add_slides(p: argparse.ArgumentParser) -> None:
         "--amplitude",
         metavar="MM",
         nargs="+",
-        type=float,
+        type=positive,
         default=[10.0, 20.0, 40.0],
         help="how far it slides (default: 10 20 40)",
     )
-    p.add_argument("--simulations", metavar="N", type=int, default=8, help="per take and amplitude")
-    p.add_argument("--seed", metavar="N", type=int, default=0, help="same seed, same slides")
-    p.add_argument("--jobs", metavar="N", type=int, default=-1, help="processes (-1: all cores)")
+    add_simulations(p, 8, "per take and amplitude")
+    add_seed(p, "slides")
+    add_jobs(p)
 
 
 def run_slides(options: argparse.Namespace) -> int:

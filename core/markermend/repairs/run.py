@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 from threadpoolctl import ThreadpoolController
 
-from markermend.arrays import runs
 from markermend.artifact import Artifact, Kind, Status, damage_mask, in_order
 from markermend.errors import DataError
 from markermend.mesh import Mesh
@@ -21,7 +20,7 @@ from markermend.repairs.automatic import best_repair, counting_references, follo
 from markermend.repairs.look_again import looked_at
 from markermend.repairs.registry import Evidence, Repair, find_method
 from markermend.repairs.result import read_params, refuse, without_own
-from markermend.take import AXES, Take, is_unlabelled
+from markermend.take import Take
 
 AUTO = "auto"
 # A repair this short is as good as measured, and may serve as evidence for the next.
@@ -186,15 +185,11 @@ def repair_all(
     the repair's reason says so. What is left then follows the one marker that is still seen and
     keeps its distance best, if that is expected to be near enough.
 
+    The other parameters, and the errors, are those of :func:`repair`.
+
     Parameters
     ----------
-    take : the recording
-    artifacts : those to repair; rejected ones are believed, repaired ones not done again
-    others : further known ones that are not repaired now, but not used as evidence either
-    method : for all of them, ``"auto"`` chooses for each
-    min_confidence : below it an artifact is left, though still not used as evidence
-    mesh : the body's structure, if it was worked out before
-    progress : told the share of artifacts done; may raise ``Cancelled``
+    others : further known artifacts that are not repaired now, but not used as evidence either
 
     Returns
     -------
@@ -215,66 +210,32 @@ def repair(
 ) -> Take:
     """Repair a take: every artifact that is sure enough and was not rejected.
 
-    Parameters are those of :func:`repair_all`. What cannot be repaired is left as it is.
+    What cannot be repaired is left as it is, and samples are missing still where no artifact
+    says that they should not be; :func:`repair_all` tells in which order it goes.
+
+    Parameters
+    ----------
+    take : the recording
+    artifacts : those to repair; rejected ones are believed, repaired ones not done again
+    method : for all of them, ``"auto"`` chooses for each
+    min_confidence : below it an artifact is left, though still not used as evidence
+    mesh : the body's structure, if it was worked out before
+    progress : told the share of artifacts done; may raise ``Cancelled``
 
     Returns
     -------
     Take
         a new one; only the artifacts' intervals and axes (and the counterparts' of a swap)
         differ, and their samples' origin says filled or edited
+
+    Raises
+    ------
+    MethodError
+        when there is no such method
+    DataError
+        when an artifact is of another take: no such marker, or an interval beyond its end
     """
     return _run(take, artifacts, method, min_confidence, mesh, progress)[0]
-
-
-def find_gaps(take: Take, *, max_gap: int | None = None) -> tuple[Artifact, ...]:
-    """Every interval in which a named marker is missing.
-
-    Parameters
-    ----------
-    take : the recording
-    max_gap : longest gap to name, in frames; None for all
-
-    Returns
-    -------
-    Artifacts of kind gap, in order. Unlabelled trajectories and markers that are never seen
-    have none.
-    """
-    found = []
-    for column, label in enumerate(take.labels):
-        if is_unlabelled(label) or not take.present[:, column].any():
-            continue
-        for start, stop in runs(~take.present[:, column]):
-            if max_gap is None or stop - start <= max_gap:
-                why = f"Not seen for {stop - start} frames."
-                found.append(Artifact(label, AXES, int(start), int(stop), Kind.GAP, why=why))
-    return in_order(found)
-
-
-def fill(
-    take: Take,
-    *,
-    method: str = AUTO,
-    max_gap: int | None = None,
-    mesh: Mesh | None = None,
-    progress: Progress | None = None,
-) -> Take:
-    """Fill the gaps of a take and change nothing else.
-
-    Parameters
-    ----------
-    take : the recording
-    method : name in the registry, or ``"auto"``
-    max_gap : longest gap to fill, in frames; None for all
-    mesh : the body's structure, if it was worked out before
-    progress : told the share of gaps done; may raise ``Cancelled``
-
-    Returns
-    -------
-    Take
-        a new one; what cannot be filled stays missing
-    """
-    gaps = find_gaps(take, max_gap=max_gap)
-    return repair(take, gaps, method=method, mesh=mesh, progress=progress)
 
 
 def _run(
