@@ -79,6 +79,10 @@ class Looking(QObject):
         """Look at frames of these markers; a view in which they are seen well already stays."""
         self.show_too(markers)
         self.reveal_requested.emit(start, stop)
+        self.go_inside(start, stop)
+
+    def go_inside(self, start: int, stop: int) -> None:
+        """Move the cursor into the middle of these frames, unless it is among them."""
         if not start <= self.frame < stop:
             self.go_to((start + stop) // 2)
 

@@ -371,3 +371,14 @@ def test_with_the_source_in_front_its_values_are_read_out(window, mouse, qtbot):
     assert f"T10 {value:.1f}" in readout.toolTip()
     row = window.trajectories.rows[0]
     assert row.value_at("T10", document.frame) == value
+
+
+@pytest.mark.parametrize("what", [Qt.Key.Key_M, Qt.Key.Key_X])
+def test_what_was_made_of_a_range_is_seen_in_space(window, mouse, qtbot, what):
+    document = window.document
+    document.go_to(130)
+    view = mouse.time
+    mouse.drag(40, 60, keys=SHIFT)
+    qtbot.keyClick(window, what)
+    assert document.current.start <= document.frame < document.current.stop
+    assert mouse.time == view

@@ -64,6 +64,8 @@ class HandWork(QObject):
         if artifact is not None:
             self._document.sweep(None)
             self._document.mark(artifact)
+            # In space it is seen where the cursor is.
+            self._document.go_inside(artifact.start, artifact.stop)
 
     def repair_selection(self) -> None:
         """Replace what lies in the swept range by the best repair."""
@@ -252,6 +254,7 @@ class HandWork(QObject):
             opened = next((a for a in new if a.status is Status.PENDING), *new[:1] or (None,))
             if opened is not None:
                 self._document.select(opened.id, frame=False)
+                self._document.go_inside(opened.start, opened.stop)
 
     def _work(
         self,
