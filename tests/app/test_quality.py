@@ -175,3 +175,19 @@ def test_columns_stand_below_their_heads_without_a_scroll_bar(qtbot, panel):
     panel.resize(500, 120)
     qtbot.wait(20)
     assert panel.view.horizontalScrollBar().isVisible()
+
+
+def test_markers_are_told_apart_without_the_name_of_their_subject(qtbot, tmp_path):
+    labels = ("Anna:LSHO", "Anna:RSHO", "Bert:RSHO")
+    document = Document()
+    panel = QualityPanel(document)
+    qtbot.addWidget(panel)
+    panel.show()
+    document.open(open_session(Take(np.ones((5, 3, 3)), labels, 100.0), folder=tmp_path), None)
+    model = panel.model
+    told = {s.marker: model.index(i, MARKER).data() for i, s in enumerate(model.rows)}
+    assert told == dict(zip(labels, ("LSHO", "Anna:RSHO", "Bert:RSHO"), strict=True))
+    tip = model.index(0, MARKER).data(Qt.ItemDataRole.ToolTipRole)
+    assert tip == model.rows[0].marker
+    document.open(None, None)
+    document.proposals.close()

@@ -17,6 +17,7 @@ from PySide6.QtGui import QFont
 
 from markermend.review.standing import Standing
 from markermend_app import units
+from markermend_app.panels.markers.naming import short_names
 from markermend_app.style import theme
 from markermend_app.words import tr
 
@@ -44,11 +45,13 @@ class QualityModel(QAbstractTableModel):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.rows: tuple[Standing, ...] = ()
+        self._names: Mapping[str, str] = {}
         self._by, self._order = OPEN, Qt.SortOrder.DescendingOrder
 
     def set_standings(self, standings: Sequence[Standing]) -> None:
         """Take over how markers stand, in the take's order."""
         rows = self._sorted(standings)
+        self._names = short_names([s.marker for s in rows])
         if [s.marker for s in rows] == [s.marker for s in self.rows]:
             self.rows = rows
             if rows:
@@ -102,7 +105,9 @@ class QualityModel(QAbstractTableModel):
         """Figures, grey where there is nothing to look at."""
         row, column = self.rows[index.row()], index.column()
         if role == Qt.ItemDataRole.DisplayRole:
-            return _text(row, column)
+            return _text(row, column, self._names)
+        if role == Qt.ItemDataRole.ToolTipRole and column == MARKER:
+            return row.marker
         if role == COUNTS:
             return row.open if column == OPEN else row.decided
         if role == Qt.ItemDataRole.TextAlignmentRole:
@@ -120,10 +125,10 @@ class QualityModel(QAbstractTableModel):
         return None
 
 
-def _text(row: Standing, column: int) -> str:
+def _text(row: Standing, column: int, names: Mapping[str, str]) -> str:
     """What a cell says; badges speak for the counts, to those who see them."""
     if column == MARKER:
-        return row.marker or tr("Whole take")
+        return names[row.marker] or tr("Whole take")
     if column in (OPEN, DECIDED):
         counts = row.open if column == OPEN else row.decided
         return ", ".join(
