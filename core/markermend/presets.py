@@ -71,11 +71,6 @@ def load_preset(name: str) -> tuple[str, Any]:
     return recipe.detector, recipe.detector_params
 
 
-def delete_preset(name: str) -> None:
-    """Remove a preset; nothing happens when there is none of that name."""
-    _path(name).unlink(missing_ok=True)
-
-
 def _path(name: str) -> Path:
     """Where a preset is kept."""
     if not _NAME.fullmatch(name) or name != name.strip():

@@ -8,7 +8,7 @@ import pytest
 from markermend.artifact import Kind
 from markermend.detectors.joint.confidence import Curve, confidences, shipped_curves
 from markermend.detectors.joint.sudden import Sudden
-from markermend.detectors.joint.training import RARER, fit_curve, train_sudden
+from markermend.detectors.joint.training import RARER, collect, fit_curve, fit_curves
 from markermend.errors import DataError
 from markermend.simulation import contaminate, simulate_clean
 
@@ -42,6 +42,6 @@ def test_training_is_seeded():
     take, _ = contaminate(
         simulate_clean(duration_s=8.0, seed=7), share=0.2, amplitude_mm=4.0, seed=1
     )
-    first = train_sudden([(take, ())], rounds=1, seed=2)
-    assert first == train_sudden([(take, ())], rounds=1, seed=2)
+    first, again = (fit_curves(collect([(take, ())], rounds=1, seed=2)) for _ in range(2))
+    assert first == again
     assert isinstance(first[Kind.PEAK], Curve)

@@ -12,7 +12,7 @@ from markermend.detectors import PaperParams
 from markermend.detectors.joint import JointParams
 from markermend.errors import FileFormatError, MethodError
 from markermend.files import write
-from markermend.presets import delete_preset, list_presets, load_preset, save_preset
+from markermend.presets import list_presets, load_preset, save_preset
 from markermend.simulation import contaminate, simulate_clean
 
 
@@ -40,9 +40,6 @@ def test_a_preset_comes_back_as_it_was_saved():
     assert read_recipe(path).detector_params == params
     save_preset("fast dance", "joint", JointParams(sensitivity=0.1, jobs=1))
     assert load_preset("fast dance")[1].sensitivity == 0.1
-    delete_preset("fast dance")
-    delete_preset("fast dance")
-    assert list_presets() == ("Ward 3",)
 
 
 @pytest.mark.parametrize("name", ["", "../up", "a/b", " x", "x" * 61, ".hidden"])
@@ -79,10 +76,9 @@ def test_the_command_line_saves_and_uses_presets(take, capsys):
 @pytest.mark.parametrize(
     ("words", "part"),
     [
-        (["--sensitivity", "2"], "sensitivity"),
         (["--set", "speed=3"], "least_mm"),
         (["--set", "least_mm"], "NAME=VALUE"),
-        (["--set", "slow=maybe"], "NAME=VALUE"),
+        (["--set", "slow=maybe"], "true or false"),
         (["--method", "paper", "--sensitivity", "0.7"], "sensitivity"),
         (["--preset", "nobody"], "nobody"),
     ],

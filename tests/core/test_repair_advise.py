@@ -7,9 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from recordings import read_named
 
 from markermend.artifact import Artifact, Kind
-from markermend.bench.gaps import read_cases, read_named
+from markermend.bench.gaps import read_cases
 from markermend.repairs import advise, evidence_for, propose, propose_from
 from markermend.repairs.advice import CANDIDATES, COMPARED, MODELS
 from markermend.take import Take

@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from recordings import read_named
 
 from markermend.arrays import FloatArray
 from markermend.artifact import Artifact, Kind
-from markermend.bench.gaps import GapRow, read_cases, read_named, replay, summarise
+from markermend.bench.gaps import GapRow, read_cases, replay, summarise
 from markermend.mesh import Group, Mesh
 from markermend.repairs import REPAIRS, propose
 from markermend.repairs.bridge import bridge, bridge_within, context_of

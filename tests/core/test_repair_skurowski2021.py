@@ -7,10 +7,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from recordings import read_named
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.artifact import Artifact, Kind
-from markermend.bench.gaps import GapRow, read_cases, read_named, replay, summarise
+from markermend.bench.gaps import GapRow, read_cases, replay, summarise
 from markermend.mesh import Group, Mesh
 from markermend.repairs import evidence_for, propose
 from markermend.repairs.skurowski2021.low_rank import choose_rank, complete

@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from recordings import read_named
 
 from markermend.artifact import Artifact, Kind
-from markermend.bench.gaps import read_cases, read_named, replay, summarise
+from markermend.bench.gaps import read_cases, replay, summarise
 from markermend.repairs import propose
 from markermend.repairs.tits2018.constraints import density, join, keep_distance, weigh
 from markermend.repairs.tits2018.local_frame import into, local_axes, out_of, rank_by_spread

@@ -45,8 +45,8 @@ def test_sudden_writes_the_same_curves_twice_and_judges_each_take(tmp_path, hurt
 
 
 def test_bad_input_is_refused_in_a_sentence(tmp_path, hurt, capsys):
-    assert train(tmp_path, hurt, "c.json", "--rounds=0")[0] == 1
-    assert "at least one round" in capsys.readouterr().err
+    assert train(tmp_path, hurt, "c.json", "--rounds=0")[0] == 2
+    assert "“0” is below 1" in capsys.readouterr().err
     (tmp_path / "d.json").write_text("mine")
     assert train(tmp_path, hurt, "d.json")[0] == 1
     assert (tmp_path / "d.json").read_text() == "mine"

@@ -110,22 +110,6 @@ def _case(entry: Mapping[str, Any]) -> GapCase:
     return GapCase(str(entry["take"]), str(entry["protocol"]), int(entry["length"]), gaps, known)
 
 
-def read_named(name: str, folder: str | Path) -> Take:
-    """Find a take by name anywhere below a folder, and keep its named markers.
-
-    Raises
-    ------
-    DataError
-        when there is no such file
-    """
-    from markermend.files import read
-
-    path = next(iter(sorted(Path(folder).rglob(f"{name}.c3d"))), None)
-    if path is None:
-        raise DataError(f"There is no {name}.c3d below {folder}.")
-    return only_named(read(path))
-
-
 def only_named(take: Take) -> Take:
     """The take without its unlabelled trajectories."""
     named = [i for i, label in enumerate(take.labels) if not is_unlabelled(label)]

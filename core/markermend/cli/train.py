@@ -21,8 +21,8 @@ def _run_sudden(options: argparse.Namespace) -> int:
     from markermend.errors import MethodError
 
     check_outputs([options.output], source=None, force=options.force)
-    if options.rounds < 1 or len(options.takes) + options.performers < 1:
-        raise MethodError("Training needs at least one round and one take or performer.")
+    if not options.takes and not options.performers:
+        raise MethodError("Training needs a take, or a performer at least.")
     known = clean_takes(options.takes, options.flaws)
     simulated = performers(options.performers, options.seed)
     takes = [(c.take, c.flaws) for c in known] + [(take, ()) for take in simulated]

@@ -64,17 +64,6 @@ def performers(count: int, seed: int) -> list[Take]:
     ]
 
 
-def train_sudden(
-    takes: Sequence[tuple[Take, Sequence[Artifact]]],
-    *,
-    rounds: int = 4,
-    seed: int = 0,
-    progress: Progress | None = None,
-) -> dict[Kind, Curve]:
-    """Learn one logistic curve a class; :func:`collect` and :func:`fit_curves` in one."""
-    return fit_curves(collect(takes, rounds=rounds, seed=seed, progress=progress))
-
-
 def collect(
     takes: Sequence[tuple[Take, Sequence[Artifact]]],
     *,
