@@ -382,11 +382,11 @@ class Document(Looking):
             self.mesh = replace(self.mesh, labels=self.session.original.labels)
         shown = tuple(names[s] for s in self.shown)
         self.shown, self.selection = (), None
+        self.renaming = True
         self.opened.emit()
+        self.renaming = False
         self.show(shown)
         self.artifacts_changed.emit()
-        if self.current is not None:
-            self.frame_requested.emit(self.current.start, self.current.stop)
 
     def _announce(self, change: Change, moving: bool) -> None:
         """Emit the signals of a change."""

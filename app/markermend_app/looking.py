@@ -32,6 +32,8 @@ class Looking(QObject):
     Attributes
     ----------
     bringing : whether frames are about to be requested, so that none need be shown until then
+    renaming : whether the take that is told to be open was before, under other names of its
+        markers, so that what is seen of it stays
     """
 
     shown_changed = Signal()
@@ -44,7 +46,7 @@ class Looking(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._frames = 0
-        self.bringing = False
+        self.bringing = self.renaming = False
         self.shown: tuple[str, ...] = ()
         self.beside: tuple[str, ...] = ()
         self.frame = 0

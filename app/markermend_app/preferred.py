@@ -62,7 +62,7 @@ class Preferred(QObject):
 
     def _opened(self) -> None:
         """Let the axis point up that was chosen once for all."""
-        if settings.text(VERTICAL, "auto") in AXES:
+        if not self._document.renaming and settings.text(VERTICAL, "auto") in AXES:
             self._set_vertical()
 
     def _set_vertical(self) -> None:

@@ -6,11 +6,13 @@ import numpy as np
 import pytest
 from driving import answer_with
 from plots import SHIFT, Bench
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPointF, Qt, QTimer
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLineEdit
 
 import markermend as mm
 from markermend.artifact import Artifact, Kind, Status
+from markermend.review import hand
 from markermend.take import Origin, Take
 from markermend_app.actions.palette import Palette
 from markermend_app.dialogs import export as export_dialog
@@ -382,3 +384,37 @@ def test_what_was_made_of_a_range_is_seen_in_space(window, mouse, qtbot, what):
     qtbot.keyClick(window, what)
     assert document.current.start <= document.frame < document.current.stop
     assert mouse.time == view
+
+
+def test_renaming_leaves_what_is_seen_as_it_was(window, mouse, qtbot):
+    document, scene = window.document, window.scene
+    mouse.drag(40, 60, keys=SHIFT)
+    qtbot.keyClick(window, Qt.Key.Key_M)
+    window.trajectories.set_view(30, 80)
+    scene.set_vertical(0)
+    qtbot.keyClick(scene, Qt.Key.Key_Plus)
+    qtbot.keyClicks(window.queue.filter, "T1")
+    seen = mouse.time, scene.camera, window.overview._view
+    values = mouse.panel.rows[0].view.viewRange()[1]
+    answer_with(qtbot, "LUMB")
+    qtbot.keyClick(window, Qt.Key.Key_F2)
+    assert document.current.marker == "LUMB"
+    assert (mouse.time, scene.camera, window.overview._view) == seen
+    assert mouse.panel.rows[0].view.viewRange()[1] == pytest.approx(values)
+    assert scene._vertical == 0
+    assert window.queue.filter.text() == "T1"
+
+
+def test_the_name_of_the_subject_is_not_overwritten(window, qtbot):
+    document = window.document
+    document.do(lambda session: hand.rename(session, {"T10": "Anna:T10"}))
+    document.show(["Anna:T10"])
+
+    def write():
+        line = QApplication.activeModalWidget().findChild(QLineEdit)
+        qtbot.keyClicks(line, "LUMB")
+        qtbot.keyClick(line, Qt.Key.Key_Return)
+
+    QTimer.singleShot(200, write)
+    qtbot.keyClick(window, Qt.Key.Key_F2)
+    assert document.shown == ("Anna:LUMB",)

@@ -223,8 +223,7 @@ def test_the_next_take_is_shown_whole(qtbot, review, damaged):
     window = review(*damaged)
     document, tree = window.document, window.tree
     qtbot.keyClicks(tree.filter, "lwr")
-    hand.rename(document.session, {"T10": "T11"})
-    document.opened.emit()
+    document.do(lambda session: hand.rename(session, {"T10": "T11"}))
     assert tree.filter.text() == "lwr"
     document.session.mark_exported()
     document.open(open_session(damaged[0]), document.mesh)

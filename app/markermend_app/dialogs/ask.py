@@ -130,7 +130,9 @@ def ask_text(
     dialog.setWindowTitle(question)
     line, problem = QLineEdit(proposed), QLabel()
     line.setAccessibleName(question)
-    line.selectAll()
+    # The name of a subject before it is seldom what is meant to be changed.
+    start = proposed.rfind(":") + 1
+    line.setSelection(start, len(proposed) - start)
     problem.setProperty("role", "warning")
     problem.setWordWrap(True)
     problem.hide()

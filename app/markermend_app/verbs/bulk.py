@@ -41,7 +41,7 @@ class Bulk(QObject):
         self._asked: set[tuple[str, Kind]] = set()
         self.doubt: Doubt | None = None
         self.dialog: AlikeDialog | None = None
-        document.opened.connect(self._asked.clear)
+        document.opened.connect(self._forget_asked)
         document.artifacts_changed.connect(self._look_for_doubts)
 
     def repair_alike(self) -> None:
@@ -67,6 +67,11 @@ class Bulk(QObject):
             self._asked.add((self.doubt.marker, self.doubt.kind))
             self.doubt = None
             self.doubt_changed.emit()
+
+    def _forget_asked(self) -> None:
+        """Ask anew in another take."""
+        if not self._document.renaming:
+            self._asked.clear()
 
     def _look_for_doubts(self) -> None:
         """Ask about the first sort that was rejected several times, unless asked before."""

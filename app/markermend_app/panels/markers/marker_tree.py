@@ -34,7 +34,6 @@ from PySide6.QtWidgets import (
 )
 
 from markermend.review.edits import Change
-from markermend.review.session import Session
 from markermend_app.document import Document
 from markermend_app.panels.markers.badge import counts_width, hint, paint_counts
 from markermend_app.panels.markers.marker_menu import add_marker_verbs
@@ -78,7 +77,6 @@ class MarkerTree(QWidget):
         self._document = document
         self.setMinimumWidth(230)
         self._syncing = self._choosing = False
-        self._opened: Session | None = None
         self._model = MarkerModel(document.show, document.show_beside, self)
         self._proxy = _Filter(self)
         self._proxy.setSourceModel(self._model)
@@ -147,8 +145,7 @@ class MarkerTree(QWidget):
 
     def _start_over(self) -> None:
         """Show another take whole; the same one, of which markers were renamed, as it was."""
-        if self._document.session is not self._opened:
-            self._opened = self._document.session
+        if not self._document.renaming:
             self.filter.clear()
         self._rebuild()
 

@@ -124,8 +124,9 @@ class Overview(QWidget):
         """Arrange the markers of another take."""
         take = self._take
         self._column_of = {} if take is None else {m: i for i, m in enumerate(take.labels)}
-        self._span = (0.0, 1.0 if take is None else max(1.0, float(take.frames)))
-        self._view = self._span
+        if not self.document.renaming:
+            self._span = (0.0, 1.0 if take is None else max(1.0, float(take.frames)))
+            self._view = self._span
         self.residuals.forget()
         self.mode.setVisible(take is not None)
         self.setCursor(

@@ -188,7 +188,7 @@ class TrajectoryPanel(QWidget):
         self._known.forget()
         self.chosen_partner = None
         self._lay_rows()
-        if (take := self.take) is not None:
+        if (take := self.take) is not None and not self.document.renaming:
             self.set_view(-0.5, take.frames - 0.5)
         self._show_frame(self.document.frame)
 

@@ -229,10 +229,11 @@ class ReviewQueue(QWidget):
 
     def _reset(self) -> None:
         """Another take: show everything that is open."""
-        self.filter.clear()
-        for button in self.kinds.values():
-            button.setChecked(False)
-        self.status.setCurrentIndex(0)
+        if not self._document.renaming:
+            self.filter.clear()
+            for button in self.kinds.values():
+                button.setChecked(False)
+            self.status.setCurrentIndex(0)
         self._refresh()
 
     def _refresh(self) -> None:

@@ -153,15 +153,18 @@ class Scene(QWidget):
     def _opened(self) -> None:
         """Another take, or none."""
         session = self._document.session
-        self.stage, self._vertical = None, None
+        self.stage, kept = None, self._document.renaming
+        self._vertical = self._vertical if kept else None
         self.follower.start()
         self.buttons.setVisible(session is not None)
         self.drop_tool()
         if session is not None:
             take = session.original
-            self.stage, self.camera = set_stage(take), Camera()
+            self.stage = set_stage(take, self._vertical)
             self.seen.take_over(take, min(RADIUS_MM, 0.008 * self.stage.size))
-            self.reset()
+            if not kept:
+                self.camera = Camera()
+                self.reset()
         self.seen.forget()
         self.update()
 
