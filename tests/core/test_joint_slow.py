@@ -13,7 +13,7 @@ from markermend.detectors.joint.bank import KINDS, bank, scores, shape_of
 from markermend.detectors.joint.drift import scan
 from markermend.detectors.joint.explained import explained
 from markermend.detectors.joint.judge import Judge, evidence, load_judge, quiet_levels
-from markermend.detectors.joint.measures import FEATURES
+from markermend.detectors.joint.measures import FEATURES, measure, stack
 from markermend.detectors.joint.slow import prepare, shipped_judge
 from markermend.detectors.joint.slow_training import examples_of
 from markermend.detectors.joint.trees import from_scikit
@@ -114,6 +114,30 @@ def test_scores_are_those_of_the_exact_filters():
     for n in (5, 20, 50, 80):
         exact = see(views, BODY, np.zeros(len(at), int), at, np.tile(shapes[:, n], (len(at), 1)))
         assert scores(parts, weight, habit)[at, n] == pytest.approx(exact.score, rel=0.15, abs=0.2)
+
+
+def test_hills_are_told_where_the_body_sets_out_and_where_it_stops():
+    frames = 1200
+    each = (VIEWS, 3, 1, 1)
+    parts, weight = split(np.random.default_rng(4).standard_normal(frames))
+    speed = np.zeros((frames, 3))
+    speed[400:800] = 2.0, 0.0, 1.0
+    views = Views(
+        np.tile(parts, each),
+        np.tile(weight, each),
+        np.tile([1.0] + 8 * [0.0], (VIEWS, 3, frames, 1)),
+        np.tile(parts, (3, 1, 1)),
+        np.zeros((frames, 3)),
+        np.cumsum(speed, axis=0),
+    )
+    start = np.array([400, 600, 750, 0, 1150])
+    length, kind = np.full(5, 50), np.array(["sharp"] * 5)
+    shapes = stack(kind, length)
+    _, rows = measure(views, np.zeros(5, int), start, length, kind, shapes, np.ones(5))
+    out, in_ = (rows[:, FEATURES.index(name)] for name in ("sets out", "stops"))
+    assert (out > 2).tolist() == [True, False, False, False, False]
+    assert (in_ > 2).tolist() == [False, False, True, False, False]
+    assert np.abs([out[1], in_[1]]).max() < 0.1
 
 
 def test_shapes_have_height_one_and_end_at_nothing():

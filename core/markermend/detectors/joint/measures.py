@@ -16,6 +16,8 @@ from markermend.detectors.joint.whiten import LAGS
 
 KINK = 10
 """Frames over which the filter answers to a kink."""
+STILL_MM = 0.02
+"""Speed per frame at which a body stands still, as far as setting out goes."""
 FEATURES = (
     *("score", "reweighted", "raw score", "chi²", "level", "length", "kind"),
     *("start", "rise", "apex", "fall", "end"),
@@ -28,6 +30,7 @@ FEATURES = (
     *("other axis", "third axis", "other t", "all axes loud"),
     *("rectangle", "hann", "saw up", "saw down", "step in", "step out", "early", "late", "wide"),
     *("over spread", "inside spread", "speed", "acceleration", "kick"),
+    *("sets out", "stops"),
     *("explained", "quieter", "crowd", "take crowd"),
 )
 CROWDS = (FEATURES.index("crowd"), FEATURES.index("take crowd"))
@@ -253,11 +256,12 @@ def _circumstances(
     """Height over the residual's usual spread around, and how the body moves meanwhile."""
     residual, frames = views.residual, len(views.residual)
     velocity = np.gradient(views.body, axis=0)
+    travelled = _travelled(velocity)
     speed = uniform_filter1d(np.linalg.norm(velocity, axis=1), 9)
     bend = uniform_filter1d(np.linalg.norm(np.gradient(velocity, axis=0), axis=1), 9)
     kick = maximum_filter1d(bend, 9)
     speed, bend, kick = (v / (np.median(v) + 1e-6) + 1e-3 for v in (speed, bend, kick))
-    rows = np.zeros((len(axis), 5))
+    rows = np.zeros((len(axis), 7))
     for n in range(len(axis)):
         a, one = int(start[n]), int(length[n])
         b, x = min(a + one, frames), residual[:, axis[n]]
@@ -266,11 +270,27 @@ def _circumstances(
         spread = np.median(np.abs(around - middle)) if len(around) > 10 else 1.0
         inner = x[a:b] - size[n] * shapes[n, : b - a]
         left = np.median(np.abs(inner - np.median(inner)))
+        pace = _pace(travelled, a, a + one)
         rows[n] = (
             np.log((abs(size[n]) + 0.1) / (spread + 0.1)),
             np.log((left + 0.1) / (spread + 0.1)),
             np.log(speed[a:b].mean()),
             np.log(bend[a:b].mean()),
             np.log(kick[a:b].max()),
+            np.log(pace / _pace(travelled, a - one, a)),
+            np.log(pace / _pace(travelled, a + one, a + 2 * one)),
         )
     return list(rows.T)
+
+
+def _travelled(velocity: FloatArray) -> FloatArray:
+    """Path of a body from its (frames, 3) velocity, smoothed over 9 frames, (frames + 1,) mm."""
+    smooth = uniform_filter1d(velocity, 9, axis=0)
+    return np.pad(np.cumsum(np.linalg.norm(smooth, axis=1)), (1, 0))
+
+
+def _pace(travelled: FloatArray, start: int, stop: int) -> float:
+    """Mean speed between two frames and one more of standing still, in mm per frame."""
+    last = len(travelled) - 1
+    a, b = min(max(start, 0), last), min(max(stop, 0), last)
+    return float((travelled[b] - travelled[a] + STILL_MM) / (b - a + 1)) + STILL_MM

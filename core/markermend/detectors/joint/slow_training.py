@@ -40,7 +40,7 @@ RISING = (
     *("score", "reweighted", "raw score", "without a part", "without a band"),
     *("weakest view", "t gain", "over spread", "explained", "quieter"),
 )
-FALLING = ("chi²", "left over", "crowd", "take crowd")
+FALLING = ("chi²", "left over", "sets out", "stops", "crowd", "take crowd")
 MARKERS, LEAST_S = (12, 81), 6.0
 AMPLITUDES_MM = (5.0, 10.0, 20.0)
 MEAN_LENGTH, APART = 50, 150
