@@ -246,3 +246,17 @@ def test_an_action_is_found_and_given_a_key_by_keys_alone(qtbot, window):
     qtbot.keyClick(sheet.set, Qt.Key.Key_Space)
     assert shortcuts.table()["repair_accepted"] == ("G",)
     assert sheet.isVisible()
+
+
+def test_the_palette_says_when_nothing_fits(qtbot, window):
+    qtbot.keyClick(window, Qt.Key.Key_K, Qt.KeyboardModifier.ControlModifier)
+    (found,) = window.findChildren(palette.Palette)
+    qtbot.keyClicks(found.line, "zqzq")
+    assert [found.list.item(i).text() for i in range(found.list.count())] == [
+        "Nothing fits these letters."
+    ]
+    qtbot.keyClick(found, Qt.Key.Key_Return)
+    assert found.isVisible()
+    found.line.clear()
+    assert found.list.count() > 10
+    found.close()

@@ -55,3 +55,13 @@ def test_a_take_of_unlabelled_markers_only() -> None:
     s = Session(Take(np.full((5, 1, 3), np.nan), ("*1",), 100.0))
     whole, only = standings(s.original, s.take, (), {})
     assert (whole.gap_now, only.gap_now) == (0.0, 1.0)
+
+
+def test_a_swap_which_invents_nothing_has_no_error_and_thins_out_no_mean() -> None:
+    s = review()
+    step = next(a for a in s.artifacts if a.kind is Kind.STEP)
+    swapped = Patch("B", "x", 60, 70, np.zeros((10, 1)))
+    s.repair([(step.id, Repair("swap", (swapped,), error_mm=0.0))])
+    whole, _, b, _ = standings(s.original, s.take, s.artifacts, s.notes)
+    assert (whole.mean_mm, whole.worst_mm) == (2.5, 2.5)
+    assert (b.mean_mm, b.worst_mm) == (None, None)

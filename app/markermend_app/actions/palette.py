@@ -176,6 +176,7 @@ class Palette(QDialog):
         self.setAccessibleName(question or finds)
         self._found = found
         self._shown: list[Entry] = []
+        self._nothing = Entry(self.tr("Nothing fits these letters."), "", QIcon(), False, bool)
         self.line = QLineEdit()
         self.line.setPlaceholderText(finds)
         self.line.setAccessibleName(question or finds)
@@ -217,15 +218,14 @@ class Palette(QDialog):
 
     def _search(self, wanted: str) -> None:
         """List what fits."""
-        self._shown = ranked(wanted, self._found)[:SHOWN]
+        self._shown = ranked(wanted, self._found)[:SHOWN] or [self._nothing]
         self.list.clear()
         for entry in self._shown:
             icon = theme.blank_icon() if entry.icon.isNull() else entry.icon
             item = QListWidgetItem(icon, entry.text, self.list)
             item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{entry.text} {entry.aside}")
             item.setData(_ENTRY, entry)
-        if self._shown:
-            self.list.setCurrentRow(0)
+        self.list.setCurrentRow(0)
 
     def _go(self) -> None:
         """Leave, and do what was chosen."""

@@ -21,7 +21,7 @@ def summary_table(done: Sequence[Outcome]) -> list[str]:
         if not of_kind:
             continue
         methods = Counter(o.method for o in of_kind if o.method)
-        errors = [o.error_mm for o in of_kind if o.error_mm is not None]
+        errors = [o.error_mm for o in of_kind if o.error_mm]
         rows.append(
             [
                 kind.value,

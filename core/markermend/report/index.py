@@ -82,8 +82,8 @@ def percent(share: float) -> str:
 
 
 def error(mm: float | None) -> str:
-    """An expected error as people read it."""
-    return "–" if mm is None else f"{mm:.2f} mm"
+    """An expected error as people read it; a swap, which invents nothing, has none."""
+    return f"{mm:.2f} mm" if mm else "–"
 
 
 def _row(q: Quality, links: Mapping[str, str]) -> list[str]:

@@ -23,7 +23,7 @@ class Quality:
     gap_before, gap_after : share in [0, 1] of the named markers' samples that are missing
     found, repaired : artifacts by class
     review : artifacts that wait for an operator: pending and not repaired
-    worst_mm : largest expected error of a repair, or None
+    worst_mm : largest expected error of a repair, or None; swaps invent nothing, and have none
     """
 
     name: str
@@ -53,7 +53,7 @@ def quality(name: str, before: Take, after: Take, done: Sequence[Outcome]) -> Qu
     """
     found = Counter(o.artifact.kind for o in done)
     repaired = Counter(o.artifact.kind for o in done if o.method is not None)
-    errors = [o.error_mm for o in done if o.error_mm is not None]
+    errors = [o.error_mm for o in done if o.error_mm]
     return Quality(
         name=name,
         frames=before.frames,

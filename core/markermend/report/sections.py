@@ -136,7 +136,7 @@ def _classes(done: Sequence[Outcome]) -> str:
         if not of_kind:
             continue
         methods = Counter(o.method_label for o in of_kind if o.method)
-        errors = [o.error_mm for o in of_kind if o.error_mm is not None]
+        errors = [o.error_mm for o in of_kind if o.error_mm]
         how = ", ".join(f"{method} {n}" for method, n in methods.most_common()) or "–"
         rows.append(
             [

@@ -80,13 +80,13 @@ def standings(
 def _errors(
     artifacts: Iterable[Artifact], notes: Mapping[str, RepairNote]
 ) -> tuple[float | None, float | None]:
-    """Mean and largest expected error of repairs."""
+    """Mean and largest expected error of repairs; swaps invent nothing, and have none."""
     known = [
         (a.length, float(error))
         for a in artifacts
         if a.status is Status.REPAIRED and a.id in notes
         for error in [notes[a.id].error_mm]
-        if error is not None
+        if error
     ]
     if not known:
         return None, None

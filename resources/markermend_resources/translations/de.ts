@@ -2962,6 +2962,10 @@
         <translation>Befehl, Marker oder Artefakt finden</translation>
     </message>
     <message>
+        <source>Nothing fits these letters.</source>
+        <translation>Nichts passt zu diesen Buchstaben.</translation>
+    </message>
+    <message>
         <source>Found</source>
         <translation>Gefunden</translation>
     </message>
