@@ -153,7 +153,7 @@ def test_table_and_csv_hold_every_setting(performer):
     lines = list(csv.DictReader(io.StringIO(e1_csv(rows))))
     assert len(lines) == len(rows) * len(CLASSES)
     text = "\n".join(e1_table(rows))
-    assert "performer, paper, 10%, 5 mm, 1 simulations" in text
+    assert "performer, paper, 10%, 5 mm, simulations: 1" in text
     assert "untouched" in text
 
 

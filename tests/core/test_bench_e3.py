@@ -138,7 +138,7 @@ def test_bench_e3_from_the_command_line(tmp_path, capsys, performer):
     words += ["--kind", "peak", "step", "--share", "0.05", "--simulations", "1", "--jobs", "1"]
     assert main([*words, "--csv", str(table)]) == 0
     shown = capsys.readouterr().out
-    assert "take, 5% damaged, 1 simulations" in shown
+    assert "take, 5% damaged, simulations: 1" in shown
     assert "0.19065" in shown
     assert "linear (joint)" in shown
     lines = list(csv.DictReader(table.open()))

@@ -18,6 +18,7 @@ from multiprocessing.connection import Connection, wait
 from typing import Any
 
 from markermend.batch.work import why
+from markermend.processes import deaf
 from markermend.progress import Progress
 
 # One that kills two workers would go on to kill all.
@@ -123,7 +124,7 @@ def _start(work: Callable[[Any, Progress], Any]) -> _Worker:
     context = multiprocessing.get_context("spawn")
     ours, theirs = context.Pipe()
     process = context.Process(target=_serve, args=(theirs, work), daemon=True)
-    with _one_thread():
+    with _one_thread(), deaf():
         process.start()
     # Ours alone is left, so that the worker's end is the pipe's end.
     theirs.close()

@@ -111,7 +111,7 @@ def constraints_table(rows: tuple[ConstraintRow, ...]) -> list[str]:
     lines = [f"{'missing':<16}{'cases':>6}{'on, mm':>10}{'off, mm':>10}{'t':>8}{'p':>10}"]
     for r in rows:
         label = f"{r.together} at once, {r.seconds:g} s"
-        lines.append(
-            f"{label:<16}{r.cases:>6}{r.on_mm:>10.2f}{r.off_mm:>10.2f}{r.t:>8.2f}{r.p:>10.2g}"
-        )
+        # One case alone has no spread to test against.
+        t, p = ("–", "–") if np.isnan(r.t) else (f"{r.t:.2f}", f"{r.p:.2g}")
+        lines.append(f"{label:<16}{r.cases:>6}{r.on_mm:>10.2f}{r.off_mm:>10.2f}{t:>8}{p:>10}")
     return lines

@@ -21,6 +21,7 @@ from markermend.bench.events import Events, count_events, no_events
 from markermend.detectors import detect, find_detector
 from markermend.detectors.baselines import hampel, moving_three_sigma
 from markermend.errors import MethodError
+from markermend.processes import in_processes
 from markermend.progress import Progress, quiet
 from markermend.simulation import contaminate
 from markermend.take import Take, is_unlabelled
@@ -131,8 +132,6 @@ def e1(
     -----
     skurowski2022, sections 4.1.1 to 4.1.3.
     """
-    from joblib import Parallel, delayed
-
     for method in methods:
         if method not in COMPANIONS:
             find_detector(method)
@@ -149,18 +148,13 @@ def e1(
     small = [bare(clean) for clean in takes]
     chosen = dict(params or {})
     report = progress or quiet
-    counted = Parallel(n_jobs=n_jobs, return_as="generator", pre_dispatch="2*n_jobs")(
-        delayed(_simulate)(small[t.clean], t, chosen.get(t.method), rounded, seed, least_mm)
-        for t in tasks
-    )
+    each = ((small[t.clean], t, chosen.get(t.method), rounded, seed, least_mm) for t in tasks)
     rows: dict[tuple[int, str, float, float], E1Row] = {}
-    try:
+    with in_processes(_simulate, each, n_jobs) as counted:
         for done, (task, row) in enumerate(zip(tasks, counted, strict=True)):
             key = (task.clean, task.method, task.share, task.amplitude_mm)
             rows[key] = _joined(rows[key], row) if key in rows else row
             report((done + 1) / len(tasks), f"{row.take}, {row.method}")
-    finally:
-        counted.close()
     return tuple(rows.values())
 
 

@@ -36,7 +36,7 @@ def e1_table(rows: Sequence[E1Row]) -> list[str]:
     lines: list[str] = []
     for row in rows:
         setting = f"{row.share:.0%}, {row.amplitude_mm:g} mm" if row.share else "untouched"
-        lines.append(f"{row.take}, {row.method}, {setting}, {row.simulations} simulations")
+        lines.append(f"{row.take}, {row.method}, {setting}, simulations: {row.simulations}")
         if row.share:
             lines += aligned([_HEAD, *(_measures(row, kind) for kind in CLASSES[1:])])
             lines += ["", *aligned(_matrix(row))]

@@ -24,6 +24,7 @@ from markermend.errors import DataError, MethodError
 from markermend.mesh import infer_mesh
 from markermend.patch import Patch, patched
 from markermend.predictors.ffnn import FfnnParams, predict_ffnn
+from markermend.processes import in_processes
 from markermend.progress import Progress, quiet
 from markermend.repairs import evidence_for, find_method, repair
 from markermend.repairs.ffnn_loose import FfnnLooseParams
@@ -135,8 +136,6 @@ def e3(
     0.225 mm in its own slow column (0.293 with actual, 0.188 with perfect classification), and
     its peak column has 0.039 mm in all.
     """
-    from joblib import Parallel, delayed
-
     if simulations < 1:
         raise MethodError("At least one simulation is needed.")
     chosen = {name: find_detector(name).params(jobs=1) for name in detectors} | dict(params or {})
@@ -153,27 +152,17 @@ def e3(
     ]
     small = [bare(clean) for clean in takes]
     report = progress or quiet
-    results = Parallel(n_jobs=n_jobs, return_as="generator", pre_dispatch="2*n_jobs")(
-        delayed(_simulate)(
-            small[t.clean],
-            t,
-            {name: chosen[name] for name in detectors},
-            tuple(repairers),
-            amplitude_mm,
-            all_classes,
-            seed,
-        )
-        for t in tasks
+    used = {name: chosen[name] for name in detectors}
+    each = (
+        (small[t.clean], t, used, tuple(repairers), amplitude_mm, all_classes, seed) for t in tasks
     )
     measured: dict[tuple[int, float, Kind], dict[_Way, list[tuple[float, float]]]] = {}
-    try:
+    with in_processes(_simulate, each, n_jobs) as results:
         for done, (task, ways) in enumerate(zip(tasks, results, strict=True)):
             setting = measured.setdefault((task.clean, task.share, task.kind), {})
             for way, result in ways.items():
                 setting.setdefault(way, []).append(result)
             report((done + 1) / len(tasks), f"{takes[task.clean].name}, {task.kind}")
-    finally:
-        results.close()
     return tuple(
         _row(takes[i].name, share, kind, way, values)
         for (i, share, kind), ways in measured.items()

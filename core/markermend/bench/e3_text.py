@@ -42,7 +42,7 @@ def e3_table(rows: Sequence[E3Row]) -> list[str]:
                     cells.append((name, *(word for row in found for word in _words(row))))
         seconds = max(row.seconds for row in block)
         lines.append(
-            f"{take}, {share:.0%} damaged, {block[0].simulations} simulations, RMSE in mm, "
+            f"{take}, {share:.0%} damaged, simulations: {block[0].simulations}, RMSE in mm, "
             f"at most {seconds:.1f} s a reconstruction"
         )
         lines += [*aligned(cells), ""]

@@ -20,6 +20,7 @@ from markermend.arrays import FloatArray
 from markermend.artifact import Artifact, Kind
 from markermend.errors import DataError, FileFormatError
 from markermend.files.opening import not_opened
+from markermend.processes import in_processes
 from markermend.progress import Progress, quiet
 from markermend.repairs import evidence_for, propose_from
 from markermend.take import AXES, Take, is_unlabelled
@@ -140,21 +141,15 @@ def replay(
     -------
     One result for each case and method, in that order.
     """
-    from joblib import Parallel, delayed
-
     chosen = params or {}
     tasks = [(case, name) for case in cases for name in dict.fromkeys(methods)]
     report = progress or quiet
-    done = Parallel(n_jobs=n_jobs, return_as="generator", pre_dispatch="2*n_jobs")(
-        delayed(_replay_one)(case, takes[case.take], name, chosen.get(name)) for case, name in tasks
-    )
+    each = ((case, takes[case.take], name, chosen.get(name)) for case, name in tasks)
     results = []
-    try:
+    with in_processes(_replay_one, each, n_jobs) as done:
         for i, ((case, name), result) in enumerate(zip(tasks, done, strict=True)):
             results.append(result)
             report((i + 1) / len(tasks), f"{case.protocol}, {case.length} frames, {name}")
-    finally:
-        done.close()
     return tuple(results)
 
 

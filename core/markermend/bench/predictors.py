@@ -29,6 +29,7 @@ from markermend.predictors.ffnn import FfnnParams, predict_ffnn
 from markermend.predictors.inputs import gather, lagged_powers, neighbours_of, trusted_samples
 from markermend.predictors.local import predict_local
 from markermend.predictors.polynomial import CONDITION, predict_polynomial
+from markermend.processes import in_processes
 from markermend.progress import Progress, quiet
 from markermend.simulation.contamination import triangle
 from markermend.take import Take, is_unlabelled
@@ -213,8 +214,6 @@ def study_predictors(
     triangle of 10 mm and 0.5 s added to one axis every five seconds. What stays of the triangle
     is the difference of the residuals with and without it, projected onto it.
     """
-    from joblib import Parallel, delayed
-
     unknown = [name for name in names if name not in PREDICTORS]
     if unknown or min(orders, default=1) < 1 or min(lags, default=0) < 0:
         raise MethodError(f"Predictors are {', '.join(PREDICTORS)}; orders start at 1, lags at 0.")
@@ -225,17 +224,14 @@ def study_predictors(
         for marker in _chosen(take, mesh, markers)
     ]
     report = progress or quiet
-    results = Parallel(n_jobs=n_jobs, return_as="generator", pre_dispatch="2*n_jobs")(
-        delayed(_measure)(*bodies[name], marker, tuple(names), tuple(orders), tuple(lags))
-        for name, marker in tasks
+    each = (
+        (*bodies[name], marker, tuple(names), tuple(orders), tuple(lags)) for name, marker in tasks
     )
     measured: dict[str, list[_Marker]] = {name: [] for name in takes}
-    try:
+    with in_processes(_measure, each, n_jobs) as results:
         for done, ((name, _), result) in enumerate(zip(tasks, results, strict=True)):
             measured[name].append(result)
             report((done + 1) / len(tasks), name)
-    finally:
-        results.close()
     return PredictorStudy(
         sweep=tuple(row for name, found in measured.items() for row in _sweep(name, found)),
         predictors=tuple(

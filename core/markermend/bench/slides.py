@@ -13,6 +13,7 @@ from markermend.detectors import detect
 from markermend.detectors.joint import JointParams
 from markermend.detectors.joint.shifted import find_shifted
 from markermend.errors import MethodError
+from markermend.processes import in_processes
 from markermend.progress import Progress, quiet
 from markermend.simulation.slides import slide_off
 from markermend.take import Take, is_unlabelled
@@ -77,8 +78,6 @@ def slides(
     MethodError
         when no simulation is asked for, or a size is not positive
     """
-    from joblib import Parallel, delayed
-
     if simulations < 1:
         raise MethodError("At least one simulation is needed.")
     if not all(size > 0 for size in sizes_mm):
@@ -88,17 +87,12 @@ def slides(
     ]
     tasks = [(name, size, number) for name, size, count in settings for number in range(count)]
     report = progress or quiet
-    done = Parallel(n_jobs=n_jobs, return_as="generator", pre_dispatch="2*n_jobs")(
-        delayed(_simulated)(takes[name], size, [seed, round(1000 * size), number])
-        for name, size, number in tasks
-    )
+    each = ((takes[name], size, [seed, round(1000 * size), number]) for name, size, number in tasks)
     rows: dict[tuple[str, float], list[SlideRow]] = {}
-    try:
+    with in_processes(_simulated, each, n_jobs) as done:
         for count, ((name, size, _), row) in enumerate(zip(tasks, done, strict=True)):
             rows.setdefault((name, size), []).append(row)
             report((count + 1) / len(tasks), f"{name}, {size:g} mm")
-    finally:
-        done.close()
     return tuple(_joined(name, parts) for (name, _), parts in rows.items())
 
 

@@ -40,6 +40,7 @@ from markermend.mesh import Mesh
 from markermend.predictors.bridging import bridge
 from markermend.predictors.ffnn import LEAST_ROWS, FfnnParams, fit_and_predict
 from markermend.predictors.inputs import Inputs, gather, neighbours_of
+from markermend.processes import in_processes
 from markermend.progress import Progress
 from markermend.take import Take
 
@@ -99,20 +100,12 @@ def _predictions(
     tasks: list[tuple[int, Inputs]], rate: float, params: PaperParams
 ) -> Generator[FloatArray, None, None]:
     """Train one network a marker, in several processes where that pays; results in order."""
-    from joblib import Parallel, delayed
-
     work = sum(int(inputs.fit.sum()) for _, inputs in tasks)
     network = CLOSE if params.confirm else LOOSE
     jobs = params.jobs if work >= WORTH_PROCESSES else 1
-    calls = (
-        delayed(fit_and_predict)(inputs, rate, network, params.seed + marker)
-        for marker, inputs in tasks
-    )
-    results = Parallel(n_jobs=jobs or -1, return_as="generator", pre_dispatch="2*n_jobs")(calls)
-    try:
+    each = ((inputs, rate, network, params.seed + marker) for marker, inputs in tasks)
+    with in_processes(fit_and_predict, each, jobs or -1) as results:
         yield from results
-    finally:
-        results.close()
 
 
 def _judge(

@@ -147,6 +147,7 @@ def _keras() -> Any:
         import keras
     except ImportError as error:
         raise MethodError(
-            "Training needs Keras and JAX: install them with “pip install markermend[deep]”."
+            "Training needs Keras and JAX; install them with: "
+            "python -m pip install 'markermend[deep]'"
         ) from error
     return keras

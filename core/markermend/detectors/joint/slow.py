@@ -18,6 +18,7 @@ from markermend.detectors.joint.measures import CROWDS, FEATURES
 from markermend.detectors.joint.shapes import fit_of
 from markermend.predictors.bridging import bridge
 from markermend.predictors.cross_fit import distance_spreads
+from markermend.processes import in_processes
 from markermend.progress import Progress
 from markermend.take import AXES, Take
 
@@ -121,25 +122,19 @@ def _height(x: FloatArray, step: Artifact, axes: list[int]) -> FloatArray:
 
 def scan_all(ground: Ground, jobs: int, progress: Progress) -> list[Candidates]:
     """Look for candidates on every marker, in several processes where that pays."""
-    from joblib import Parallel, delayed
-
     frames, markers = ground.positions.shape[:2]
     if frames < 3 * LONGEST or markers < 4:
         return []
     many = jobs if frames * markers >= PARALLEL_FROM else 1
     spreads = distance_spreads(ground.positions, ground.trusted)
-    calls = (
-        delayed(scan)(ground.positions, m, ground.known[:, m], ground.trusted, spreads)
-        for m in range(markers)
+    each = (
+        (ground.positions, m, ground.known[:, m], ground.trusted, spreads) for m in range(markers)
     )
     scans = []
-    results = Parallel(n_jobs=many, return_as="generator", pre_dispatch="2*n_jobs")(calls)
-    try:
+    with in_processes(scan, each, many) as results:
         for m, one in enumerate(results):
             progress((m + 1) / markers, "slow changes")
             scans.append(one)
-    finally:
-        results.close()
     return scans
 
 
