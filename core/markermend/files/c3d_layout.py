@@ -241,45 +241,15 @@ def _spans(raw: bytes) -> list[tuple[int, int]]:
 
 def _measured(draft: C3dLayout, name: str, warnings: list[str]) -> C3dLayout:
     """Add where the frames lie, choosing among the file's claims the ones that fit its size."""
-    order, header, say = draft.processor.order, draft.header, warnings.append
-    header_points, header_analog, first, last = struct.unpack_from(f"{order}4H", header, 2)
-    block, per_frame = struct.unpack_from(f"{order}HH", header, 16)
-    data = (block - 1) * BLOCK
-    if not BLOCK <= data <= draft.size:
-        data = (draft.count("POINT", "DATA_START") - 1) * BLOCK
-        say("The header does not say where the frames begin; POINT:DATA_START was used.")
-    if not BLOCK <= data <= draft.size:
-        raise FileFormatError(
-            f"{name} is damaged: its frames would begin beyond its end, at byte {max(data, 0)} of"
-            f" {draft.size}; look for another copy of it."
-        )
-    scale, header_rate = (float(_header_float(header, at, draft.processor)) for at in (12, 20))
-    if not (math.isfinite(scale) and scale != 0):
-        scale = draft.number("POINT", "SCALE", -1.0)
-        say("The header has no scale; POINT:SCALE was used.")
-    if not (math.isfinite(scale) and scale != 0):
-        scale = -1.0
+    say = warnings.append
+    first, last = struct.unpack_from(f"{draft.processor.order}HH", draft.header, 6)
+    (per_frame,) = struct.unpack_from(f"{draft.processor.order}H", draft.header, 18)
+    data = _data_start(draft, name, warnings)
+    scale = _point_scale(draft, warnings)
     storage = Storage.FLOAT if scale < 0 else Storage.INTEGER
-
-    used = min(draft.count("POINT", "USED", header_points), MOST_HEADER_FRAMES)
     channels = draft.count("ANALOG", "USED")
-    spans = _frame_claims(draft, first, last)
     room = draft.size - data
-    claims = [
-        (points, analog, start, frames)
-        for points in dict.fromkeys((header_points, used))
-        for analog in dict.fromkeys((header_analog, per_frame * channels))
-        for start, frames in spans
-    ]
-    fitting = [
-        c for c in claims if 0 <= room - (4 * c[0] + c[1]) * int(storage) * c[3] <= 2 * BLOCK
-    ]
-    points, analog, start, declared = (fitting or claims)[0]
-    if (points, analog) != (header_points, header_analog):
-        say(
-            f"The header's counts do not fit the file's size; {points} points and {analog} analog"
-            " samples a frame were read."
-        )
+    points, analog, start, declared = _counts(draft, room, storage, per_frame * channels, warnings)
     if declared != last - first + 1 and last != MOST_HEADER_FRAMES:
         say(f"The header counts {max(last - first + 1, 0)} frames; {declared} were read.")
     stride = (4 * points + analog) * int(storage)
@@ -305,17 +275,78 @@ def _measured(draft: C3dLayout, name: str, warnings: list[str]) -> C3dLayout:
         frames=frames,
         declared=declared,
         first_frame=start,
-        rate=_rate(draft, header_rate, warnings),
+        rate=_rate(draft, _header_float(draft, 20), warnings),
         scale=1.0 if storage is Storage.FLOAT else scale,
         residual_scale=abs(scale),
         warnings=tuple(warnings),
     )
 
 
-def _header_float(header: bytes, at: int, processor: Processor) -> np.float32:
+def _data_start(draft: C3dLayout, name: str, warnings: list[str]) -> int:
+    """Byte at which the frames begin."""
+    (block,) = struct.unpack_from(f"{draft.processor.order}H", draft.header, 16)
+    data = (block - 1) * BLOCK
+    if not BLOCK <= data <= draft.size:
+        data = (draft.count("POINT", "DATA_START") - 1) * BLOCK
+        warnings.append(
+            "The header does not say where the frames begin; POINT:DATA_START was used."
+        )
+    if not BLOCK <= data <= draft.size:
+        raise FileFormatError(
+            f"{name} is damaged: its frames would begin beyond its end, at byte {max(data, 0)} of"
+            f" {draft.size}; look for another copy of it."
+        )
+    return int(data)
+
+
+def _point_scale(draft: C3dLayout, warnings: list[str]) -> float:
+    """Scale of points and residuals; below 0 where samples are floats."""
+    scale = _header_float(draft, 12)
+    if not (math.isfinite(scale) and scale != 0):
+        scale = draft.number("POINT", "SCALE", -1.0)
+        warnings.append("The header has no scale; POINT:SCALE was used.")
+    return scale if math.isfinite(scale) and scale != 0 else -1.0
+
+
+def _counts(
+    draft: C3dLayout, room: int, storage: Storage, analog_used: int, warnings: list[str]
+) -> tuple[int, int, int, int]:
+    """Points, analog samples a frame, first frame and frames: the claims that fit the size.
+
+    Parameters
+    ----------
+    draft : what is known of the file
+    room : bytes from the first frame to the file's end
+    storage : of each number
+    analog_used : analog samples a frame by the parameters
+    warnings : grows where the header is not believed
+    """
+    header_points, header_analog, first, last = struct.unpack_from(
+        f"{draft.processor.order}4H", draft.header, 2
+    )
+    used = min(draft.count("POINT", "USED", header_points), MOST_HEADER_FRAMES)
+    claims = [
+        (points, analog, start, frames)
+        for points in dict.fromkeys((header_points, used))
+        for analog in dict.fromkeys((header_analog, analog_used))
+        for start, frames in _frame_claims(draft, first, last)
+    ]
+    fitting = [
+        c for c in claims if 0 <= room - (4 * c[0] + c[1]) * int(storage) * c[3] <= 2 * BLOCK
+    ]
+    points, analog, start, declared = (fitting or claims)[0]
+    if (points, analog) != (header_points, header_analog):
+        warnings.append(
+            f"The header's counts do not fit the file's size; {points} points and {analog} analog"
+            " samples a frame were read."
+        )
+    return points, analog, start, declared
+
+
+def _header_float(draft: C3dLayout, at: int) -> float:
     """Read a float of the header."""
-    value: np.float32 = decode_floats(np.frombuffer(header, np.uint8, 4, at), processor)[0]
-    return value
+    raw = np.frombuffer(draft.header, np.uint8, 4, at)
+    return float(decode_floats(raw, draft.processor)[0])
 
 
 def _frame_claims(draft: C3dLayout, first: int, last: int) -> list[tuple[int, int]]:
