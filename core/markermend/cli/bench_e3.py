@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from markermend.cli.bench_takes import clean_takes
+from markermend.cli.bench_takes import add_clean_takes, clean_takes
 from markermend.cli.console import STDOUT, Bar, check_outputs, say, write_text
 from markermend.cli.numbers import add_jobs, add_seed, add_simulations, positive, share
 
@@ -13,12 +13,7 @@ SUMMARY = "contaminate clean takes, detect, reconstruct, compare with what was t
 
 def add_e3(p: argparse.ArgumentParser) -> None:
     """Give the experiment its options."""
-    p.add_argument("takes", metavar="TAKE", nargs="+", help="clean recordings")
-    p.add_argument(
-        "--flaws",
-        metavar="FOLDER",
-        help="what is damaged in TAKE already, as JSON of “detect” named after it; left out",
-    )
+    add_clean_takes(p)
     p.add_argument(
         "--method",
         metavar="NAME",

@@ -22,6 +22,7 @@ from markermend.cli.bench_slides import SUMMARY as SLIDES
 from markermend.cli.bench_slides import add_slides
 from markermend.cli.bench_smooth import SUMMARY as SMOOTH
 from markermend.cli.bench_smooth import add_smooth
+from markermend.cli.bench_takes import add_clean_takes
 from markermend.cli.bench_training import SUMMARY as TRAINING
 from markermend.cli.bench_training import add_training
 from markermend.cli.numbers import add_jobs, add_seed, add_simulations, from_zero, positive, share
@@ -64,12 +65,7 @@ def add_experiments(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_e1(p: argparse.ArgumentParser) -> None:
-    p.add_argument("takes", metavar="TAKE", nargs="+", help="clean recordings")
-    p.add_argument(
-        "--flaws",
-        metavar="FOLDER",
-        help="what is damaged in TAKE already, as JSON of “detect” named after it; left out",
-    )
+    add_clean_takes(p)
     p.add_argument(
         "--method",
         metavar="NAME",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,6 +13,16 @@ from markermend.errors import MarkermendError
 
 if TYPE_CHECKING:
     from markermend.bench.e1 import Clean
+
+
+def add_clean_takes(p: argparse.ArgumentParser, number: str = "+") -> None:
+    """Add the takes, ``"+"`` or ``"*"`` of them, and what is damaged in them already."""
+    p.add_argument("takes", metavar="TAKE", nargs=number, help="clean recordings")
+    p.add_argument(
+        "--flaws",
+        metavar="FOLDER",
+        help="what is damaged in TAKE already, as JSON of “detect” named after it; left out",
+    )
 
 
 def clean_takes(paths: Iterable[str], flaws: str | None) -> list[Clean]:

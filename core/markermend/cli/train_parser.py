@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 
+from markermend.cli.bench_takes import add_clean_takes
 from markermend.cli.numbers import add_jobs, add_seed, from_one, from_zero, whole
 
 MODELS = {
@@ -34,17 +35,8 @@ def add_training(parser: argparse.ArgumentParser) -> None:
         )
 
 
-def _add_takes(p: argparse.ArgumentParser) -> None:
-    p.add_argument("takes", metavar="TAKE", nargs="*", help="clean recordings")
-    p.add_argument(
-        "--flaws",
-        metavar="FOLDER",
-        help="what is damaged in TAKE already, as JSON of “detect” named after it; left out",
-    )
-
-
 def _add_slow(p: argparse.ArgumentParser) -> None:
-    _add_takes(p)
+    add_clean_takes(p, "*")
     p.add_argument(
         "--poses",
         metavar="FOLDER",
@@ -64,7 +56,7 @@ def _add_slow(p: argparse.ArgumentParser) -> None:
 
 
 def _add_sudden(p: argparse.ArgumentParser) -> None:
-    _add_takes(p)
+    add_clean_takes(p, "*")
     p.add_argument(
         "--performers",
         metavar="N",
