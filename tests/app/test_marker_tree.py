@@ -229,3 +229,19 @@ def test_the_next_take_is_shown_whole(qtbot, review, damaged):
     document.open(open_session(damaged[0]), document.mesh)
     assert tree.filter.text() == ""
     assert tree._proxy.rowCount() > 0
+
+
+def test_from_the_filter_the_first_marker_found_is_chosen(qtbot, review, damaged):
+    window = review(*damaged)
+    document, tree = window.document, window.tree
+    for letters, key, shown in (
+        ("lwr", Qt.Key.Key_Return, "LWRA"),
+        ("lwrb", Qt.Key.Key_Down, "LWRB"),
+        ("lwr", Qt.Key.Key_Down, "LWRB"),
+    ):
+        tree.filter.clear()
+        tree.filter.setFocus()
+        qtbot.keyClicks(tree.filter, letters)
+        qtbot.keyClick(tree.filter, key)
+        assert document.shown == (shown,)
+        assert window.focusWidget() is tree.view

@@ -28,7 +28,7 @@ from markermend_app.style import theme
 
 Index = QModelIndex | QPersistentModelIndex
 _SETTLED_MS = 60
-_WIDTHS = (96, 134, 74, 66, 74, 100, 100, 90)
+_WIDTHS = (108, 128, 72, 64, 72, 98, 98, 86)
 _ROW_PX = 26
 
 

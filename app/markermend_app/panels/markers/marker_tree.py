@@ -86,6 +86,7 @@ class MarkerTree(QWidget):
         self.view.returned.connect(self._check)
         self.filter = FilterLine(self.tr("Filter markers"), self.view)
         self.filter.textChanged.connect(self._filter)
+        self.filter.went_on.connect(self._go_to_found)
         self.worst_first = QToolButton()
         self.worst_first.setCheckable(True)
         self.worst_first.setToolTip(
@@ -247,6 +248,19 @@ class MarkerTree(QWidget):
         self._expand()
         self._syncing = False
         self._follow_shown()
+
+    def _go_to_found(self) -> None:
+        """Choose the first marker found by its name, else by its group's, unless one is shown."""
+        wanted = self.filter.text().strip().casefold()
+        found: dict[str, QModelIndex] = {}
+        index = self._proxy.index(0, NAME)
+        while wanted and index.isValid():
+            found[self._model.node(self._proxy.mapToSource(index)).label] = index
+            index = self.view.indexBelow(index)
+        found.pop("", None)
+        named = [label for label in found if wanted in label.casefold()] or list(found)
+        if named and not set(named) & set(self._document.shown[:1]):
+            self.view.setCurrentIndex(found[named[0]])
 
     def _selected(self, _: QItemSelection, __: QItemSelection) -> None:
         """Show what was selected."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QAction, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QLineEdit, QWidget
 
@@ -20,7 +20,13 @@ class FilterLine(QLineEdit):
     ----------
     text : what it is for, shown while it is empty
     target : the list
+
+    Signals
+    -------
+    went_on() : the keyboard went on to the list, for what was found
     """
+
+    went_on = Signal()
 
     def __init__(self, text: str, target: QWidget, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -58,6 +64,8 @@ class FilterLine(QLineEdit):
             self.clear()
         elif key in (Qt.Key.Key_Escape, Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Down):
             self._target.setFocus(Qt.FocusReason.ShortcutFocusReason)
+            if key != Qt.Key.Key_Escape:
+                self.went_on.emit()
         else:
             super().keyPressEvent(event)
 
