@@ -255,8 +255,10 @@ def test_the_palette_says_when_nothing_fits(qtbot, window):
     assert [found.list.item(i).text() for i in range(found.list.count())] == [
         "Nothing fits these letters."
     ]
+    assert found.list.currentRow() == -1
     qtbot.keyClick(found, Qt.Key.Key_Return)
     assert found.isVisible()
     found.line.clear()
+    assert found.list.currentRow() == 0
     assert found.list.count() > 10
     found.close()

@@ -225,7 +225,7 @@ class Palette(QDialog):
             item = QListWidgetItem(icon, entry.text, self.list)
             item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{entry.text} {entry.aside}")
             item.setData(_ENTRY, entry)
-        self.list.setCurrentRow(0)
+        self.list.setCurrentRow(-1 if self._shown == [self._nothing] else 0)
 
     def _go(self) -> None:
         """Leave, and do what was chosen."""

@@ -28,7 +28,7 @@ from markermend_app.style import theme
 
 Index = QModelIndex | QPersistentModelIndex
 _SETTLED_MS = 60
-_WIDTHS = (108, 128, 72, 64, 72, 98, 98, 86)
+_WIDTHS = (108, 126, 72, 70, 72, 98, 98, 84)
 _ROW_PX = 26
 
 
@@ -72,7 +72,8 @@ class QualityPanel(QWidget):
         )
         self.head.setFixedHeight(header.sizeHint().height() + _ROW_PX + 2)
         for column, width in enumerate(_WIDTHS):
-            self.head.setColumnWidth(column, width)
+            # The words of other languages may be longer.
+            self.head.setColumnWidth(column, max(width, header.sectionSizeHint(column)))
         table = QWidget()
         rows = QVBoxLayout(table)
         rows.setContentsMargins(0, 0, 0, 0)
