@@ -43,7 +43,12 @@ def test_repairing_all_alike_is_listed_first_and_one_step(peaks, qtbot):
     # On the marker and sure enough: three of its four peaks, and not the noise.
     assert dialog.table.rowCount() == 3
     assert dialog.go.text() == "Repair 3"
-    assert "±" in dialog.table.item(0, 3).text()
+    outcome = dialog.table.item(0, 3)
+    assert "±" in outcome.text()
+    assert outcome.toolTip() == outcome.text()
+    reason = f"{outcome.text()}. Local regression would leave damage."
+    room = dialog.table.columnWidth(3)
+    assert dialog.table.fontMetrics().horizontalAdvance(reason) < room
     assert np.array_equal(document.session.positions, before, equal_nan=True)
     dialog.scope.setCurrentIndex(dialog.scope.count() - 1)
     qtbot.waitUntil(lambda: dialog.go.isEnabled(), timeout=WAIT)

@@ -109,7 +109,8 @@ class AlikeDialog(QDialog):
         self.scope.currentIndexChanged.connect(self._list)
         self.least.valueChanged.connect(self._list)
         self.table.itemChanged.connect(self._count)
-        self.resize(640, 480)
+        # Why a method is not the usual one fits beside it.
+        self.resize(min(900, parent.width() - 40), 480)
 
     def _make_table(self) -> QTableWidget:
         """The list, empty."""
@@ -153,7 +154,7 @@ class AlikeDialog(QDialog):
         self.repairs |= repairs
         with QSignalBlocker(self.table):
             for row, a in enumerate(self._listed):
-                self.table.setItem(row, OUTCOME, QTableWidgetItem(self._outcome(a)))
+                self.table.setItem(row, OUTCOME, _cell(self._outcome(a)))
         self._count()
 
     def _able(self, a: Artifact) -> bool:
@@ -182,7 +183,7 @@ class AlikeDialog(QDialog):
                     (SURE, f"{100 * a.confidence:.0f} %"),
                     (OUTCOME, self._outcome(a)),
                 ):
-                    self.table.setItem(row, column, QTableWidgetItem(text))
+                    self.table.setItem(row, column, _cell(text))
                 box = self.table.item(row, MARKER)
                 if box is not None:
                     box.setCheckState(Qt.CheckState.Checked)
@@ -226,3 +227,10 @@ class AlikeDialog(QDialog):
                 one, many = self.tr("1 is left as it is."), self.tr("{0} are left as they are.")
                 text = (one if left == 1 else many.format(left)) + " " + text
         self.said.setText(text)
+
+
+def _cell(text: str) -> QTableWidgetItem:
+    """A cell, told whole where it has no room."""
+    item = QTableWidgetItem(text)
+    item.setToolTip(text)
+    return item
