@@ -42,6 +42,11 @@ class Outcome:
         return known.label if known else self.method or ""
 
     @property
+    def unmeasured(self) -> bool:
+        """Whether it was repaired and nobody knows how far off; what invents nothing never is."""
+        return self.error_mm is None and self.method not in (None, "swap", "leave_empty")
+
+    @property
     def note(self) -> str:
         """Reason and what the repair leaves, in words; may be empty."""
         return " ".join(filter(None, (self.reason, in_words(self.leaves))))

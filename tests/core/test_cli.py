@@ -289,6 +289,29 @@ def test_fill_leaves_longer_gaps(
     assert "Longer than asked for and left: 1 gap." in capsys.readouterr().out
 
 
+@pytest.mark.parametrize(("method", "known"), [("pma", True), ("ffnn_lin", False)])
+def test_a_model_named_by_hand_says_how_far_off_it_is_or_that_this_is_not_measured(
+    recording: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    method: str,
+    known: bool,
+) -> None:
+    out, told, page = tmp_path / "out.c3d", tmp_path / "told.json", tmp_path / "page.html"
+    words = ("clean", recording, "-o", out, "--no-slow", "--method", method, "--list")
+    assert run(*words, "--json", told, "--report", page) == 0
+    listed = [line for line in capsys.readouterr().out.splitlines() if f" {method} " in line]
+    gap = next(a for a in strict(told.read_text())["artifacts"] if a["kind"] == "gap")
+    assert gap["repair"]["method"] == method
+    assert (gap["repair"]["error_mm"] is not None) == known
+    if known:
+        # What the plates do not tell is the noise of 0.2 mm.
+        assert 0.05 < gap["repair"]["error_mm"] < 5.0
+    assert listed
+    assert all(("not measured" in line) != known for line in listed)
+    assert ("not measured" in page.read_text()) != known
+
+
 def test_span_counts_frames() -> None:
     assert [Span(t).frames(120.0) for t in ("20", "0.2s", "200ms", ".5 s")] == [20, 24, 24, 60]
 

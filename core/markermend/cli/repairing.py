@@ -22,14 +22,15 @@ def summary_table(done: Sequence[Outcome]) -> list[str]:
             continue
         methods = Counter(o.method for o in of_kind if o.method)
         errors = [o.error_mm for o in of_kind if o.error_mm]
+        unknown = "not measured" if any(o.unmeasured for o in of_kind) else "–"
         rows.append(
             [
                 kind.value,
                 str(len(of_kind)),
                 str(methods.total()),
                 ", ".join(f"{name} {n}" for name, n in methods.most_common()) or "–",
-                f"{median(errors):.2f}" if errors else "–",
-                f"{max(errors):.2f}" if errors else "–",
+                f"{median(errors):.2f}" if errors else unknown,
+                f"{max(errors):.2f}" if errors else unknown,
             ]
         )
     head = ["Class", "Found", "Repaired", "With", "Expected error, mm", "Worst"]
@@ -45,7 +46,7 @@ def listing(take: Take, done: Sequence[Outcome]) -> list[str]:
             o.artifact.axes,
             o.artifact.kind.value,
             o.method or "left",
-            "" if o.error_mm is None else f"{o.error_mm:.2f}",
+            "not measured" if o.unmeasured else "" if o.error_mm is None else f"{o.error_mm:.2f}",
             o.note,
         ]
         for o in done

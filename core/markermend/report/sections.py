@@ -137,6 +137,7 @@ def _classes(done: Sequence[Outcome]) -> str:
             continue
         methods = Counter(o.method_label for o in of_kind if o.method)
         errors = [o.error_mm for o in of_kind if o.error_mm]
+        unknown = _UNMEASURED if any(o.unmeasured for o in of_kind) else error(None)
         how = ", ".join(f"{method} {n}" for method, n in methods.most_common()) or "–"
         rows.append(
             [
@@ -144,8 +145,8 @@ def _classes(done: Sequence[Outcome]) -> str:
                 str(len(of_kind)),
                 str(methods.total()),
                 escape(how),
-                error(median(errors) if errors else None),
-                error(max(errors) if errors else None),
+                error(median(errors)) if errors else unknown,
+                error(max(errors)) if errors else unknown,
             ]
         )
     columns = [("Class", ""), ("Found", "n"), ("Repaired", "n"), ("With", "")]
@@ -186,6 +187,7 @@ def _left(take: Take, done: Sequence[Outcome]) -> list[str]:
     return ["<h3>What was left</h3>", page.table(columns, rows, "sortable"), *_cut(len(left))]
 
 
+_UNMEASURED = "not measured"
 _WHERE = (("Frames", "n"), ("Seconds", "n"), ("Marker", ""), ("Axes", ""), ("Class", ""))
 
 
@@ -205,7 +207,8 @@ def _where(take: Take, o: Outcome) -> list[str]:
 
 def _error_and_note(o: Outcome) -> list[str]:
     """Cells for a repair's expected error and what else is to be known about it."""
-    return [page.number(o.error_mm, error(o.error_mm)), _said(o, o.note)]
+    told = _UNMEASURED if o.unmeasured else error(o.error_mm)
+    return [page.number(o.error_mm, told), _said(o, o.note)]
 
 
 def _paced(pace: Pace | None) -> list[tuple[str, str]]:

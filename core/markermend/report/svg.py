@@ -221,4 +221,5 @@ def _caption(take: Take, o: Outcome) -> str:
     first, last = take.frame_number(a.start), take.frame_number(a.stop - 1)
     done = o.method_label or "left"
     error = "" if o.error_mm is None else f", expected error {o.error_mm:.2f} mm"
+    error = ", expected error not measured" if o.unmeasured else error
     return f"{a.marker} {a.axes}, {a.kind.value}, frames {first}–{last}: {done}{error}"
