@@ -27,7 +27,10 @@ log = logging.getLogger("markermend")
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Open the window, with a take when one is named; returns the exit code."""
-    parser = argparse.ArgumentParser(prog="markermend open", description=__doc__)
+    parser = argparse.ArgumentParser(
+        prog="python -m markermend_app",
+        description="Open the window, with the takes to review when some are named.",
+    )
     parser.add_argument(
         "takes",
         metavar="TAKE",

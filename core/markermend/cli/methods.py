@@ -27,7 +27,7 @@ def run(options: argparse.Namespace) -> int:
         "smoothing": SMOOTHERS,
     }
     chosen = {room: _named(methods, options.name) for room, methods in rooms.items()}
-    if options.name and not any(chosen.values()):
+    if options.name is not None and not any(chosen.values()):
         raise MethodError(f"There is no method “{options.name}”; “markermend methods” lists all.")
     if options.json is not None:
         write_json(options.json, {room: [describe(m) for m in ms] for room, ms in chosen.items()})
