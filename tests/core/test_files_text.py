@@ -143,3 +143,35 @@ def test_labels_become_unique(stated: list[str]) -> None:
     assert set(repeated) == {name for name in stated if name and stated.count(name) > 1}
     for name in set(stated) - {""}:
         assert labels[stated.index(name)] == name
+
+
+@pytest.mark.parametrize(
+    ("rows", "told"),
+    [
+        ("1,0.00\n2,0.01\n5,0.04\n6,0.05", "places: 1"),
+        (",0.00\n,0.01\n,0.02\n,0.09\n,0.10\n,0.04\n,0.05\n,0.06", "places: 2"),
+        ("1,0.00\n2,0.00\n3,0.01\n4,0.02", ""),
+        (",0.00\n,0.00\n,0.01\n,0.02", ""),
+        ("4,0.04\n3,0.03\n2,0.02\n1,0.01", ""),
+    ],
+)
+def test_rows_that_are_missing_are_told(tmp_path: Path, rows: str, told: str) -> None:
+    path = tmp_path / "a.csv"
+    path.write_text("frame,time,A.x,A.y,A.z\n" + "".join(f"{r},1,2,3\n" for r in rows.split()))
+    take = mm.read(path)
+    said = [w for w in take.warnings if "Rows are missing" in w]
+    assert [told in w for w in said] == ([True] if told else [])
+    if told:
+        assert take.rate == 100.0
+
+
+def test_rows_missing_from_a_trc_and_columns_there_twice_are_told(tmp_path: Path) -> None:
+    take, _ = mm.simulate(duration_s=1.0, rate=50.0, damaged=False)
+    whole, holed, table = tmp_path / "a.trc", tmp_path / "b.trc", tmp_path / "c.csv"
+    mm.write(take, whole)
+    lines = whole.read_text().splitlines(keepends=True)
+    holed.write_text("".join(lines[:20] + lines[23:]))
+    assert not any("Rows" in w for w in mm.read(whole).warnings)
+    assert any("Rows are missing (places: 1)" in w for w in mm.read(holed).warnings)
+    table.write_text("A.x,A.y,A.z,A.x,A.y,A.z\n1,2,3,4,5,6\n")
+    assert any("the first was read: A.x." in w for w in mm.read(table).warnings)

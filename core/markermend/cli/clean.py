@@ -13,6 +13,7 @@ from markermend.cli.console import (
     check_outputs,
     check_take_output,
     read_artifacts,
+    read_take,
     say,
     write_json,
     write_text,
@@ -37,7 +38,7 @@ def run(options: argparse.Namespace) -> int:
     if options.method != "auto":
         find_method(options.method)
     options.detector, options.params = choose(options)
-    take = mm.read(options.take)
+    take = read_take(options.take)
     with Bar() as bar:
         bar(0.0, "Working out the body")
         mesh = mm.infer_mesh(take)

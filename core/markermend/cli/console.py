@@ -16,6 +16,7 @@ from markermend.errors import DataError, ExportError, MarkermendError
 if TYPE_CHECKING:
     from markermend.artifact import Artifact
     from markermend.files import Export
+    from markermend.take import Take
 
 STDOUT = "-"
 _BAR_WIDTH = 24
@@ -178,6 +179,17 @@ def write_text(path: str, text: str) -> None:
 def write_json(path: str, document: dict[str, Any]) -> None:
     """Write a JSON document; numbers that JSON does not know are a mistake, never ``NaN``."""
     write_text(path, json.dumps(document, ensure_ascii=False, indent=1, allow_nan=False) + "\n")
+
+
+def read_take(path: str) -> Take:
+    """Read a take, and say on standard error what is odd about its file."""
+    from markermend.files import read
+
+    with Bar() as bar:
+        take = read(path, progress=bar)
+    for oddity in take.warnings:
+        warn(f"{Path(path).name}: {oddity}")
+    return take
 
 
 def read_json(path: str) -> dict[str, Any]:

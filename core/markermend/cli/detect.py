@@ -18,6 +18,7 @@ from markermend.cli.console import (
     Bar,
     check_outputs,
     count,
+    read_take,
     say,
     table,
     write_json,
@@ -47,7 +48,7 @@ def run(options: argparse.Namespace) -> int:
     """Detect, and show or write what was found."""
     check_outputs([options.json, options.csv], source=options.take, force=options.force)
     options.detector, options.params = choose(options)
-    take = mm.read(options.take)
+    take = read_take(options.take)
     with Bar() as bar:
         found = find(take, None, options, bar)
     if options.json is not None:

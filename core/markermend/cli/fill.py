@@ -5,7 +5,15 @@ from __future__ import annotations
 import argparse
 
 import markermend as mm
-from markermend.cli.console import Bar, check_outputs, check_take_output, count, say, written
+from markermend.cli.console import (
+    Bar,
+    check_outputs,
+    check_take_output,
+    count,
+    read_take,
+    say,
+    written,
+)
 from markermend.cli.repairing import left_over, listing, seen_again, summary_table
 from markermend.outcome import outcomes
 from markermend.patch import patched
@@ -18,7 +26,7 @@ def run(options: argparse.Namespace) -> int:
     check_take_output(options.output, source=options.take)
     if options.method != "auto":
         find_method(options.method)
-    take = mm.read(options.take)
+    take = read_take(options.take)
     gaps = find_gaps(take)
     longest = take.frames if options.max_gap is None else options.max_gap.frames(take.rate)
     short = [gap for gap in gaps if gap.length <= longest]

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 import markermend as mm
-from markermend.cli.console import Bar, check_outputs, count, say, table
+from markermend.cli.console import Bar, check_outputs, count, read_take, say, table
 from markermend.errors import ExportError
 
 
@@ -17,7 +17,7 @@ def run(options: argparse.Namespace) -> int:
     check_outputs([options.output], source=options.take, force=options.force)
     if Path(options.output).suffix.lower() != ".csv":
         raise ExportError(f"“{options.output}” should end in .csv: joints are written as a table.")
-    take = mm.read(options.take)
+    take = read_take(options.take)
     with Bar() as bar:
         found = joint_centres(take, progress=bar)
     mm.write_pose(found.pose, options.output)

@@ -14,6 +14,7 @@ from markermend.cli.console import (
     check_outputs,
     check_take_output,
     count,
+    read_take,
     say,
     table,
     warn,
@@ -39,7 +40,7 @@ def run(options: argparse.Namespace) -> int:
             f"--method {smoother.name} or --derivatives."
         )
     params = read_settings(smoother, None, settings_of(smoother.params, options.set))
-    take = mm.read(options.take)
+    take = read_take(options.take)
     start, stop = 0, None
     if options.frames is not None:
         first, last = options.frames

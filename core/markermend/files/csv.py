@@ -11,6 +11,7 @@ from __future__ import annotations
 import csv
 import os
 import re
+from collections import Counter
 from pathlib import Path
 from types import MappingProxyType
 from typing import IO
@@ -19,7 +20,14 @@ import numpy as np
 
 from markermend.errors import FileFormatError
 from markermend.files.labels import unique_labels
-from markermend.files.text import check_width, mark_missing, numbers, read_lines
+from markermend.files.text import (
+    MISSING_ROWS,
+    check_width,
+    mark_missing,
+    missing_rows,
+    numbers,
+    read_lines,
+)
 from markermend.files.units import unit_mm
 from markermend.progress import Progress, quiet
 from markermend.take import AXES, Source, Take
@@ -57,6 +65,9 @@ def read_csv(path: Path, *, progress: Progress | None = None) -> Take:
     stated, columns, unit = _markers(names, path.name)
     labels, repeated = unique_labels(stated, len(stated))
     report, warnings = progress or quiet, []
+    again = [name for name, times in Counter(names).items() if name and times > 1]
+    if again:
+        warnings.append(f"Of columns that stand more than once the first was read: {again[0]}.")
     if repeated:
         warnings.append(f"Labels that occur more than once were numbered: {', '.join(repeated)}.")
     rows = lines[1:]
@@ -73,6 +84,10 @@ def read_csv(path: Path, *, progress: Progress | None = None) -> Take:
         strange += numbers(cells, table[i])
     if strange:
         warnings.append(f"{strange} cells that are no numbers were read as missing.")
+    told = (_column(names, pattern) for pattern in (_FRAME, _TIME))
+    lost = missing_rows(*(table[:, at] for at in told if at is not None))
+    if lost:
+        warnings.append(MISSING_ROWS.format(lost))
     positions = table[:, columns].reshape(len(rows), len(labels), 3)
     zeros = mark_missing(positions)
     if zeros:
@@ -163,6 +178,8 @@ def _rate(
     place = _column(names, _TIME)
     if place is not None and len(table) > 1:
         span = table[-1, place] - table[0, place]
+        if missing_rows(table[:, place]):
+            return float(round(1.0 / np.median(np.diff(table[:, place])), 5))
         if np.isfinite(span) and span > 0:
             return float(round((len(table) - 1) / span, 5))
     warnings.append("The table has no times; 100 Hz was assumed.")

@@ -10,6 +10,8 @@ import numpy as np
 from markermend.arrays import FloatArray
 from markermend.errors import FileFormatError
 
+MISSING_ROWS = "Rows are missing (places: {0}); those that are there were read one after the other."
+
 
 def read_lines(path: Path) -> list[str]:
     """Lines of a text file without their endings, whatever these are.
@@ -49,6 +51,29 @@ def numbers(cells: list[str], out: FloatArray) -> int:
     except ValueError:
         out[: len(cells)] = [number(cell) for cell in cells]
         return sum(1 for cell in cells if cell.strip() and not _is_number(cell))
+    return 0
+
+
+def missing_rows(*columns: FloatArray) -> int:
+    """Between how many rows of a table others are missing, by the first column that tells.
+
+    Parameters
+    ----------
+    columns : (rows,) frame numbers, times…, which grow evenly where nothing is missing; NaN where
+        there is no number
+
+    Returns
+    -------
+    number of rows that follow the one before too late, or lie before it; 0 where nothing tells,
+    as times that were rounded to more than a frame
+    """
+    for column in columns:
+        steps = np.diff(column)
+        if not len(steps) or not np.isfinite(steps).all() or (steps == 0).mean() > 0.1:
+            continue
+        usual = np.median(steps)
+        if usual > 0:
+            return int(np.count_nonzero((steps > 1.5 * usual) | (steps < 0)))
     return 0
 
 

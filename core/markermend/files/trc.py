@@ -16,7 +16,15 @@ import numpy as np
 
 from markermend.errors import FileFormatError
 from markermend.files.labels import unique_labels
-from markermend.files.text import check_width, mark_missing, number, numbers, read_lines
+from markermend.files.text import (
+    MISSING_ROWS,
+    check_width,
+    mark_missing,
+    missing_rows,
+    number,
+    numbers,
+    read_lines,
+)
 from markermend.files.units import unit_mm
 from markermend.progress import Progress, quiet
 from markermend.take import Source, Take
@@ -57,12 +65,18 @@ def read_trc(path: Path, *, progress: Progress | None = None) -> Take:
     check_width(len(rows), 3 * len(labels), status.st_size, path.name)
     values = np.empty((len(rows), 3 * len(labels)))
     strange, start = 0, number(_cells(rows[0])[0])
+    counted = np.empty(len(rows))
     for i, row in enumerate(rows):
         if i % _ROWS_A_REPORT == 0:
             report(i / len(rows), "Reading frames")
-        strange += numbers(_cells(row)[2:], values[i])
+        cells = _cells(row)
+        counted[i] = number(cells[0])
+        strange += numbers(cells[2:], values[i])
     if strange:
         warnings.append(f"{strange} cells that are no numbers were read as missing.")
+    lost = missing_rows(counted)
+    if lost:
+        warnings.append(MISSING_ROWS.format(lost))
     positions = values.reshape(len(rows), len(labels), 3)
     zeros = mark_missing(positions)
     if zeros:

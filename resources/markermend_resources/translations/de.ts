@@ -1416,6 +1416,14 @@
         <translation>Mehrfach vorkommende Namen wurden nummeriert: {0}.</translation>
     </message>
     <message>
+        <source>Of columns that stand more than once the first was read: {0}.</source>
+        <translation>Von Spalten, die mehrmals vorkommen, wurde die erste gelesen: {0}.</translation>
+    </message>
+    <message>
+        <source>Rows are missing (places: {0}); those that are there were read one after the other.</source>
+        <translation>Zeilen fehlen (Stellen: {0}); die vorhandenen wurden eine nach der anderen gelesen.</translation>
+    </message>
+    <message>
         <source>The file marks every sample as invalid, yet has coordinates; they were read as valid.</source>
         <translation>Die Datei nennt jeden Wert ungültig, hat aber Koordinaten; sie wurden als gültig gelesen.</translation>
     </message>
