@@ -6,10 +6,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.linalg import cho_factor, cho_solve
 
 from markermend.arrays import BoolArray, FloatArray, IntArray, runs
 from markermend.poses.bridging import SIDE, around, bridge, bridged, straight
 from markermend.poses.covariance import Moments, learn, pooled
+from markermend.poses.likeness import by_likeness, moments_to_compare
 
 # Gaps up to this long are many and alike, and are crossed all at once.
 _SHORT_S = 0.02
@@ -73,7 +75,9 @@ def fill(
     Each gap is bridged by time; how far its channels stray from the bridge is regressed on how far
     the visible ones stray from theirs, with covariances within a time as long as the gap. A
     regression on the levels of the visible channels, its residual bridged, is mixed in. Channels
-    hidden part of the time enter with what the pass before made of them.
+    hidden part of the time enter with what the pass before made of them. In the last pass, what the
+    regression on levels leaves in long gaps is told by alike moments instead
+    (:func:`markermend.poses.likeness.by_likeness`).
     """
     base = bridged(values, known)
     short = max(round(_SHORT_S * rate), 1)
@@ -93,7 +97,8 @@ def fill(
         moments = pooled(learn(estimate, rate, lengths), prior)
         better = estimate.copy()
         for gap in gaps:
-            filled, unsure = _fill_gap(gap, estimate, base, known, moments, rate)
+            alike = last and not rough
+            filled, unsure = _fill_gap(gap, estimate, base, known, moments, rate, alike)
             better[gap.start : gap.stop, gap.channels] = filled
             if last:
                 variance[gap.start : gap.stop, gap.channels] = unsure
@@ -150,8 +155,9 @@ def _fill_gap(
     known: BoolArray,
     moments: Moments,
     rate: float,
+    alike: bool,
 ) -> tuple[FloatArray, FloatArray]:
-    """(length, channels) values of a gap and their variances."""
+    """(length, channels) values of a gap and their variances; by alike moments if so wished."""
     start, stop = gap.start, gap.stop
     length, frames = stop - start, len(estimate)
     hidden = np.mean(~known[start:stop], axis=0)
@@ -161,6 +167,16 @@ def _fill_gap(
     whole = moments.whole
     ridge = _LEVEL_RIDGE * np.trace(whole) / len(whole)
     weights, left = _regress(whole, others, gap.channels, ridge, doubt)
+    if alike and length >= _BRIEF_S * rate:
+        told = np.asarray(known[:, gap.channels].all(axis=1))
+        chosen = moments_to_compare(told, start, stop, rate)
+        if len(chosen):
+            trust = np.zeros(estimate.shape[1])
+            trust[others] = 1.0 - hidden[others]
+            levels = estimate[np.ix_(np.append(chosen, np.arange(start, stop)), others)] @ weights
+            left = estimate[np.ix_(chosen, gap.channels)] - levels[: len(chosen)]
+            strays, variance = by_likeness(estimate, trust, left, chosen, start, stop, rate)
+            return levels[len(chosen) :] + strays, variance
     inside = estimate[start:stop][:, others] @ weights
     beside = base[ends][:, gap.channels] - estimate[ends][:, others] @ weights
     if start == 0 or stop == frames:
@@ -192,7 +208,7 @@ def _regress(
         return across, own
     among[np.diag_indices(len(inputs))] *= 1.0 + doubt
     among[np.diag_indices(len(inputs))] += ridge
-    weights = np.linalg.solve(among, across)
+    weights = cho_solve(cho_factor(among, check_finite=False), across, check_finite=False)
     return np.asarray(weights), np.maximum(own - np.sum(across * weights, axis=0), 0.0)
 
 

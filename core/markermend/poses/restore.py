@@ -34,6 +34,9 @@ _NOISY = 2e-3
 _LEFT = 0.35
 # What is known exactly is taken for this sure, and filled again from what comes out.
 _SURE, _ROUNDS = 2e-3, 2
+# Where nothing is noisy the way a body bends may change what was filled only so much: its squared
+# errors count as this share of themselves.
+_FIRM = 0.25
 _LEAST_FRAMES = 3
 # Poses that it takes to tell how a body bends.
 _SETTLES = 30
@@ -186,7 +189,7 @@ def _agreed(
         return features, bones
     unsure = np.ones(features.shape)
     unsure[:, channels.joints] = variance.reshape(pose.frames, -1, FEATURES)
-    unsure = np.maximum(unsure, _SURE**2)
+    unsure = np.maximum(unsure if noisy else _FIRM * unsure, _SURE**2)
     for _ in range(1 if noisy else _ROUNDS):
         if noisy:
             pilot = fuse(features, bones, channels.normal.root)

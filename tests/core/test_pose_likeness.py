@@ -1,0 +1,67 @@
+"""Filling long gaps by alike moments of the same recording."""
+
+import numpy as np
+import pytest
+
+from markermend.poses.likeness import by_likeness, moments_to_compare
+
+RATE, START, STOP = 30.0, 300, 330
+
+
+def movement(seed: int = 0) -> tuple[np.ndarray, np.ndarray]:
+    """Twelve visible channels, and two that bend with them but on no line."""
+    random = np.random.default_rng(seed)
+    time = np.arange(900) / RATE
+    phase = 2 * np.pi * 0.7 * time + np.cumsum(random.normal(0.0, 0.02, 900))
+    waves = np.stack([np.sin(phase), np.cos(phase)], axis=1)
+    poses = waves @ random.normal(size=(2, 12))
+    return poses, np.stack([np.cos(2 * phase), np.abs(np.sin(phase))], axis=1)
+
+
+def chosen() -> np.ndarray:
+    known = np.ones(900, dtype=bool)
+    known[START:STOP] = False
+    return moments_to_compare(known, START, STOP, RATE)
+
+
+def predicted(poses: np.ndarray, hidden: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    frames = chosen()
+    return by_likeness(poses, np.ones(12), hidden[frames], frames, START, STOP, RATE)
+
+
+def test_movement_that_recurs_is_followed_where_it_bends() -> None:
+    poses, hidden = movement()
+    found, variance = predicted(poses, hidden)
+    off = np.abs(found - hidden[START:STOP])
+    straight = np.linspace(hidden[START - 1], hidden[STOP], STOP - START)
+    assert off.mean() < 0.05 < 0.3 < np.abs(straight - hidden[START:STOP]).mean()
+    assert np.mean(off < 2.0 * np.sqrt(variance)) > 0.9
+
+
+def test_what_nothing_tells_meets_the_sides_and_is_unsure_between() -> None:
+    poses, _ = movement()
+    wander = np.cumsum(np.random.default_rng(5).normal(0.0, 0.1, (900, 1)), axis=0)
+    found, variance = predicted(poses, wander)
+    assert abs(found[0] - wander[START - 1]) < 0.5 * wander.std()
+    assert variance[15, 0] > 2.0 * variance[0, 0]
+
+
+def test_channels_without_trust_have_no_part() -> None:
+    poses, hidden = movement()
+    frames, spoilt = chosen(), poses.copy()
+    spoilt[:, 3] = np.random.default_rng(6).normal(0.0, 1e3, 900)
+    trust = (np.arange(12) != 3).astype(float)
+    results = [
+        by_likeness(body, trust, hidden[frames], frames, START, STOP, RATE)[0]
+        for body in (poses, spoilt)
+    ]
+    assert results[1] == pytest.approx(results[0])
+
+
+def test_moments_are_known_ones_and_enough() -> None:
+    known = np.ones(900, dtype=bool)
+    known[START:STOP] = known[500:600] = False
+    frames = moments_to_compare(known, START, STOP, RATE)
+    assert known[frames].all()
+    assert {START - 1, START - 2, STOP, STOP + 1} <= set(frames.tolist())
+    assert not len(moments_to_compare(np.arange(900) < 20, 20, 900, RATE))
