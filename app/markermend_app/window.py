@@ -125,7 +125,7 @@ class MainWindow(QMainWindow):
         self.scene = Scene(document)
         self.transport = Transport(document)
         self.takes = TakeList(self.batch)
-        self.welcome = Welcome(document)
+        self.welcome = Welcome()
         self.status = StatusLine(document, self.lane)
         self.setStatusBar(self.status)
 

@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWi
 
 from markermend_app import settings
 from markermend_app.actions.shortcuts import KeyTip
-from markermend_app.document import Document
 from markermend_app.style import theme
 
 SHOWN_RECENT = 5
@@ -29,7 +28,7 @@ class Welcome(QWidget):
     demo_requested = Signal()
     path_requested = Signal(object)
 
-    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._picture = QLabel()
         title = QLabel(self.tr("Open a take to mend"))

@@ -128,7 +128,7 @@ def measure(
     columns += [v.score * sign / loud for v in views_seen]
     columns += [np.clip(v.height / np.where(size == 0, 1e-6, size), -3, 3) for v in views_seen]
     columns += _other_axes(views, axis, start, shapes, loud)
-    columns += _competitors(views, axis, start, length, seen, size, loud)
+    columns += _competitors(views, axis, start, length, loud)
     columns += _circumstances(views, axis, start, length, shapes, size)
     columns += [clear / level, quieter]
     columns += [np.zeros(len(axis))] * 2
@@ -213,8 +213,6 @@ def _competitors(
     axis: IntArray,
     start: IntArray,
     length: IntArray,
-    seen: Seen,
-    size: FloatArray,
     loud: FloatArray,
 ) -> list[FloatArray]:
     """Scores of other shapes over the score, and of what is left after the fit."""
