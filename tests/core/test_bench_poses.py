@@ -32,6 +32,10 @@ def test_errors_are_the_papers():
     result[1, 1, 0] = 0.7
     result[:, 2, 3:] *= -2.0
     assert_allclose(error_of(result, truth), [0.0, 0.7 / 14])
+    truth[:, 1, 3:] = [1.0, 0.0, 0.0, 0.0]
+    result[:, 1, 3:] = [-1.0, 0.0, 0.0, 1e-9]
+    assert_allclose(error_of(result, truth), [2.0 / 14, 2.7 / 14])
+    assert_allclose(error_of(result, truth, nearer=True), [0.0, 0.7 / 14], atol=1e-9)
     assert subject_of("01_05") == "01"
 
 

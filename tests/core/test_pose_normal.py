@@ -12,7 +12,15 @@ from markermend.poses import Pose
 from markermend.poses.noise import Noise, corrupt, corrupt_pose
 from markermend.poses.normal import bone_lengths, denormalise, normalise
 from markermend.poses.nuitrack import JOINTS, PARENTS, mirrored, to_nuitrack, usual_name
-from markermend.poses.quaternion import between, inverse, multiply, turn, unrolled, upright
+from markermend.poses.quaternion import (
+    between,
+    inverse,
+    multiply,
+    signed_like,
+    turn,
+    unrolled,
+    upright,
+)
 from markermend.poses.sensor import as_depth_sensor
 
 
@@ -114,6 +122,17 @@ def test_quaternions(walk):
     aside = turn(between(a, b), a)
     assert_allclose(np.cross(aside, b), 0, atol=1e-12)
     assert_allclose(np.linalg.norm(aside), np.linalg.norm(a))
+
+
+def test_signs_follow_what_is_known_and_hold_where_nothing_is(walk):
+    signs = np.where(np.random.default_rng(3).random(walk.rotations.shape[:2]) < 0.5, -1.0, 1.0)
+    given = signs[..., None] * walk.rotations
+    known = np.ones(signs.shape, dtype=bool)
+    known[:4, 2] = known[9:12, 2] = False
+    followed = signed_like(walk.rotations, given, known)
+    assert_allclose(followed[known], given[known])
+    signs[:4, 2], signs[9:12, 2] = signs[4, 2], signs[8, 2]
+    assert_allclose(followed, signs[..., None] * walk.rotations)
 
 
 def test_noise_reproduces_the_papers_corrupted_poses(walk):

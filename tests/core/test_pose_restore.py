@@ -39,6 +39,13 @@ def arm(frames=400, rate=100.0):
     return Pose(positions, rotations, ("root", "a", "b", "c", "d"), (-1, 0, 1, 2, 3), rate)
 
 
+def test_signs_of_rotations_come_back_as_they_were_recorded():
+    pose = arm()
+    signs = np.where(np.random.default_rng(4).random((400, 5, 1)) < 0.5, -1.0, 1.0)
+    mixed = pose.with_samples(pose.positions, signs * pose.rotations, pose.confidence)
+    assert_allclose(restore(mixed).pose.rotations, mixed.rotations, atol=1e-3)
+
+
 def hide(pose, frames, joint):
     confidence = np.array(pose.confidence)
     confidence[frames, joint] = 0

@@ -11,7 +11,7 @@ from markermend.arrays import BoolArray, FloatArray
 from markermend.poses.learning_sets import fold_in, folds_of
 from markermend.poses.network import PARTS, Network, smoothed
 from markermend.poses.normal import FEATURES
-from markermend.poses.quaternion import unit, upright
+from markermend.poses.quaternion import signed_like, unit, upright
 
 RANDOM, FILTERED, WHERE_HIDDEN = ", random split", ", filtered", ", where occluded"
 """What is added to the name of a network that was tried in another way."""
@@ -81,14 +81,21 @@ def by_networks(
     return tried
 
 
-def error_of(result: FloatArray, truth: FloatArray, columns: slice = ALL) -> FloatArray:
+def error_of(
+    result: FloatArray, truth: FloatArray, columns: slice = ALL, *, nearer: bool = False
+) -> FloatArray:
     """(frames,) mean absolute error over features of all joints but the first.
 
     Parameters
     ----------
     result, truth : (frames, joints, 7)
     columns : which of a joint's seven features
+    nearer : of q and -q, which are one rotation, take the one nearer to the truth instead of the
+        one with w at least 0
     """
-    own = result[:, 1:].copy()
+    own, right = result[:, 1:].copy(), truth[:, 1:]
     own[..., 3:] = upright(unit(own[..., 3:]))
-    return np.asarray(np.abs(own - truth[:, 1:])[..., columns].mean(axis=(1, 2)))
+    if nearer:
+        known = np.ones(own.shape[:2], dtype=bool)
+        own[..., 3:] = signed_like(own[..., 3:], right[..., 3:], known)
+    return np.asarray(np.abs(own - right)[..., columns].mean(axis=(1, 2)))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from markermend.arrays import FloatArray
+from markermend.arrays import BoolArray, FloatArray
 
 
 def multiply(a: FloatArray, b: FloatArray) -> FloatArray:
@@ -63,6 +63,20 @@ def unrolled(q: FloatArray) -> FloatArray:
         steps[steps == 0] = 1.0
         out[known, joint] = path * np.concatenate([[1.0], np.cumprod(steps)])[:, None]
     return out
+
+
+def signed_like(q: FloatArray, other: FloatArray, known: BoolArray) -> FloatArray:
+    """Choose of q and -q the one nearer to another rotation; where that is unknown, as before.
+
+    Parameters
+    ----------
+    q, other : (frames, joints, 4)
+    known : (frames, joints) bool, where the other tells; before the first such frame its sign holds
+    """
+    signs = np.where(np.sum(q * np.where(known[..., None], other, 0.0), axis=2) < 0, -1.0, 1.0)
+    frames = np.where(known, np.arange(len(q))[:, None], np.argmax(known, axis=0))
+    signs = np.take_along_axis(signs, np.maximum.accumulate(frames, axis=0), axis=0)
+    return np.asarray(q * signs[..., None])
 
 
 def unit(q: FloatArray) -> FloatArray:

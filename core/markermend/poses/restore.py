@@ -9,7 +9,7 @@ import numpy as np
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import DataError
 from markermend.poses.bones import Bones, find_bones, fuse, keep_lengths, swing, wobble
-from markermend.poses.channels import Channels, to_channels, to_features
+from markermend.poses.channels import Channels, to_channels, to_features, trusted_turns
 from markermend.poses.covariance import Moments
 from markermend.poses.faults import Fault, mend_faults
 from markermend.poses.filling import fill
@@ -17,6 +17,7 @@ from markermend.poses.normal import FEATURES, denormalise
 from markermend.poses.nuitrack import mirrored
 from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior, fitting, shipped_prior
+from markermend.poses.quaternion import signed_like
 from markermend.poses.settling import settle
 from markermend.poses.smoothing import LEAST_NOISE, noise_level, smooth, smooth_again
 from markermend.progress import Progress, quiet
@@ -48,7 +49,8 @@ class Restored:
 
     Attributes
     ----------
-    pose : the recording; joints that were not seen have confidence :data:`INFERRED`
+    pose : the recording; joints that were not seen have confidence :data:`INFERRED`. Of q and -q,
+        which are one rotation, it has the one that was recorded, or else that of the frame before.
     error_mm : (frames, joints) expected distance of each joint from the truth (root mean square);
         NaN for joints never seen
     noise_mm : (joints,) standard deviation of the noise that was taken out of each coordinate
@@ -221,6 +223,7 @@ def _finished(
     """Back to millimetres and global axes."""
     joints, count = list(channels.joints), len(pose.joints)
     positions, rotations = denormalise(features, channels.normal)
+    rotations = signed_like(rotations, pose.rotations, trusted_turns(pose))
     there = ~np.isnan(positions[..., 0])
     rotations[:, np.isnan(pose.rotations).all(axis=(0, 2))] = np.nan
     filled = there & ~pose.seen
