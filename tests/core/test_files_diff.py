@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 import markermend as mm
-from markermend.files.diff import compare, render
+from markermend.cli.diff import render
+from markermend.files.diff import compare
 from markermend.files.info import describe_file
 from markermend.files.restructure import relabel
 from markermend.take import Take

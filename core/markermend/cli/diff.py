@@ -6,8 +6,8 @@ import argparse
 from typing import Any
 
 import markermend as mm
-from markermend.cli.console import STDOUT, Bar, check_outputs, say, write_json
-from markermend.files.diff import Comparison, compare, render
+from markermend.cli.console import STDOUT, Bar, check_outputs, count, say, write_json
+from markermend.files.diff import Comparison, SampleDifference, compare
 
 
 def run(options: argparse.Namespace) -> int:
@@ -54,3 +54,46 @@ def to_dict(comparison: Comparison) -> dict[str, Any]:
             {"start": int(b.start), "stop": int(b.stop), "part": b.part} for b in comparison.bytes
         ],
     }
+
+
+def render(comparison: Comparison, *, most: int = 20) -> str:
+    """Tell a comparison in lines of text.
+
+    Parameters
+    ----------
+    comparison : what differs
+    most : entries of each kind that are listed; the rest is counted
+    """
+    names = comparison.a.name, comparison.b.name
+    if comparison.identical:
+        return f"{names[0]} and {names[1]} are the same, byte for byte."
+    lines = [f"{names[0]} and {names[1]}: {count(comparison.differing_bytes, 'byte')} differ."]
+    if comparison.sizes[0] != comparison.sizes[1]:
+        lines.append(f"They have {comparison.sizes[0]} and {comparison.sizes[1]} bytes.")
+    lines += [f"Renamed: {old} → {new}" for old, new in comparison.renamed[:most]]
+    if len(comparison.renamed) > most:
+        lines.append(f"  … and {len(comparison.renamed) - most} more")
+    samples = [_sample_line(s) for s in comparison.samples]
+    parameters = [
+        f"{p.name}: {'absent' if p.before is None else p.before}"
+        f" → {'absent' if p.after is None else p.after}"
+        for p in comparison.parameters
+    ]
+    found = [
+        f"{d.start}–{d.stop - 1} ({d.part}, {count(d.stop - d.start, 'byte')})"
+        for d in comparison.bytes
+    ]
+    for title, entries in (("Samples", samples), ("Parameters", parameters), ("Bytes", found)):
+        lines.append(f"{title}: {len(entries) or 'none'}")
+        lines += [f"  {entry}" for entry in entries[:most]]
+        if len(entries) > most:
+            lines.append(f"  … and {len(entries) - most} more")
+    return "\n".join(lines)
+
+
+def _sample_line(sample: SampleDifference) -> str:
+    """One line for a sample difference."""
+    last = sample.stop - 1
+    frames = f"frame {last}" if sample.start == last else f"frames {sample.start}–{last}"
+    size = f" by up to {sample.largest_mm:.3g} mm" if sample.change == "moved" else ""
+    return f"{sample.marker} {sample.axes} {frames}: {sample.change}{size}"

@@ -141,54 +141,6 @@ def compare(
     )
 
 
-def render(comparison: Comparison, *, most: int = 20) -> str:
-    """Tell a comparison in lines of text.
-
-    Parameters
-    ----------
-    comparison : what differs
-    most : entries of each kind that are listed; the rest is counted
-    """
-    names = comparison.a.name, comparison.b.name
-    if comparison.identical:
-        return f"{names[0]} and {names[1]} are the same, byte for byte."
-    lines = [f"{names[0]} and {names[1]}: {_counted(comparison.differing_bytes, 'byte')} differ."]
-    if comparison.sizes[0] != comparison.sizes[1]:
-        lines.append(f"They have {comparison.sizes[0]} and {comparison.sizes[1]} bytes.")
-    lines += [f"Renamed: {old} → {new}" for old, new in comparison.renamed[:most]]
-    if len(comparison.renamed) > most:
-        lines.append(f"  … and {len(comparison.renamed) - most} more")
-    samples = [_sample_line(s) for s in comparison.samples]
-    parameters = [
-        f"{p.name}: {'absent' if p.before is None else p.before}"
-        f" → {'absent' if p.after is None else p.after}"
-        for p in comparison.parameters
-    ]
-    found = [
-        f"{d.start}–{d.stop - 1} ({d.part}, {_counted(d.stop - d.start, 'byte')})"
-        for d in comparison.bytes
-    ]
-    for title, entries in (("Samples", samples), ("Parameters", parameters), ("Bytes", found)):
-        lines.append(f"{title}: {len(entries) or 'none'}")
-        lines += [f"  {entry}" for entry in entries[:most]]
-        if len(entries) > most:
-            lines.append(f"  … and {len(entries) - most} more")
-    return "\n".join(lines)
-
-
-def _sample_line(sample: SampleDifference) -> str:
-    """One line for a sample difference."""
-    count = sample.stop - sample.start
-    frames = f"frame {sample.start}" if count == 1 else f"frames {sample.start}–{sample.stop - 1}"
-    size = f" by up to {sample.largest_mm:.3g} mm" if sample.change == "moved" else ""
-    return f"{sample.marker} {sample.axes} {frames}: {sample.change}{size}"
-
-
-def _counted(number: int, thing: str) -> str:
-    """A number and the thing counted: ``1 byte``, ``2 bytes``."""
-    return f"{number} {thing}" if number == 1 else f"{number} {thing}s"
-
-
 def _shared(one: Take, two: Take) -> tuple[int, int, list[slice]]:
     """First frame number that both have, the one after the last, and their rows in each."""
     start = max(one.first_frame, two.first_frame)
