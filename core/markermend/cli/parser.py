@@ -26,7 +26,7 @@ examples:
   markermend clean take.c3d -o take_clean.c3d    repair it
 
 Nothing is overwritten without --force, and the take that is read never is.
-Exit codes: 0 done, 1 the work could not be done, 2 bad usage."""
+Exit codes: 0 done, 1 the work could not be done or was stopped, 2 bad usage."""
 
 COMMANDS = {
     "open": "review a take in the desktop window",
