@@ -153,6 +153,8 @@ def test_labels_become_unique(stated: list[str]) -> None:
         ("1,0.00\n2,0.00\n3,0.01\n4,0.02", ""),
         (",0.00\n,0.00\n,0.01\n,0.02", ""),
         ("4,0.04\n3,0.03\n2,0.02\n1,0.01", ""),
+        ("inf,0.00\ninf,0.01\n-inf,0.02\n1e308,0.05", "places: 1"),
+        ("-1e308,\n1e308,\n,", ""),
     ],
 )
 def test_rows_that_are_missing_are_told(tmp_path: Path, rows: str, told: str) -> None:
