@@ -401,9 +401,10 @@ def test_what_is_no_file_is_never_replaced(tmp_path: Path) -> None:
     pipe, link = tmp_path / "pipe", tmp_path / "link"
     os.mkfifo(pipe)
     link.symlink_to(pipe)
-    for path in (pipe, link):
+    for path in (pipe, link, "/dev/stdout"):
         with pytest.raises(ExportError, match="device"):
             check_outputs([str(path)], source=None, force=True)
+    for path in (pipe, link):
         with pytest.raises(ExportError, match="could not be written"):
             write_text(str(path), "new")
     assert pipe.is_fifo()

@@ -126,7 +126,9 @@ def check_outputs(paths: Sequence[str | None], *, source: str | None, force: boo
             )
         if where.is_dir():
             raise ExportError(f"“{path}” is a folder; name a file to write.")
-        if path.exists() and not path.is_file():
+        # /dev/stdout may be a file that a shell writes to, which would be replaced under it.
+        device = path.absolute().parent in (Path("/dev"), Path("/dev/fd"))
+        if device or (path.exists() and not path.is_file()):
             raise ExportError(f"“{path}” is a device; name a file, or “-” for standard output.")
         if where in seen:
             raise ExportError(f"“{path}” is named for two results; give each its own file.")
