@@ -408,6 +408,26 @@ def test_what_would_be_far_off_is_left_with_its_expected_error() -> None:
     assert propose(take, gap("A", 100, 190), method="linear").patches
 
 
+def test_what_is_named_is_not_left_for_being_far_off_and_says_how_far() -> None:
+    rng = np.random.default_rng(0)
+    positions = rng.normal(size=(640, 6, 3)).cumsum(axis=0) * 40
+    for column, start, stop in ((1, 100, 220), (2, 200, 380), (3, 360, 540), (4, 100, 540)):
+        positions[start:stop, column] = np.nan
+    take = Take(positions, tuple("ABCDEF"), RATE)
+    pairs = repair_all(take, find_gaps(take), method="local_regression")
+    late = [r for _, r in pairs if "other repairs" in r.reason]
+    assert late
+    assert all(r.patches and r.error_mm is not None and r.error_mm > 50.0 for r in late)
+
+
+def test_a_repaired_take_is_the_same_whether_a_model_is_measured_or_not(rigid: Take) -> None:
+    take = with_missing(rigid, "M4", 250, 350)
+    ((_, told),) = repair_all(take, find_gaps(take), method="lpr")
+    assert told.error_mm is not None
+    named = repair(take, find_gaps(take), method="lpr")
+    np.testing.assert_array_equal(named.positions, patched(take, told.patches).positions)
+
+
 @pytest.mark.parametrize("noise_mm", [0.1, 1.0])
 def test_local_regression_does_not_follow_noise(rigid: Take, noise_mm: float) -> None:
     rng = np.random.default_rng(4)

@@ -111,10 +111,10 @@ def _by_defaults(evidence: Evidence, artifact: Artifact, name: str) -> Repair:
     """Run a method with its default parameters; none where it would be too far off."""
     method = find_method(name)
     done = method.run(evidence, artifact, method.params())
-    return looked_at(evidence.take, _if_good(with_expected_error(evidence, artifact, done)))
+    return looked_at(evidence.take, if_good(with_expected_error(evidence, artifact, done)))
 
 
-def _if_good(proposed: Repair) -> Repair:
+def if_good(proposed: Repair) -> Repair:
     """The proposal, or none with the reason where it is expected to be too far off."""
     if proposed.error_mm is None or proposed.error_mm <= MOST_ERROR_MM:
         return proposed
@@ -137,8 +137,7 @@ def counting_references(
     Returns
     -------
     Repair
-        with the largest error of its four nearest references added to its own and to its band; none
-        where that is too far off
+        with the largest error of its four nearest references added to its own and to its band
     """
     if not repair.patches or repair.error_mm is None:
         return repair
@@ -158,10 +157,8 @@ def counting_references(
     ]
     theirs = max(errors, default=0.0)
     band = repair.band_mm
-    return _if_good(
-        replace(
-            repair,
-            error_mm=float(np.hypot(repair.error_mm, theirs)),
-            band_mm=None if band is None else np.hypot(band, theirs / MEAN_OVER_RMS),
-        )
+    return replace(
+        repair,
+        error_mm=float(np.hypot(repair.error_mm, theirs)),
+        band_mm=None if band is None else np.hypot(band, theirs / MEAN_OVER_RMS),
     )

@@ -16,7 +16,7 @@ from markermend.mesh import Mesh
 from markermend.patch import Patch, patched
 from markermend.progress import Progress, quiet
 from markermend.repairs.advice import MODELS, with_expected_error
-from markermend.repairs.automatic import best_repair, counting_references, follow_one
+from markermend.repairs.automatic import best_repair, counting_references, follow_one, if_good
 from markermend.repairs.look_again import looked_at
 from markermend.repairs.registry import Evidence, Repair, find_method
 from markermend.repairs.result import read_params, refuse, without_own
@@ -171,6 +171,8 @@ def _measured(
 ) -> Repair:
     """Propose a repair, and measure how far off it may be where its method does not say."""
     done = propose_from(evidence, artifact, method=method, params=params)
+    if not trials:
+        return done
     with _threads().limit(limits=1):
         return with_expected_error(evidence, artifact, done, methods=MODELS, trials=trials)
 
@@ -246,7 +248,8 @@ def repair(
     DataError
         when an artifact is of another take: no such marker, or an interval beyond its end
     """
-    return _run(take, artifacts, method, min_confidence, mesh, progress)[0]
+    # A take says nothing of expected errors: a named model is not measured for it.
+    return _run(take, artifacts, method, min_confidence, mesh, progress, measure=False)[0]
 
 
 def _run(
@@ -257,6 +260,8 @@ def _run(
     mesh: Mesh | None,
     progress: Progress | None,
     others: Iterable[Artifact] = (),
+    *,
+    measure: bool = True,
 ) -> tuple[Take, list[tuple[Artifact, Repair]]]:
     """Repair stage by stage; returns the repaired take and each artifact with its repair."""
     report = progress or quiet
@@ -270,7 +275,7 @@ def _run(
         for a in chosen
         if a.status not in (Status.REJECTED, Status.REPAIRED) and a.confidence >= min_confidence
     ]
-    trials = min(TRIALS, max(1, TRIALS_IN_ALL // max(1, len(todo))))
+    trials = min(TRIALS, max(1, TRIALS_IN_ALL // max(1, len(todo)))) if measure else 0
     pairs: list[tuple[Artifact, Repair]] = []
     swapped = [a for a in known if a.status is Status.REPAIRED]
     states = {a.id: a for a in known}
@@ -302,6 +307,7 @@ def _run(
     for artifact, refused in again:
         done = _measured(evidence, artifact, method, trials=trials)
         done = counting_references(evidence, artifact, done, errors)
+        done = if_good(done) if method == AUTO else done
         if done.patches:
             pairs.remove((artifact, refused))
             pairs.append((artifact, replace(done, reason=_from_repairs(refused.reason))))
