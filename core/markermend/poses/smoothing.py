@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import comb
 
 import numpy as np
-from scipy.fft import dct, idct
+from scipy.fft import dct, idct, next_fast_len
 from scipy.ndimage import uniform_filter1d
 
 from markermend.arrays import BoolArray, FloatArray
@@ -173,9 +173,10 @@ def smooth_each(values: FloatArray, rate: float, pilot: FloatArray | None = None
     frames = len(values)
     guide = values if pilot is None else pilot
     line = np.linspace(guide[0], guide[-1], frames)
-    spectrum = dct(values - line, type=2, norm="ortho", axis=0)
-    guiding = spectrum if pilot is None else dct(pilot - line, type=2, norm="ortho", axis=0)
-    pitch = (2.0 * np.sin(np.pi * np.arange(frames) / (2 * frames))) ** (2 * _ORDER)
+    spectrum = _spectrum(values - line)
+    guiding = spectrum if pilot is None else _spectrum(pilot - line)
+    count = len(spectrum)
+    pitch = (2.0 * np.sin(np.pi * np.arange(count) / (2 * count))) ** (2 * _ORDER)
     window_s, sharp = (_WINDOW_S, _SHARP) if pilot is None else (_PILOT_WINDOW_S, _PILOT_SHARP)
     window = min(2 * round(0.5 * window_s * rate) + 1, frames)
     # To leave a component as it is must be among the choices.
@@ -183,11 +184,11 @@ def smooth_each(values: FloatArray, rate: float, pilot: FloatArray | None = None
     least = np.full(values.shape, 2.0 if pilot is None else 1.0)
     for cutoff in _CUTOFFS[frames * _CUTOFFS > 1.0]:
         gain = 1.0 / (1.0 + pitch / (2.0 * np.sin(np.pi * cutoff)) ** (2 * _ORDER))
-        out = idct(spectrum * gain[:, None], type=2, norm="ortho", axis=0) + line
+        out = _from_spectrum(spectrum * gain[:, None], frames) + line
         taken = (
             values - out
             if pilot is None
-            else idct(guiding * (1.0 - gain[:, None]), type=2, norm="ortho", axis=0)
+            else _from_spectrum(guiding * (1.0 - gain[:, None]), frames)
         )
         risk = uniform_filter1d(taken**2, window, axis=0, mode="nearest")
         risk += 2.0 * gain.mean() if pilot is None else np.mean(gain**2)
@@ -198,3 +199,15 @@ def smooth_each(values: FloatArray, rate: float, pilot: FloatArray | None = None
         total = fall * total + share * out
         weight = fall * weight + share
     return total / weight
+
+
+def _spectrum(values: FloatArray) -> FloatArray:
+    """Cosine transform, of the values mirrored on behind their end for as long as makes it fast."""
+    more = min(next_fast_len(len(values), real=True), 2 * len(values)) - len(values)
+    padded = np.pad(values, ((0, more), (0, 0)), mode="symmetric")
+    return np.asarray(dct(padded, type=2, norm="ortho", axis=0))
+
+
+def _from_spectrum(spectrum: FloatArray, frames: int) -> FloatArray:
+    """Return the first frames of what has a spectrum."""
+    return np.asarray(idct(spectrum, type=2, norm="ortho", axis=0)[:frames])
