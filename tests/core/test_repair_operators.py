@@ -198,6 +198,17 @@ def test_kalman_smooths_noise_and_knows_its_size() -> None:
     assert np.sqrt(variance.mean()) == pytest.approx(error.std(), rel=0.5)
 
 
+def test_kalman_stays_sound_where_a_lone_sample_precedes_a_long_gap() -> None:
+    time = np.arange(360.0)[:, None] * np.ones(3)
+    track = 100 * np.sin(time / 40) + np.random.default_rng(0).normal(0, 0.1, time.shape)
+    known = np.ones(360, dtype=bool)
+    known[1:143] = known[175:179] = False
+    with np.errstate(all="raise", under="ignore"):
+        mean, variance = smooth(track, known, 175, 179)
+    assert np.abs(mean - track[175:179]).max() < 1.0
+    assert (variance > 0).all()
+
+
 def test_kalman_is_least_sure_in_the_middle_and_stops_at_the_ends() -> None:
     take = hide(lonely(way()), "A", 200, 230)
     band = propose(take, gap("A", 200, 230), method="kalman").band_mm

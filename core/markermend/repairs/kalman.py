@@ -27,6 +27,8 @@ JERK = np.array([[1 / 20, 1 / 8, 1 / 6], [1 / 8, 1 / 3, 1 / 2], [1 / 6, 1 / 2, 1
 RATIOS = np.geomspace(1e-8, 1e4, 37)
 # The first state is as good as unknown; the observations that settle it say nothing of the noise.
 UNKNOWN, SETTLING = 1e9, 3
+# So many observations are worked in with more care for rounding.
+UNSETTLED = 8
 LEAST_VARIANCE_MM2 = 1e-8
 # Beside the body less of the trajectory tells as much.
 OWN_CONTEXT_S = 0.5
@@ -176,7 +178,13 @@ def _filter(track: FloatArray, known: BoolArray) -> _Pass:
             miss = track[t] - mean[:, 0]
             gain = cov[:, :, 0] / total[:, None]
             mean = mean + gain[:, :, None] * miss[:, None, :]
-            cov = cov - gain[:, :, None] * cov[:, 0, None, :]
+            if count < UNSETTLED:
+                # Joseph's form: the short one turns negative where a lone sample precedes a gap.
+                keep = np.tile(np.eye(3), (ratios, 1, 1))
+                keep[:, :, 0] -= gain
+                cov = keep @ cov @ keep.transpose(0, 2, 1) + gain[:, :, None] * gain[:, None, :]
+            else:
+                cov = cov - gain[:, :, None] * cov[:, 0, None, :]
             count += 1
             if count > SETTLING:
                 logs += np.log(total)
