@@ -115,7 +115,7 @@ def test_without_the_extra_one_sentence_says_how_to_get_it(
 ) -> None:
     monkeypatch.setitem(sys.modules, "xarray", None)
 
-    with pytest.raises(mm.MethodError, match=r"pip install 'markermend\[tables\]'"):
+    with pytest.raises(mm.MethodError, match=r'pip install "markermend\[tables\]"'):
         take.to_xarray()
 
 

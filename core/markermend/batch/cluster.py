@@ -49,7 +49,7 @@ def run_on_cluster(
         from distributed import Client, as_completed
     except ImportError as error:
         raise MethodError(
-            "A cluster needs Dask; install it with: python -m pip install 'markermend[cluster]'"
+            'A cluster needs Dask; install it with: python -m pip install "markermend[cluster]"'
         ) from error
     with ExitStack() as stack:
         client = cluster

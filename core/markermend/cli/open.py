@@ -22,10 +22,10 @@ def run(options: argparse.Namespace) -> int:
     except ImportError as error:
         raise MarkermendError(
             f"The window cannot start ({error}); "
-            "install it with: python -m pip install 'markermend[app]'"
+            'install it with: python -m pip install "markermend[app]"'
         ) from error
     if start is None:
         raise MarkermendError(
-            "The window is not installed; get it with: python -m pip install 'markermend[app]'"
+            'The window is not installed; get it with: python -m pip install "markermend[app]"'
         )
     return int(start(options.takes) or 0)

@@ -1,7 +1,7 @@
 """Takes in the containers of other libraries: xarray, pandas, ezc3d, Kinetics Toolkit.
 
 Nothing here is needed to read, repair or write takes; xarray and pandas come with the extra
-``tables``: ``pip install 'markermend[tables]'``.
+``tables``: ``pip install "markermend[tables]"``.
 """
 
 from markermend.exchange.frames import to_dataframe

@@ -20,5 +20,5 @@ def need(library: str) -> Any:
         return import_module(library)
     except ImportError as error:
         raise MethodError(
-            f"This needs {library}; install it with: python -m pip install 'markermend[tables]'"
+            f'This needs {library}; install it with: python -m pip install "markermend[tables]"'
         ) from error

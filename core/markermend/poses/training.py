@@ -148,6 +148,6 @@ def _keras() -> Any:
     except ImportError as error:
         raise MethodError(
             "Training needs Keras and JAX; install them with: "
-            "python -m pip install 'markermend[deep]'"
+            'python -m pip install "markermend[deep]"'
         ) from error
     return keras

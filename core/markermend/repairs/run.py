@@ -17,6 +17,7 @@ from markermend.patch import Patch, patched
 from markermend.progress import Progress, quiet
 from markermend.repairs.advice import MODELS, with_expected_error
 from markermend.repairs.automatic import best_repair, counting_references, follow_one, if_good
+from markermend.repairs.lengths import at_usual_distances
 from markermend.repairs.look_again import looked_at
 from markermend.repairs.registry import Evidence, Repair, find_method
 from markermend.repairs.result import read_params, refuse, without_own
@@ -28,6 +29,8 @@ TRUSTED_REPAIR_S = 0.1
 # Known stretches that are filled as well, to measure a named model of the body: so many for each
 # artifact, fewer where a take has many, so that it takes at most twice as long then.
 TRIALS, TRIALS_IN_ALL = 3, 300
+# The last stage of repairing: what is neither a swap nor short.
+LONG = 2
 
 
 def evidence_for(
@@ -194,7 +197,8 @@ def repair_all(
     within a stage all see the same evidence, so that their order does not matter. What cannot be
     repaired so, because whole limbs are missing, is tried once more believing all repairs, and
     the repair's reason says so. What is left then follows the one marker that is still seen and
-    keeps its distance best, if that is expected to be near enough.
+    keeps its distance best, if that is expected to be near enough. Last, repairs of the same moment
+    give way to each other where distances between markers would be unusual.
 
     The other parameters, and the errors, are those of :func:`repair`.
 
@@ -283,7 +287,7 @@ def _run(
     def inner(share: float, doing: str) -> None:
         report((len(pairs) + share) / (len(todo) + 1), doing)
 
-    for stage in range(3):
+    for stage in range(LONG + 1):
         evidence = evidence_for(take, states.values(), mesh, progress=inner)
         patches: list[Patch] = []
         for artifact in (a for a in todo if _stage(take, a) == stage):
@@ -318,8 +322,21 @@ def _run(
         pairs.remove((artifact, refused))
         pairs.append((artifact, follow_one(evidence, artifact, refused)))
         take = patched(take, pairs[-1][1].patches)
+    if method == AUTO and not take.skeleton:
+        take, pairs = _give_way(take, pairs)
     report(1.0, "Repaired")
     return take, pairs
+
+
+def _give_way(
+    take: Take, pairs: list[tuple[Artifact, Repair]]
+) -> tuple[Take, list[tuple[Artifact, Repair]]]:
+    """Draw long repairs of the same moment to usual distances from each other."""
+    long = [n for n, (a, _) in enumerate(pairs) if _stage(take, a) == LONG]
+    settled = dict(zip(long, at_usual_distances(take, [pairs[n] for n in long]), strict=True))
+    moved = [pair[1] for n, pair in settled.items() if pair is not pairs[n]]
+    pairs = [settled.get(n, pair) for n, pair in enumerate(pairs)]
+    return patched(take, (p for repair in moved for p in repair.patches)), pairs
 
 
 @cache
@@ -331,10 +348,10 @@ def _threads() -> ThreadpoolController:
 
 
 def _stage(take: Take, artifact: Artifact) -> int:
-    """0 for swaps, 1 for what is short, 2 for the rest."""
+    """0 for swaps, 1 for what is short, ``LONG`` for the rest."""
     if artifact.kind is Kind.STEP and artifact.counterpart is not None:
         return 0
-    return 1 if _as_good_as_new(take, artifact) else 2
+    return 1 if _as_good_as_new(take, artifact) else LONG
 
 
 def _as_good_as_new(take: Take, artifact: Artifact) -> bool:

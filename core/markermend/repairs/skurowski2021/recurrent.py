@@ -27,7 +27,7 @@ from markermend.repairs.skurowski2021.network import HIDDEN, Training
 from markermend.repairs.skurowski2021.regression import Learn, network_method
 
 UNITS = 60
-INSTALL = "python -m pip install 'markermend[deep]'"
+INSTALL = 'python -m pip install "markermend[deep]"'
 
 
 @dataclass(frozen=True)
