@@ -10,9 +10,10 @@ import pytest
 from recordings import read_named
 
 from markermend.artifact import Artifact, Kind
-from markermend.bench.gaps import read_cases
+from markermend.bench.gaps import BAND_90, read_cases
 from markermend.repairs import advise, evidence_for, propose, propose_from
 from markermend.repairs.advice import CANDIDATES, COMPARED, MODELS
+from markermend.simulation import simulate_clean
 from markermend.take import Take
 
 BENCH = Path(__file__).resolve().parents[3] / "shared" / "bench" / "gaps-dev.json"
@@ -53,6 +54,31 @@ def test_a_lone_marker_gets_the_best_curve_and_the_reason_for_the_rest() -> None
     without = {a.method: a.repair.reason for a in advice if not a.repair.patches}
     assert "local_regression" in without
     assert all(without.values())
+
+
+@pytest.mark.parametrize("method", ["linear", "spline", "pma"])
+def test_a_measured_error_comes_with_a_band_that_holds(method: str) -> None:
+    take = simulate_clean(duration_s=20.0, rate=100.0, seed=3)
+    inside, rng = [], np.random.default_rng(0)
+    for length in (6, 20, 50):
+        for _ in range(6):
+            marker, start = int(rng.integers(take.markers)), int(rng.integers(50, 1900))
+            gap = Artifact(take.labels[marker], "xyz", start, start + length, Kind.GAP)
+            done = propose(take, gap, method=method)
+            assert done.band_mm is not None
+            truth = take.positions[start : start + length, marker]
+            off = np.linalg.norm(done.patches[0].values - truth, axis=1)
+            inside.extend(off <= BAND_90 * done.band_mm)
+            assert done.band_mm.argmax() == pytest.approx(length / 2, abs=1)
+    assert 0.8 < np.mean(inside) < 0.99
+
+
+def test_a_band_does_not_narrow_where_the_take_ends() -> None:
+    take = simulate_clean(duration_s=20.0, rate=100.0, seed=3)
+    gap = Artifact("LFHD", "xyz", take.frames - 40, take.frames, Kind.GAP)
+    done = propose(take, gap, method="pma")
+    assert done.band_mm is not None
+    assert (np.diff(done.band_mm) > 0).all()
 
 
 def test_what_is_missing_during_the_artifact_is_hidden_in_the_trials_too() -> None:
