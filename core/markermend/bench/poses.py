@@ -12,6 +12,7 @@ from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.bench.poses_network import ALL, Tried, by_networks, error_of
 from markermend.errors import DataError
 from markermend.poses.learning_sets import fold_in, subject_of
+from markermend.poses.live import Live
 from markermend.poses.network import Network, smoothed
 from markermend.poses.noise import NOISES, Noise, corrupt
 from markermend.poses.normal import Normal, denormalise, normalise
@@ -162,6 +163,9 @@ def _try(
     given = truth.with_samples(*denormalise(damaged, normal), np.where(occluded, 0.0, 1.0))
     for name, learnt in (("restore, no prior", None), ("restore", prior)):
         results[name] = Tried(_relative(restore(given, prior=learnt).pose, normal), everywhere, ALL)
+    if case.kind == "occlusions" and given.seen.all(axis=1).any():
+        came, after = _live(given, prior)
+        results["live"] = Tried(_relative(came, normal), after, ALL)
     hidden = np.minimum(np.count_nonzero(occluded, axis=1), _MOST_HIDDEN)
     rows = []
     judged = [(name, tried, False) for name, tried in results.items()]
@@ -183,6 +187,28 @@ def _try(
             )
         )
     return rows
+
+
+def _live(pose: Pose, prior: Prior) -> tuple[Pose, BoolArray]:
+    """Each pose by those before it alone, and which ones come after the first whole one."""
+    first = int(pose.seen.all(axis=1).argmax())
+    positions, rotations = pose.positions.copy(), pose.rotations.copy()
+    live = Live(
+        Pose(
+            positions[first : first + 1],
+            rotations[first : first + 1],
+            pose.joints,
+            pose.parents,
+            pose.rate,
+        ),
+        prior,
+    )
+    for frame in range(first + 1, pose.frames):
+        positions[frame], rotations[frame] = live(
+            positions[frame], rotations[frame], pose.seen[frame]
+        )
+    whole = pose.with_samples(positions, rotations, np.ones(pose.seen.shape))
+    return whole, np.arange(pose.frames) > first
 
 
 def _at(pose: Pose, case: Case) -> Pose:
