@@ -144,7 +144,8 @@ class Tour(QObject):
 
     def _follow(self) -> None:
         """Stand beside the target, wherever it is now."""
-        target = self.steps[min(self.place, len(self.steps) - 1)].target(self._window)
+        last = self.place == len(self.steps)
+        target = None if last else self.steps[self.place].target(self._window)
         if target is not None and not self._brought_up:
             _bring_up(target)
             # Later it is not fetched back when the operator puts it away.
@@ -182,7 +183,7 @@ def _steps() -> tuple[Step, ...]:
                 "takes it and moves on; {1} says that the flag is a false alarm."
             ),
             ("repair", "reject"),
-            lambda window: window.inspector.decisions.repair,
+            lambda window: window.inspector.decisions,
             lambda window: _grew(lambda: _repaired(window)),
         ),
         Step(

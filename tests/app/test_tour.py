@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -87,6 +87,7 @@ def test_every_step_is_done_by_doing_it(window, tour, qtbot):
     qtbot.waitUntil(lambda: tour.place == 5)
     assert shortcuts.first("manual") in card.text.text()
     assert not card.skip.isVisible()
+    assert not card.ring.isVisible()
     qtbot.mouseClick(card.end, Qt.MouseButton.LeftButton)
     assert not card.isVisible()
     assert not card.ring.isVisible()
@@ -154,6 +155,22 @@ def test_card_and_ring_stay_in_the_window_beside_the_target(window, tour, qtbot,
             assert tour.card.ring.geometry().contains(corner)
         assert not card.contains(tour.card.ring.geometry().center())
         tour.card.skip.click()
+
+
+def test_what_the_step_speaks_of_is_not_under_the_card(window, tour):
+    window.commands.open_demo()
+    tour.card.skip.click()
+    assert tour.place == 2
+    QTest.qWait(150)
+    inspector, card = window.inspector, tour.card.geometry()
+    for spoken_of in (
+        inspector.decisions.repair,
+        inspector.decisions.reject,
+        inspector.artifact.methods.outcome,
+    ):
+        assert spoken_of.isVisible()
+        corner = window.mapFromGlobal(spoken_of.mapToGlobal(QPoint()))
+        assert not card.intersects(QRect(corner, spoken_of.size()))
 
 
 def test_it_brings_back_the_panel_it_speaks_of(window, tour):
