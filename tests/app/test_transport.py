@@ -122,6 +122,18 @@ def test_whoever_moves_the_cursor_moves_the_playback(transport, document):
     assert not transport.playing
 
 
+def test_what_is_brought_into_view_is_not_played_out_of_it_again(transport, document):
+    transport.toggle_play()
+    after(transport, 100)
+    document.look_at(document.session.take.labels[:1], 290, 310)
+    assert not transport.playing
+    assert document.frame == 300
+    transport.loop.setChecked(True)
+    transport.toggle_play()
+    document.look_at(document.session.take.labels[:1], 90, 110)
+    assert transport.playing
+
+
 def test_real_time_passes(qtbot, tmp_path, document):
     transport = Transport(document)
     qtbot.addWidget(transport)

@@ -84,6 +84,7 @@ class Transport(QWidget):
 
         document.opened.connect(self._opened)
         document.frame_changed.connect(self._frame_changed)
+        document.frame_requested.connect(self._brought_into_view)
         theme.watcher.changed.connect(self._recolour)
         self._recolour()
         self._opened()
@@ -227,6 +228,11 @@ class Transport(QWidget):
         self._fit_time()
         if self.playing and not self._moving:
             self._rebase()
+
+    def _brought_into_view(self, *_: int) -> None:
+        """Pause where an artifact is looked at, which playing would leave; a loop stays there."""
+        if self.playing and not self.loop.isChecked():
+            self.toggle_play()
 
     def _number_changed(self, number: int) -> None:
         """Go to the frame typed in."""
