@@ -46,6 +46,9 @@ def test_room_is_kept_for_the_strip_and_for_what_stands_still():
     assert plain[1] > 3
     lifted = value_range([np.zeros(10)], bottom=0.25)
     assert (0 - lifted[0]) / (lifted[1] - lifted[0]) == pytest.approx(0.25 + 0.75 * 0.5, abs=0.01)
+    lowered = value_range([np.zeros(10)], bottom=0.25, top=0.25)
+    assert (0 - lowered[0]) / (lowered[1] - lowered[0]) == pytest.approx(0.5, abs=0.01)
+    assert lowered[1] > lifted[1] > plain[1] - 1e-9
 
 
 def test_nothing_seen_has_no_range():

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from plots import LEFT, RIGHT, SHIFT, Bench
-from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtCore import QCoreApplication, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend.mesh import infer_mesh
 from markermend.review.file import open_session
-from markermend.take import Take
+from markermend.take import Event, Take
 from markermend_app.document import Document
 from markermend_app.looking import Selection
 from markermend_app.panels.plots import drawn
@@ -63,6 +65,18 @@ def test_all_plots_share_one_time(bench):
     assert ranges[0] == ranges[1] == ranges[2] == pytest.approx([50, 150])
     heights = [row.view.sceneBoundingRect().height() for row in bench.panel.rows]
     assert max(heights) - min(heights) <= 1
+
+
+def test_flags_of_events_cover_no_curve(make, damaged):
+    take = replace(damaged[0], events=(Event("Foot Strike", 1.0, "Left"),))
+    bench = make(take)
+    bench.document.show(["CLAV"])
+    top, below = bench.panel.rows[:2]
+    assert top.flags.height > 10
+    assert below.flags.height == 0
+    highest = QPointF(0, float(np.nanmax(top.values_of["CLAV"])))
+    at = top.view.mapViewToScene(highest).y() - top.view.sceneBoundingRect().top()
+    assert at > top.flags.height
 
 
 def test_click_moves_the_cursor_and_drag_scrubs(bench):

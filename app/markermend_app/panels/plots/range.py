@@ -20,6 +20,7 @@ def value_range(
     curves: Sequence[FloatArray],
     important: Sequence[FloatArray] = (),
     bottom: float = 0.0,
+    top: float = 0.0,
     *,
     least: float = LEAST_MM,
     least_at: float | None = None,
@@ -35,6 +36,7 @@ def value_range(
     curves : (n,) arrays, NaN = missing
     important : (n,) arrays
     bottom : share of the height to be kept free below, for the strip of artifacts
+    top : share of the height to be kept free above, for the names of events
     least : extent shown at least
     least_at : where the range begins, for values that cannot lie below it
 
@@ -60,9 +62,9 @@ def value_range(
     if high - low < least:
         middle = (low + high) / 2
         low, high = middle - least / 2, middle + least / 2
-    span = (high - low) * 1.16
     margin = (high - low) * 0.08
-    return low - margin - span * bottom / (1 - bottom), high + margin
+    whole = (high - low) * 1.16 / (1 - bottom - top)
+    return low - margin - whole * bottom, high + margin + whole * top
 
 
 def time_range(start: float, stop: float, frames: int) -> tuple[float, float]:

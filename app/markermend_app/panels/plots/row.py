@@ -301,8 +301,9 @@ class PlotRow(PlotFrame):
         special += [item.yData for item in self.proposed if item.yData is not None]
         height = max(1.0, self.view.height())
         bottom = min(0.3, self.intervals.strip_height / height)
+        top = min(0.3, self.flags.height / height)
         q = self.quantity
-        return value_range(trusted, special, bottom, least=q.least, least_at=q.least_at)
+        return value_range(trusted, special, bottom, top, least=q.least, least_at=q.least_at)
 
     def restyle(self) -> None:
         """Take over the theme's colours."""
