@@ -70,6 +70,14 @@ def test_the_theme_is_worn_at_once_and_checked_in_the_menu(page, window):
     assert settings.text("theme", "") == "contrast"
 
 
+def test_the_classes_are_shown_in_the_colours_of_the_theme(page):
+    for name in ("contrast", "dark", "light"):
+        choose(page.theme, name)
+        for kind, button in page.kinds.items():
+            shown = button.icon().pixmap(16, 16).toImage().pixelColor(8, 8)
+            assert shown == theme.current().kinds[kind]
+
+
 def test_lengths_are_written_in_the_chosen_unit_everywhere(page, window):
     extent = window.findChild(ArtifactPage).extent
     peak = next(a for a in window.document.session.artifacts if a.kind is Kind.PEAK)

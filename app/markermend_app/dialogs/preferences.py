@@ -88,6 +88,7 @@ class Preferences(QDialog):
         column = QVBoxLayout(self)
         column.addWidget(scroll)
         column.addWidget(buttons)
+        theme.watcher.changed.connect(self._paint_kinds)
         self._read()
         for button in self.findChildren(QPushButton):
             # Return in a field would press the first of them, which asks for a colour.
@@ -310,7 +311,6 @@ class Preferences(QDialog):
         app = QApplication.instance()
         if isinstance(app, QApplication):
             theme.recolour(app)
-        self._paint_kinds()
 
     def _restore(self) -> None:
         """Forget all that was chosen on this page."""
