@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import re
 import subprocess
 import sys
@@ -83,6 +84,28 @@ def test_what_is_loaded_is_what_was_translated(ts):
     for context, source, translation in messages(ts):
         if translation.get("type") != "unfinished":
             assert translator.translate(context or "", source) == translation.text
+
+
+def spoken(node, inside=""):
+    """Context and text of every string that code asks a translation of."""
+    if isinstance(node, ast.ClassDef):
+        inside = node.name
+    if isinstance(node, ast.Call) and node.args and isinstance(node.args[0], ast.Constant):
+        if isinstance(node.func, ast.Name) and node.func.id in ("tr", "_tr"):
+            yield "", node.args[0].value
+        elif isinstance(node.func, ast.Attribute) and node.func.attr == "tr":
+            yield inside, node.args[0].value
+    for part in ast.iter_child_nodes(node):
+        yield from spoken(part, inside)
+
+
+@pytest.mark.parametrize("ts", sorted(FOLDER.glob("*.ts")), ids=lambda p: p.stem)
+def test_no_string_is_overlooked(ts):
+    """Those inside of f-strings are: Qt's lupdate does not read them."""
+    known = {(context or "", source) for context, source, _ in messages(ts)}
+    for path in sorted((ROOT / "app").rglob("*.py")):
+        asked = set(spoken(ast.parse(path.read_text(encoding="utf-8"))))
+        assert not asked - known, path.name
 
 
 def test_nearly_all_strings_of_the_app_are_translated(tmp_path):

@@ -83,7 +83,8 @@ class BatchReview(QObject):
 
     def review_batch(self) -> None:
         """Ask for takes, or for the list that a batch wrote, and review them."""
-        filters = f"{open_filter()};;{self.tr('List of a batch')} (review.json)"
+        listed = self.tr("List of a batch")
+        filters = f"{open_filter()};;{listed} (review.json)"
         title = self.tr("Review a batch: takes, or the review.json of a batch")
         start = str(takes_folder(self._document.path))
         names, _ = QFileDialog.getOpenFileNames(self._window, title, start, filters)

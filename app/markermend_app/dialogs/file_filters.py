@@ -12,7 +12,8 @@ def open_filter() -> str:
 
     endings = [*(f".{name}" for name in OURS), *SKELETONS, *formats()]
     patterns = " ".join(f"*{e} *{e.upper()}" for e in endings)
-    return f"{tr('Takes')} ({patterns});;{tr('All files')} (*)"
+    takes, everything = tr("Takes"), tr("All files")
+    return f"{takes} ({patterns});;{everything} (*)"
 
 
 def export_filter(take: Take) -> str:

@@ -108,6 +108,14 @@
         <translation>Ohne Person</translation>
     </message>
     <message>
+        <source>Unlabelled</source>
+        <translation>Unbenannt</translation>
+    </message>
+    <message>
+        <source>Other points</source>
+        <translation>Andere Punkte</translation>
+    </message>
+    <message>
         <source>Kept as it is; not a marker</source>
         <translation>Bleibt, wie es ist; kein Marker</translation>
     </message>
@@ -138,6 +146,14 @@
     <message>
         <source>missing</source>
         <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>filled</source>
+        <translation>gefüllt</translation>
+    </message>
+    <message>
+        <source>edited</source>
+        <translation>bearbeitet</translation>
     </message>
     <message>
         <source>Distance to {0}</source>
@@ -2111,6 +2127,14 @@
         <source>Sort by</source>
         <translation>Sortieren nach</translation>
     </message>
+    <message>
+        <source>Takes</source>
+        <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Alle Dateien</translation>
+    </message>
 </context>
 <context>
     <name>AlikeDialog</name>
@@ -2280,6 +2304,10 @@
 </context>
 <context>
     <name>BatchReview</name>
+    <message>
+        <source>List of a batch</source>
+        <translation>Liste einer Serie</translation>
+    </message>
     <message>
         <source>Review a batch: takes, or the review.json of a batch</source>
         <translation>Eine Serie durchsehen: Aufnahmen, oder die review.json einer Serie</translation>

@@ -96,11 +96,16 @@ def grow(take: Take, mesh: Mesh | None) -> Node:
         bodies.get(take.subject(take.labels[i]), root).add(_marker(take, i))
     unlabelled = [i for i in rest if is_unlabelled(take.labels[i])]
     if unlabelled:
-        section = root.add(Node(f"{tr('Unlabelled')} ({len(unlabelled)})", "unlabelled"))
+        section = root.add(_section(tr("Unlabelled"), len(unlabelled), "unlabelled"))
         for i in unlabelled:
             section.add(_marker(take, i))
     _add_others(root, take)
     return root
+
+
+def _section(title: str, count: int, icon: str) -> Node:
+    """Row above what is no labelled marker, with how many there are."""
+    return Node(f"{title} ({count})", icon)
 
 
 def _marker(take: Take, column: int) -> Node:
@@ -112,7 +117,7 @@ def _marker(take: Take, column: int) -> Node:
 def _add_others(root: Node, take: Take) -> None:
     """Add points that are not markers and analog channels: to be seen, not to be reviewed."""
     if take.points is not None and take.points.labels:
-        section = root.add(Node(f"{tr('Other points')} ({len(take.points.labels)})", "point"))
+        section = root.add(_section(tr("Other points"), len(take.points.labels), "point"))
         by_kind: dict[str, Node] = {}
         for i, (label, kind) in enumerate(zip(take.points.labels, take.points.kinds, strict=True)):
             if kind not in by_kind:
@@ -120,7 +125,7 @@ def _add_others(root: Node, take: Take) -> None:
             note = tr("Kept as it is; not a marker")
             by_kind[kind].add(Node(label, key=point_key(i), note=note))
     if take.analog is not None and take.analog.labels:
-        section = root.add(Node(f"{tr('Analog channels')} ({len(take.analog.labels)})", "curves"))
+        section = root.add(_section(tr("Analog channels"), len(take.analog.labels), "curves"))
         channels = zip(take.analog.labels, take.analog.units, strict=True)
         for i, (label, unit) in enumerate(channels):
             name = f"{label} ({unit})" if unit else label

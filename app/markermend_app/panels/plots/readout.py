@@ -42,7 +42,8 @@ def read_out(take: Take, shown: Sequence[str], frame: int, row: PlotFrame | None
     position = take.positions[frame, take.index(shown[0])]
     name = short_names(shown)[shown[0]]
     if np.isnan(position[0]):
-        return f"{where} · {name} {_tr('missing')}"
+        value = _tr("missing")
+        return f"{where} · {name} {value}"
     value = ", ".join(units.number(v) for v in position)
     return f"{where} · {name} {value} {units.unit()}{_origin(take, shown[0], frame)}"
 
@@ -65,5 +66,9 @@ def _origin(take: Take, name: str, frame: int) -> str:
     """Say so where a sample was not measured."""
     origin = take.origin[frame, take.index(name)]
     if origin == Origin.FILLED:
-        return f" ({_tr('filled')})"
-    return f" ({_tr('edited')})" if origin == Origin.EDITED else ""
+        how = _tr("filled")
+    elif origin == Origin.EDITED:
+        how = _tr("edited")
+    else:
+        return ""
+    return f" ({how})"
