@@ -172,6 +172,17 @@ def test_the_band_holds_where_the_take_begins_or_ends(walk: Take) -> None:
     assert 0.8 < np.mean(inside) < 0.97
 
 
+def test_the_band_holds_where_most_of_the_take_is_missing_and_one_side_is_short(walk: Take) -> None:
+    rows, inside = slice(10, 730), []
+    for marker in walk.labels[::3]:
+        take, ((_, repair),) = filled(walk, [(marker, rows.start, rows.stop)])
+        column = walk.index(marker)
+        apart = np.linalg.norm(take.positions[rows, column] - walk.positions[rows, column], axis=1)
+        assert repair.band_mm is not None
+        inside.append(np.mean(apart <= BAND_90 * repair.band_mm))
+    assert 0.85 < np.mean(inside) < 0.97
+
+
 def test_own_movement_is_taken_where_the_rest_of_the_body_tells_far_less(walk: Take) -> None:
     _, pairs = filled(walk, CASES[ARM][0])
     instead = [r for _, r in pairs if r.reason.startswith("Local regression may be about")]

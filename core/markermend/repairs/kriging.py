@@ -96,7 +96,7 @@ def condition(
     -------
     mean : (wanted, 3) mm
     deviation : (wanted,) standard deviation of each coordinate, mm, scaled so that a 90 % ball
-        held nine in ten of the known frames when stretches as long as the interval were hidden
+        held nine in ten of the known frames when stretches of `block` frames were hidden
     learnt : effective number of parameters, of all coordinates; the views' mean, as they are
         averages of each other
     """

@@ -54,6 +54,9 @@ OWN_COURSE_S, IN_COMMON, LEAST_MM2 = 0.5, 1.2, 1e-12
 # near them to learn from more often than those of a long interval have. Beyond two seconds it
 # grows with this power of the length: what the body does meanwhile is less and less like the rest.
 LONG_DOUBT, LONG_S, LONG_POWER = 1.1, 2.0, 0.2
+# Stretches that are hidden to measure the deviation are as long as the interval, and at most this
+# share of what is seen: with all of it hidden, only the prior would be measured.
+MOST_HIDDEN = 0.5
 # Nothing holds the far end of an interval that has one side only, as where a take begins or ends.
 # It is missed as far as expected in the middle, but far more in some: its band is so much wider.
 ONE_SIDED_BAND = 1.3
@@ -105,10 +108,11 @@ def repair_local_regression(evidence: Evidence, artifact: Artifact, params: Any)
         return refuse(METHOD, _too_few_references(artifact, len(places)), params)
     references, spread = ranked[places], spread[places]
     together: BoolArray = np.all(seen[:, references], axis=1)
+    usable = together & seen[:, marker]
     likened = _likened(artifact, take)
     beside = near_interval(take.frames, artifact, params.near_s * take.rate)
     known = choose_frames(
-        together & seen[:, marker],
+        usable,
         beside,
         artifact,
         take.rate,
@@ -139,9 +143,8 @@ def repair_local_regression(evidence: Evidence, artifact: Artifact, params: Any)
         for weight in (holding(spread), *(nearest(spread, n) for n in FRAME_MARKERS))
     ]
     noise = _noise(take.positions[:, marker], seen[:, marker], artifact, take.rate)
-    values, deviation, learnt = condition(
-        frames, take.rate, views, noise, artifact.length, beside[known]
-    )
+    hidden = min(artifact.length, int(MOST_HIDDEN * np.count_nonzero(usable)))
+    values, deviation, learnt = condition(frames, take.rate, views, noise, hidden, beside[known])
     if artifact.length <= OWN_COURSE_S * take.rate:
         values, deviation = _with_own_course(evidence, artifact, values, deviation)
     else:
