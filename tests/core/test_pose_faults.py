@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 import markermend as mm
-from markermend.poses.breaking import break_pose
+from markermend.errors import DataError
+from markermend.poses.breaking import KINDS, break_pose
 from markermend.poses.faults import FROZEN, MISPLACED, SWAPPED, VANISHED, mend_faults
 from markermend.poses.noise import Noise, corrupt_pose
 from markermend.poses.nuitrack import to_nuitrack
@@ -28,6 +29,14 @@ def marked(faults, pose, kind=None):
     return mask
 
 
+def broken_at(breaks, pose, name=None):
+    mask = np.zeros((pose.frames, len(pose.joints)), dtype=bool)
+    for broken in breaks:
+        if name in (None, KINDS[broken.kind]):
+            mask[broken.start : broken.stop, list(broken.joints)] = True
+    return mask
+
+
 def test_clean_and_noisy_recordings_have_none(walk):
     sensor = as_depth_sensor(walk, seed=0)
     for pose in (walk, sensor, corrupt_pose(sensor, Noise(burst=10), seed=1)):
@@ -42,11 +51,11 @@ def test_every_kind_is_found(walk, sensor):
     broken, truth = break_pose(pose, each=3, seed=1)
     mended, found = mend_faults(broken)
     for kind in (VANISHED, FROZEN, SWAPPED):
-        assert (marked(found, pose, kind)[marked(truth, pose, kind)]).all(), kind
-    there, flagged = marked(truth, pose, MISPLACED), marked(found, pose)
+        assert (marked(found, pose, kind)[broken_at(truth, pose, kind)]).all(), kind
+    there, flagged = broken_at(truth, pose, MISPLACED), marked(found, pose)
     assert flagged[there].mean() > 0.8
-    assert (flagged & ~marked(truth, pose)).mean() < 0.002
-    swapped = marked(truth, pose, SWAPPED)
+    assert (flagged & ~broken_at(truth, pose)).mean() < 0.002
+    swapped = broken_at(truth, pose, SWAPPED)
     np.testing.assert_allclose(mended.positions[swapped], pose.positions[swapped])
 
 
@@ -56,7 +65,7 @@ def test_restoring_mends_them(walk):
 
     def off(pose):
         far = np.sqrt(np.sum((pose.positions - walk.positions) ** 2, axis=2))
-        return np.nanmean(far[marked(truth, walk)])
+        return np.nanmean(far[broken_at(truth, walk)])
 
     assert off(restored.pose) < 0.15 * off(broken)
     assert {fault.kind for fault in restored.faults} == {VANISHED, FROZEN, SWAPPED, MISPLACED}
@@ -73,3 +82,9 @@ def test_same_seed_same_faults(walk):
     one, other = (break_pose(walk, each=2, seed=5) for _ in range(2))
     assert (one[0].positions == other[0].positions).all()
     assert one[1] == other[1]
+
+
+def test_too_short_a_recording_is_not_broken(walk):
+    short = mm.Pose(walk.positions[:40], walk.rotations[:40], walk.joints, walk.parents, walk.rate)
+    with pytest.raises(DataError, match="too short to be broken 5 times"):
+        break_pose(short, each=1, seed=0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -123,35 +123,47 @@ def compare(
     DataError
         when all clips show one subject
     """
+    rows: list[Row] = []
+    steps, done = len(clips) * len(cases), 0
+    seeds = {name: seed + n for n, name in enumerate(clips)}
+    for name, pose, prior in unseen(clips):
+        mine = {
+            trained: network
+            for trained, network in (networks or {}).items()
+            if trained.startswith(f"without{subject_of(name)}-")
+            or fold_in(trained.partition("-")[0])
+        }
+        for case in cases:
+            (progress or quiet)(done / steps, f"{name}: {case.name}")
+            done += 1
+            rows += _try(name, pose, case, prior, mine, seeds[name])
+    return rows
+
+
+def unseen(clips: Mapping[str, Pose]) -> Iterator[tuple[str, Pose, Prior]]:
+    """Each recording's 17 joints, and what is learnt from everybody but whom it shows.
+
+    Raises
+    ------
+    DataError
+        when all clips show one subject
+    """
     bodies = {name: to_nuitrack(pose) for name, pose in clips.items()}
     subjects = sorted({subject_of(name) for name in bodies})
     if len(subjects) < 2:
         raise DataError("To leave one subject out, recordings of two or more are needed.")
-    rows: list[Row] = []
-    steps, done = len(bodies) * len(cases), 0
     for subject in subjects:
-        others = [pose for name, pose in bodies.items() if subject_of(name) != subject]
-        prior = learn_prior(others)
-        mine = {
-            name: network
-            for name, network in (networks or {}).items()
-            if name.startswith(f"without{subject}-") or fold_in(name.partition("-")[0])
-        }
-        for n, (name, pose) in enumerate(bodies.items()):
-            if subject_of(name) != subject:
-                continue
-            for case in cases:
-                (progress or quiet)(done / steps, f"{name}: {case.name}")
-                done += 1
-                rows += _try(name, pose, case, prior, mine, seed + n)
-    return rows
+        prior = learn_prior([pose for name, pose in bodies.items() if subject_of(name) != subject])
+        for name, pose in bodies.items():
+            if subject_of(name) == subject:
+                yield name, pose, prior
 
 
 def _try(
     clip: str, pose: Pose, case: Case, prior: Prior, networks: Mapping[str, Network], seed: int
 ) -> list[Row]:
     """All methods on one damaged recording."""
-    truth = _at(pose, case)
+    truth = recorded(pose, case)
     features, normal = normalise(truth)
     features[..., 3:] = upright(features[..., 3:])
     damaged, occluded = corrupt(features, truth.parents, case.noise(truth.rate), seed=seed)
@@ -211,8 +223,8 @@ def _live(pose: Pose, prior: Prior) -> tuple[Pose, BoolArray]:
     return whole, np.arange(pose.frames) > first
 
 
-def _at(pose: Pose, case: Case) -> Pose:
-    """The recording as a case has it before the damage."""
+def recorded(pose: Pose, case: Case) -> Pose:
+    """Return a recording as a case has it before the damage."""
     if case.sensor:
         return as_depth_sensor(pose)
     if not case.slow:

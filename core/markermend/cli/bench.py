@@ -9,6 +9,7 @@ from markermend.cli.bench_blind import run_blind
 from markermend.cli.bench_constraints import run_constraints
 from markermend.cli.bench_e2 import run_e2
 from markermend.cli.bench_e3 import run_e3
+from markermend.cli.bench_faults import run_faults
 from markermend.cli.bench_gaps import run_gaps
 from markermend.cli.bench_pose import run_pose
 from markermend.cli.bench_predictors import run_predictors
@@ -77,6 +78,7 @@ RUN = {
     "e1": _run_e1,
     "e2": run_e2,
     "e3": run_e3,
+    "faults": run_faults,
     "gaps": run_gaps,
     "pose": run_pose,
     "predictors": run_predictors,

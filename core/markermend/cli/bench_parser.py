@@ -12,6 +12,8 @@ from markermend.cli.bench_e2 import SUMMARY as E2
 from markermend.cli.bench_e2 import add_e2
 from markermend.cli.bench_e3 import SUMMARY as E3
 from markermend.cli.bench_e3 import add_e3
+from markermend.cli.bench_faults import SUMMARY as FAULTS
+from markermend.cli.bench_faults import add_faults
 from markermend.cli.bench_gaps import SUMMARY as GAPS
 from markermend.cli.bench_gaps import add_gaps
 from markermend.cli.bench_pose import SUMMARY as POSE
@@ -32,6 +34,7 @@ EXPERIMENTS = {
     "e1": "contaminate clean takes, detect, compare by sample and by event",
     "e2": E2,
     "e3": E3,
+    "faults": FAULTS,
     "gaps": GAPS,
     "pose": POSE,
     "predictors": PREDICTORS,
@@ -49,6 +52,7 @@ def add_experiments(parser: argparse.ArgumentParser) -> None:
         "e1": _add_e1,
         "e2": add_e2,
         "e3": add_e3,
+        "faults": add_faults,
         "gaps": add_gaps,
         "pose": add_pose,
         "predictors": add_predictors,

@@ -2,19 +2,51 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from types import MappingProxyType
+
 import numpy as np
 
-from markermend.poses.faults import FROZEN, MISPLACED, SWAPPED, VANISHED, Fault
+from markermend.errors import DataError
+from markermend.poses.faults import FROZEN, MISPLACED, SWAPPED, VANISHED
 from markermend.poses.nuitrack import LIMBS
 from markermend.poses.pose import Pose
 
 _LENGTH_S = (0.15, 0.8)
 _JUMP_MM = 400.0
 _STRANGER_MM = 700.0
-KINDS = (VANISHED, FROZEN, "jumped", SWAPPED, "stranger")
+# Frames from one fault to the next, the least.
+_ROOM = 8
+KINDS = MappingProxyType(
+    {
+        VANISHED: VANISHED,
+        FROZEN: FROZEN,
+        "jumped": MISPLACED,
+        SWAPPED: SWAPPED,
+        "stranger": MISPLACED,
+    }
+)
+"""What can go wrong, and the name by which it is to be found."""
 
 
-def break_pose(pose: Pose, *, each: int, seed: int) -> tuple[Pose, tuple[Fault, ...]]:
+@dataclass(frozen=True)
+class Broken:
+    """Joints that were made wrong together.
+
+    Attributes
+    ----------
+    kind : one of :data:`KINDS`
+    joints : indices
+    start, stop : frames ``[start, stop)``
+    """
+
+    kind: str
+    joints: tuple[int, ...]
+    start: int
+    stop: int
+
+
+def break_pose(pose: Pose, *, each: int, seed: int) -> tuple[Pose, tuple[Broken, ...]]:
     """Break a clean recording, every time for 0.15 to 0.8 seconds, never twice at once.
 
     Parameters
@@ -26,14 +58,24 @@ def break_pose(pose: Pose, *, each: int, seed: int) -> tuple[Pose, tuple[Fault, 
 
     Returns
     -------
-    the recording, confident throughout, and the truth; jumps and strangers are “misplaced”
+    the recording, confident throughout, and what was done to it
+
+    Raises
+    ------
+    DataError
+        when it is too short for so many
     """
     random = np.random.default_rng(seed)
     positions, rotations = np.array(pose.positions), np.array(pose.rotations)
     slots = np.linspace(2, pose.frames - 2, each * len(KINDS) + 1).astype(int)
-    faults: list[Fault] = []
+    if np.diff(slots).min() < _ROOM:
+        raise DataError(
+            f"The recording is too short to be broken {each * len(KINDS)} times: it has"
+            f" {pose.frames} poses, and that takes {_ROOM * each * len(KINDS) + 4} or more."
+        )
+    kinds, done = tuple(KINDS), []
     for slot, n in enumerate(random.permutation(each * len(KINDS)).tolist()):
-        kind, room = KINDS[n % len(KINDS)], int(slots[slot + 1] - slots[slot]) - 2
+        kind, room = kinds[n % len(KINDS)], int(slots[slot + 1] - slots[slot]) - 2
         length = min(max(round(random.uniform(*_LENGTH_S) * pose.rate), 2), room)
         start = int(slots[slot]) + 1
         frames = slice(start, start + length)
@@ -65,6 +107,5 @@ def break_pose(pose: Pose, *, each: int, seed: int) -> tuple[Pose, tuple[Fault, 
                 positions[frames, limb] = there + pose.positions[frames, :1] + away
                 rotations[frames, limb] = pose.rotations[other][:, limb]
                 touched = limb
-        name = MISPLACED if kind in ("jumped", "stranger") else kind
-        faults += [Fault(name, j, start, start + length) for j in touched]
-    return pose.with_samples(positions, rotations, np.ones_like(pose.confidence)), tuple(faults)
+        done.append(Broken(kind, touched, start, start + length))
+    return pose.with_samples(positions, rotations, np.ones_like(pose.confidence)), tuple(done)

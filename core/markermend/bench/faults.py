@@ -1,0 +1,221 @@
+"""How many faults that a sensor does not tell of are found, and how far off joints are after it."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from markermend.arrays import BoolArray, FloatArray
+from markermend.bench.columns import aligned, csv_cell, number
+from markermend.bench.poses import Case, recorded, unseen
+from markermend.poses.breaking import KINDS, Broken, break_pose
+from markermend.poses.faults import Fault
+from markermend.poses.noise import corrupt_pose
+from markermend.poses.pose import Pose
+from markermend.poses.restore import restore
+from markermend.progress import Progress, quiet
+
+EVERY_S = 2.0
+"""One fault in so many seconds, and one of each kind at least."""
+ENOUGH = 0.5
+"""Share of what was broken that must be flagged for a fault to count as found."""
+SOUND = "sound"
+"""What is said of the joints and frames that were not broken."""
+
+CASES = (
+    Case("120 Hz", "nothing"),
+    Case("30 Hz", "nothing", slow=True),
+    Case("simulated sensor, 30 Hz", "nothing", sensor=True),
+    Case("simulated sensor, 30 Hz, noisy", "displacements", sensor=True),
+)
+"""Recordings that are broken."""
+
+
+@dataclass(frozen=True)
+class FaultRow:
+    """Faults of one kind in one recording.
+
+    Attributes
+    ----------
+    clip, case : the recording, and how it was recorded
+    kind : of the faults; :data:`SOUND` for everything that was not broken
+    faults : how many there are; of sound joints, poses times joints
+    found : how many are flagged for :data:`ENOUGH` of what was broken; of sound joints, flags that
+        touch nothing broken
+    named : how many are mostly flagged by their own name; of sound joints, poses times joints
+        that are flagged
+    off_mm : mean distance from the truth as broken, restored, and restored where the recording
+        says which joints are wrong
+    samples : poses times joints that this is the mean of
+    minutes : length of the recording
+    """
+
+    clip: str
+    case: str
+    kind: str
+    faults: int
+    found: int
+    named: int
+    off_mm: tuple[float, float, float]
+    samples: int
+    minutes: float
+
+
+def find_faults(
+    clips: Mapping[str, Pose],
+    *,
+    cases: Sequence[Case] = CASES,
+    seed: int = 1,
+    progress: Progress | None = None,
+) -> list[FaultRow]:
+    """Break recordings of people never seen without saying so, and restore them.
+
+    Parameters
+    ----------
+    clips : name to clean recording of the CMU skeleton or the 17 joints; two subjects or more
+    cases : how they were recorded
+    seed : of the faults; each clip has its own
+    progress : told the share done; may raise to stop
+
+    Raises
+    ------
+    DataError
+        when all clips show one subject, or one is too short
+    """
+    rows: list[FaultRow] = []
+    seeds = {name: seed + n for n, name in enumerate(clips)}
+    for done, (name, pose, prior) in enumerate(unseen(clips)):
+        for n, case in enumerate(cases):
+            (progress or quiet)((done + n / len(cases)) / len(clips), f"{name}: {case.name}")
+            truth = recorded(pose, case)
+            noisy = corrupt_pose(truth, case.noise(truth.rate), seed=seeds[name])
+            each = max(int(truth.frames / truth.rate / EVERY_S / len(KINDS)), 1)
+            given, broken = break_pose(noisy, each=each, seed=seeds[name])
+            wrong = _marked(broken, truth)
+            told = given.with_samples(given.positions, given.rotations, np.where(wrong, 0.0, 1.0))
+            restored = restore(given, prior=prior)
+            off = [
+                np.sqrt(np.sum((p.positions - truth.positions) ** 2, axis=2))
+                for p in (given, restored.pose, restore(told, prior=prior).pose)
+            ]
+            rows += _judged(name, case.name, broken, restored.faults, off, truth)
+    return rows
+
+
+def _judged(
+    clip: str,
+    case: str,
+    broken: Sequence[Broken],
+    faults: Sequence[Fault],
+    off: Sequence[FloatArray],
+    truth: Pose,
+) -> list[FaultRow]:
+    """A row for each kind, and one for all that is sound."""
+    minutes = truth.frames / truth.rate / 60.0
+    flagged = _marked(faults, truth)
+    by_name = {
+        name: _marked([f for f in faults if f.kind == name], truth) for name in set(KINDS.values())
+    }
+    rows = []
+    for kind, name in KINDS.items():
+        mine = [b for b in broken if b.kind == kind]
+        at = [_marked([b], truth) for b in mine]
+        rows.append(
+            FaultRow(
+                clip,
+                case,
+                kind,
+                len(mine),
+                sum(bool(flagged[a].mean() >= ENOUGH) for a in at),
+                sum(bool(by_name[name][a].mean() >= ENOUGH) for a in at),
+                _means(off, _marked(mine, truth)),
+                int(_marked(mine, truth).sum()),
+                minutes,
+            )
+        )
+    wrong = _marked(broken, truth)
+    false = [f for f in faults if not wrong[f.start : f.stop, f.joint].any()]
+    rows.append(
+        FaultRow(
+            clip,
+            case,
+            SOUND,
+            int((~wrong).sum()),
+            len(false),
+            int((flagged & ~wrong).sum()),
+            _means(off, ~wrong),
+            int((~wrong).sum()),
+            minutes,
+        )
+    )
+    return rows
+
+
+def _marked(faults: Sequence[Broken | Fault], pose: Pose) -> BoolArray:
+    """(frames, joints) bool: wrong."""
+    mask = np.zeros((pose.frames, len(pose.joints)), dtype=bool)
+    for fault in faults:
+        joints = fault.joints if isinstance(fault, Broken) else (fault.joint,)
+        mask[fault.start : fault.stop, list(joints)] = True
+    return mask
+
+
+def _means(off: Sequence[FloatArray], at: BoolArray) -> tuple[float, float, float]:
+    """Mean distance at some joints; NaN for none."""
+    broken, restored, told = (float(o[at].mean()) if at.any() else np.nan for o in off)
+    return broken, restored, told
+
+
+def faults_table(rows: Sequence[FaultRow]) -> list[str]:
+    """Every kind in every case, recordings pooled."""
+    lines = ["Faults that the recording does not tell of; mean distance from the truth in mm."]
+    for case in dict.fromkeys(row.case for row in rows):
+        cells = [["Kind", "faults", "found", "by name", "broken", "restored", "if it told"]]
+        for kind in KINDS:
+            here = [row for row in rows if (row.case, row.kind) == (case, kind)]
+            count = sum(row.faults for row in here)
+            shares = (
+                number(100.0 * sum(n) / max(count, 1), 1) + " %"
+                for n in ([r.found for r in here], [r.named for r in here])
+            )
+            cells.append([kind, str(count), *shares, *_pooled(here)])
+        sound = [row for row in rows if (row.case, row.kind) == (case, SOUND)]
+        cells.append([SOUND, "", "", "", *_pooled(sound)])
+        false, flagged = (sum(getattr(r, n) for r in sound) for n in ("found", "named"))
+        share = 100.0 * flagged / sum(r.faults for r in sound)
+        minutes = sum(r.minutes for r in sound)
+        lines += ["", f"{case[0].upper()}{case[1:]}", *aligned(cells)]
+        lines += [
+            f"  Flags where nothing is wrong: {false}, {false / minutes:.2f} a minute; sound joints"
+            f" flagged: {share:.3f} %"
+        ]
+    return lines
+
+
+def _pooled(rows: Sequence[FaultRow]) -> list[str]:
+    """Mean distances, weighted by samples."""
+    there = [row for row in rows if row.samples]
+    weight = sum(row.samples for row in there)
+    return [
+        number(sum(row.off_mm[n] * row.samples for row in there) / weight if weight else np.nan, 1)
+        for n in range(3)
+    ]
+
+
+def faults_csv(rows: Sequence[FaultRow]) -> str:
+    """Every kind in every recording."""
+    file = io.StringIO()
+    writer = csv.writer(file, lineterminator="\n")
+    off = [f"{state}_mm" for state in ("broken", "restored", "told")]
+    writer.writerow(["clip", "case", "kind", "faults", "found", "named", *off, "samples"])
+    for row in rows:
+        writer.writerow(
+            [row.clip, row.case, row.kind, row.faults, row.found, row.named]
+            + [csv_cell(value) for value in row.off_mm]
+            + [row.samples]
+        )
+    return file.getvalue()

@@ -1,0 +1,47 @@
+"""How many faults that a sensor does not tell of are found, as an experiment."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import markermend as mm
+from markermend.bench.faults import CASES, SOUND, faults_csv, faults_table, find_faults
+from markermend.errors import DataError
+from markermend.poses.breaking import KINDS
+from markermend.poses.nuitrack import to_nuitrack
+
+
+@pytest.fixture(scope="module")
+def clips(shared_data):
+    folder = shared_data / "poses"
+    return {name: to_nuitrack(mm.read_pose(folder / f"{name}.amc")) for name in ("02_01", "03_02")}
+
+
+def test_faults_are_found_and_mended_and_little_else_is_touched(clips):
+    cases = [CASES[1], CASES[3]]
+    rows = find_faults(clips, cases=cases)
+    assert [(r.clip, r.case, r.kind) for r in rows] == [
+        (clip, case.name, kind) for clip in clips for case in cases for kind in (*KINDS, SOUND)
+    ]
+    for row in rows:
+        broken, restored, told = row.off_mm
+        if row.kind == SOUND:
+            assert row.named / row.faults < 0.005
+            assert max(broken, restored) < 10.0
+        else:
+            assert row.found == row.named == row.faults == 1
+            assert restored < 0.5 * broken
+            assert told < 0.5 * broken
+    undone = [r.off_mm[1] for r in rows if (r.kind, r.case) == ("swapped", cases[0].name)]
+    np.testing.assert_allclose(undone, 0.0, atol=0.01)
+    assert find_faults(clips, cases=cases[:1]) == [r for r in rows if r.case == cases[0].name]
+    text = "\n".join(faults_table(rows))
+    assert "100.0 %" in text
+    assert "a minute" in text
+    assert len(faults_csv(rows).splitlines()) == 1 + len(rows)
+
+
+def test_everybody_must_be_new_to_what_was_learnt(clips):
+    with pytest.raises(DataError, match="two or more"):
+        find_faults({"02_01": clips["02_01"]})
