@@ -21,6 +21,7 @@ from markermend.vertical import vertical_axis
 from markermend_app.document import Document
 from markermend_app.panels.scene.camera import Camera
 from markermend_app.panels.scene.looks import marker_colours
+from markermend_app.panels.scene.paint import place_labels
 from markermend_app.panels.scene.scene import Scene
 from markermend_app.panels.scene.select import Outline
 from markermend_app.panels.scene.stage import set_stage
@@ -272,7 +273,8 @@ def test_of_several_subjects_the_one_looked_at_is_followed(tmp_path, qtbot, dama
     scene.show()
     scene.grab()
     far = scene.camera.distance
-    assert scene.camera.target[0] == pytest.approx(np.nanmedian(take.positions[:6, :, 0]), abs=1)
+    named = take.positions[:6, :-1, 0]
+    assert scene.camera.target[0] == pytest.approx(np.nanmedian(named), abs=1)
     count = len(damaged[0].labels)
     for who, columns in (("B", slice(count, 2 * count)), ("A", slice(0, count))):
         document.show([f"{who}:{damaged[0].labels[3]}"])
@@ -290,11 +292,47 @@ def test_of_several_subjects_the_one_looked_at_is_followed(tmp_path, qtbot, dama
     document.proposals.close()
 
 
+def test_a_body_with_most_markers_at_one_end_is_seen_whole(tmp_path, qtbot):
+    # Twenty markers on a shoulder, one on a hand far above, two on feet far below.
+    rng = np.random.default_rng(3)
+    heights = np.concatenate((rng.normal(1300, 40, 20), [2100.0], [60.0, 80.0]))
+    body = np.stack((rng.normal(0, 60, 23), rng.normal(0, 60, 23), heights), axis=1)
+    stray = np.array([[400_000.0, 0.0, 0.0]])
+    positions = np.tile(np.concatenate((body, stray)), (50, 1, 1))
+    document = Document()
+    labels = (*(f"M{i}" for i in range(23)), "*7")
+    document.open(open_session(Take(positions, labels, 100.0), folder=tmp_path), None)
+    scene = Scene(document)
+    qtbot.addWidget(scene)
+    scene.resize(500, 400)
+    scene.show()
+    document.show(["M0"])
+    scene.grab()
+    down = scene._at[:23, 1]
+    assert down.min() > 0
+    assert down.max() < 400
+    assert np.ptp(down) > 150
+    document.open(None, None)
+    document.proposals.close()
+
+
 def test_vertical_axis_can_be_set(scene):
     scene.set_vertical(1)
     assert scene.camera.up == 1
     scene.set_vertical(None)
     assert scene.camera.up == scene.stage.up
+
+
+def test_names_cover_neither_each_other_nor_markers_that_have_room_beside_them(scene):
+    metrics = scene.fontMetrics()
+    # A marker stands where the first name would be written, and two lie on the same spot.
+    at = np.array([[100.0, 100.0], [125.0, 100.0], [300.0, 100.0], [300.0, 100.0], [np.nan] * 2])
+    names = [(i, f"M{i}") for i in range(5)]
+    boxes = dict((name, box) for box, name in place_labels(metrics, at, names))
+    assert sorted(boxes) == ["M0", "M1", "M2", "M3"]
+    assert not any(box.contains(QPointF(x, y)) for box in boxes.values() for x, y in at[:4])
+    placed = list(boxes.values())
+    assert not any(a.intersects(b) for i, a in enumerate(placed) for b in placed[:i])
 
 
 def test_says_so_while_nothing_is_open(scene, document):

@@ -10,7 +10,7 @@ from markermend.arrays import FloatArray
 from markermend.take import is_unlabelled
 from markermend_app.document import Document
 from markermend_app.panels.scene.camera import Camera
-from markermend_app.panels.scene.stage import centre_at, size_of
+from markermend_app.panels.scene.stage import centre_at, reach_of
 
 
 class Follower:
@@ -28,9 +28,13 @@ class Follower:
         self.everyone = True
 
     def start(self) -> None:
-        """Begin with another take, with all of its markers."""
+        """Begin with another take, with all of its markers that have a name."""
         session = self._document.session
-        self._body = [] if session is None else list(range(session.original.markers))
+        self._body = []
+        if session is not None:
+            take = session.original
+            named = [i for i, s in enumerate(take.labels) if not is_unlabelled(s)]
+            self._body = named or list(range(take.markers))
         self._centre, self.everyone = None, True
 
     def turn(self) -> bool:
@@ -42,16 +46,19 @@ class Follower:
         if session is None or not shown or is_unlabelled(shown[0]):
             return False
         take = session.original
-        body = [i for i, s in enumerate(take.labels) if take.subject(s) == take.subject(shown[0])]
+        who = take.subject(shown[0])
+        body = [
+            i for i, s in enumerate(take.labels) if take.subject(s) == who and not is_unlabelled(s)
+        ]
         if body == self._body:
             return False
         self._body, self._centre, self.everyone = body, None, False
         return True
 
-    def size(self) -> float:
-        """Extent of who is followed, mm."""
+    def reach(self) -> float:
+        """How far who is followed extends from the middle, mm."""
         session = self._document.session
-        return 0.0 if session is None else size_of(session.original, self._body)
+        return 0.0 if session is None else reach_of(session.original, self._body)
 
     def aimed(self, camera: Camera) -> Camera:
         """The camera with the body in its middle."""

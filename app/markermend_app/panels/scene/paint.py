@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QPainter, QPainterPath, QPen
+from PySide6.QtGui import QColor, QFont, QFontMetrics, QPainter, QPainterPath, QPen
 
 from markermend.arrays import FloatArray, IntArray
 from markermend.artifact import Kind
@@ -180,26 +181,51 @@ def paint_followed(sight: Sight, at: FloatArray) -> None:
 
 
 def paint_labels(sight: Sight, at: FloatArray, names: Sequence[tuple[int, str]]) -> None:
-    """Write names beside markers, on a veil of background so that they can be read."""
+    """Write names beside markers, on a veil of background so that they can be read.
+
+    Each goes to the side of its marker where it covers the fewest others; one that could only
+    cover another name is left out.
+    """
     t = theme.current()
     painter = sight.painter
     painter.setFont(_font(painter, QFont.Weight.DemiBold))
-    metrics = painter.fontMetrics()
-    taken: list[QRectF] = []
-    for column, name in names:
-        x, y = at[column]
-        if np.isnan(x):
-            continue
-        box = QRectF(x + 9, y - metrics.height() / 2, metrics.horizontalAdvance(name) + 6, 0)
-        box.setHeight(metrics.height())
-        if any(box.intersects(other) for other in taken):
-            continue
-        taken.append(box)
+    for box, name in place_labels(painter.fontMetrics(), at, names):
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(theme.faded(t.plot, 0.75))
         painter.drawRoundedRect(box, 3, 3)
         painter.setPen(t.text)
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, name)
+
+
+def place_labels(
+    metrics: QFontMetrics, at: FloatArray, names: Sequence[tuple[int, str]]
+) -> list[tuple[QRectF, str]]:
+    """Boxes for the names of markers, (markers, 2) pixels; the first names choose first."""
+    taken: list[tuple[QRectF, str]] = []
+    for column, name in names:
+        x, y = at[column].tolist()
+        if math.isnan(x):
+            continue
+        width, height = metrics.horizontalAdvance(name) + 6.0, float(metrics.height())
+        best, fewest = QRectF(), len(at) + 1
+        for left, top in (
+            (x + 9, y - height / 2),
+            (x - 9 - width, y - height / 2),
+            (x - width / 2, y - 8 - height),
+            (x - width / 2, y + 8),
+        ):
+            box = QRectF(left, top, width, height)
+            if any(box.intersects(other) for other, _ in taken):
+                continue
+            over = np.abs(at - (left + width / 2, top + height / 2)) < (width / 2, height / 2)
+            covered = int(np.count_nonzero(over.all(axis=1)))
+            if covered < fewest:
+                best, fewest = box, covered
+            if not covered:
+                break
+        if not best.isNull():
+            taken.append((best, name))
+    return taken
 
 
 def paint_triad(sight: Sight) -> None:

@@ -36,8 +36,6 @@ PICK_PX = 14.0
 SCRUB_S_PER_PX = 0.02
 RADIUS_MM = 13.0
 MANY_LABELS = 40
-BODY = 0.56
-"""Radius of the view of a body that is followed, as a share of the body's size."""
 
 
 class Scene(QWidget):
@@ -121,8 +119,7 @@ class Scene(QWidget):
         if self.stage is not None:
             self.camera = self.stage.camera(self.camera)
             if self.follow.isChecked():
-                size = self.follower.size()
-                camera = self.camera.zoomed(BODY * size / self.stage.radius)
+                camera = self.camera.zoomed(self.follower.reach() / self.stage.radius)
                 self.camera = self.follower.aimed(camera)
         self.update()
 

@@ -111,9 +111,15 @@ def floor_lines(stage: Stage) -> tuple[FloatArray, FloatArray]:
     return np.array(starts), np.array(stops)
 
 
-def size_of(take: Take, body: Sequence[int]) -> float:
-    """Extent of some markers in a frame, mm."""
-    return _extent(_sample(take.positions)[:, body])
+def reach_of(take: Take, body: Sequence[int]) -> float:
+    """How far some markers are from their :func:`centre_at`, mm; at least what is to be seen."""
+    points = _sample(take.positions)[:, body]
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RuntimeWarning)
+        centres = np.nanmedian(points, axis=1, keepdims=True)
+        away = np.nanmax(np.linalg.norm(points - centres, axis=2), axis=1, initial=-np.inf)
+    away = away[np.isfinite(away)]
+    return max(float(np.percentile(away, 90)), LEAST_RADIUS_MM) if len(away) else 1000.0
 
 
 def centre_at(positions: FloatArray, frame: int, body: Sequence[int]) -> FloatArray:
