@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from driving import answer_with
 from plots import SHIFT, Bench
-from PySide6.QtCore import QPointF, Qt, QTimer
+from PySide6.QtCore import QPoint, QPointF, Qt, QTimer
+from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLineEdit
+from PySide6.QtWidgets import QApplication, QLineEdit, QMenu
 
 import markermend as mm
 from markermend.artifact import Artifact, Kind, Status
@@ -19,6 +20,7 @@ from markermend_app.dialogs import export as export_dialog
 
 WAIT = 20_000
 ACCESSIBLE = Qt.ItemDataRole.AccessibleTextRole
+DIRECT = Qt.FindChildOption.FindDirectChildrenOnly
 CTRL = Qt.KeyboardModifier.ControlModifier
 
 
@@ -42,6 +44,13 @@ def mouse(window):
 def state(window):
     session = window.document.session
     return session.positions.tobytes(), session.artifacts, session.take.labels
+
+
+def index_of(window, marker):
+    """Row of a marker in the tree."""
+    role, flags = Qt.ItemDataRole.DisplayRole, Qt.MatchFlag.MatchRecursive
+    model = window.tree.view.model()
+    return model.match(model.index(0, 0), role, marker, 1, flags)[0]
 
 
 def settle(window, qtbot):
@@ -110,6 +119,31 @@ def test_a_key_is_about_what_details_show_and_decides_nothing_behind_a_swept_ran
     assert document.session.history[-1].startswith("Repair noise on")
     assert document.session.history[-1].endswith("by hand")
     assert document.session.artifact(gap).status is Status.REJECTED
+
+
+@pytest.mark.parametrize("panel", ["scene", "tree"])
+def test_a_swept_range_is_swapped_from_the_menu_on_the_other_marker(window, mouse, qtbot, panel):
+    document = window.document
+    document.show(["T10"])
+    mouse.drag(40, 59, keys=SHIFT)
+    if panel == "scene":
+        window.scene.grab()
+        place = window.scene._at[document.session.original.index("LSHO")]
+        at = QPoint(*(round(v) for v in place.tolist()))
+        QApplication.sendEvent(
+            window.scene, QContextMenuEvent(QContextMenuEvent.Reason.Mouse, at, at)
+        )
+        menu = window.scene.findChild(QMenu, options=DIRECT)
+    else:
+        window.tree._show_menu(window.tree.view.visualRect(index_of(window, "LSHO")).center())
+        menu = window.tree.findChild(QMenu, options=DIRECT)
+    assert document.shown == ("LSHO", "T10")
+    assert "Selection on T10" in [action.text() for action in menu.actions()]
+    next(a for a in menu.actions() if a.objectName() == "swap_selection").trigger()
+    assert choose(window, qtbot, "")[0] == "LSHO"
+    now, was = document.session.positions, document.session.original.positions
+    assert np.array_equal(now[40:60, 3], was[40:60, 4])
+    menu.close()
 
 
 def test_swapping_from_here_to_there(window, mouse, qtbot, monkeypatch):

@@ -67,6 +67,10 @@ def test_the_readout_says_what_has_room(window):
     assert header.readout.text().endswith("1234.5 mm (edited)")
     assert header.readout.sizeHint().width() <= header.readout.width()
     assert "123.456 s" in header.readout.toolTip()
+    header.setFixedWidth(280)
+    widen(window, HALF)
+    assert header.readout.text().endswith("…")
+    assert header.readout.sizeHint().width() <= header.readout.width()
 
 
 def test_the_name_of_a_row_that_was_low_stands_in_its_middle(window):

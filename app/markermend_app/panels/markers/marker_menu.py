@@ -9,6 +9,19 @@ from PySide6.QtWidgets import QMenu
 
 from markermend_app.actions.menus import entry
 from markermend_app.document import Document
+from markermend_app.words import tr
+
+
+def point_at(document: Document, marker: str) -> None:
+    """Show the marker that a menu is opened on foremost.
+
+    Where a range of another one is swept, that one stays beside it: they may have to be exchanged.
+    """
+    swept = document.selection
+    if swept is not None and swept.marker != marker:
+        document.show((marker, swept.marker))
+    else:
+        document.show_too([marker])
 
 
 def add_marker_verbs(menu: QMenu, document: Document, do: Callable[[str], None]) -> None:
@@ -20,3 +33,10 @@ def add_marker_verbs(menu: QMenu, document: Document, do: Callable[[str], None])
     menu.addSeparator()
     for name in ("rename_marker", "merge_marker", "smooth"):
         entry(menu, name, partial(do, name)).setEnabled(document.editable)
+    swept = document.selection
+    if swept is not None and swept.marker != document.shown[0]:
+        menu.addSeparator()
+        text = tr("Selection on {marker}").format(marker=swept.marker)
+        menu.addAction(text).setEnabled(False)
+        for name in ("swap_selection", "move_selection"):
+            entry(menu, name, partial(do, name)).setEnabled(document.editable)

@@ -36,7 +36,7 @@ from PySide6.QtWidgets import (
 from markermend.review.edits import Change
 from markermend_app.document import Document
 from markermend_app.panels.markers.badge import counts_width, hint, paint_counts
-from markermend_app.panels.markers.marker_menu import add_marker_verbs
+from markermend_app.panels.markers.marker_menu import add_marker_verbs, point_at
 from markermend_app.panels.markers.marker_model import (
     COUNTS,
     LABEL,
@@ -284,7 +284,7 @@ class MarkerTree(QWidget):
         label = self._model.node(self._proxy.mapToSource(index)).label if index.isValid() else ""
         if not label:
             return
-        self._document.show_too([label])
+        point_at(self._document, label)
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         add_marker_verbs(menu, self._document, self.verb_requested.emit)

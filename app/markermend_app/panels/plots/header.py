@@ -78,7 +78,7 @@ class PlotHeader(QWidget):
         self._fit_readout()
 
     def _fit_readout(self) -> None:
-        """Leave out the time, the frame, and the name, rather than cut off the values."""
+        """Leave out the time, the frame, and the name, before the last values."""
         taken = [self.plots, self.back] if self.back.isVisible() else [self.plots]
         room = self.width() - self.legend.minimumWidth() - 2 * _MARGIN
         room -= sum(button.sizeHint().width() + _SPACING for button in taken) + _SPACING
@@ -87,8 +87,14 @@ class PlotHeader(QWidget):
         bare = values if " · " in values else values.partition(" ")[2]
         for text in (self._said, f"{frame} · {values}", values, bare) if values else (self._said,):
             self.readout.setText(text)
-            if self.readout.sizeHint().width() <= room:
+            over = self.readout.sizeHint().width() - room
+            if over <= 0:
                 break
+        else:
+            # A figure cut off would be another figure: dots say that there is more.
+            metrics = self.readout.fontMetrics()
+            width = max(metrics.horizontalAdvance(text) - over, 0)
+            self.readout.setText(metrics.elidedText(text, Qt.TextElideMode.ElideRight, width))
         self.readout.setToolTip(self._said)
 
     def clear(self) -> None:

@@ -21,7 +21,7 @@ from markermend.measures import differing
 from markermend_app import units
 from markermend_app.document import Document
 from markermend_app.items.focus import paint_focus
-from markermend_app.panels.markers.marker_menu import add_marker_verbs
+from markermend_app.panels.markers.marker_menu import add_marker_verbs, point_at
 from markermend_app.panels.scene import paint
 from markermend_app.panels.scene.buttons import SceneButtons
 from markermend_app.panels.scene.camera import Camera
@@ -107,7 +107,7 @@ class Scene(QWidget):
         """Offer what can be done to a marker, and what can be seen."""
         menu.clear()
         if marker is not None:
-            self._document.show_too([marker])
+            point_at(self._document, marker)
             add_marker_verbs(menu, self._document, self.do)
             menu.addSeparator()
         self.looks.fill(menu, self._vertical, self.set_vertical, self.update)
