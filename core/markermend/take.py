@@ -81,12 +81,14 @@ class Points:
     kinds : one per point, for example ``"angle"``, ``"force"``, ``"moment"``, ``"power"``,
         ``"scalar"``, ``"modelled"``
     columns : position of each point in the file's own point list
+    units : by kind, for people; no entry where the file tells none
     """
 
     values: FloatArray
     labels: tuple[str, ...]
     kinds: tuple[str, ...]
     columns: tuple[int, ...]
+    units: Mapping[str, str] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         counts = Counter(self.kinds)

@@ -36,7 +36,7 @@ def richer(take: Take) -> Take:
         take,
         events=(Event("Foot Strike", 2.0, "Left"), Event("Foot Off", 3.5, "Right")),
         analog=Analog(force, ("Fz1", "EMG"), ("N", "V"), 10 * take.rate),
-        points=Points(angle, ("LKneeAngles",), ("angle",), (8,)),
+        points=Points(angle, ("LKneeAngles",), ("angle",), (8,), {"angle": "deg"}),
         residuals=np.where(take.present, 0.7, np.nan).astype(np.float32),
         cameras=np.full(take.present.shape, 5, dtype=np.uint8),
     )
@@ -268,6 +268,10 @@ def test_channels_stand_in_rows_of_their_own(panel):
     assert "Fz1" in force.caption.text
     hover(panel, force, 200)
     assert panel.header.readout.text().endswith("Fz1 800 N")
+    hover(panel, panel.canvas.beside[1], 200)
+    at_200 = "30.08, 30.08, 30.08"
+    assert panel.header.readout.text().endswith(f"LKneeAngles {at_200} deg")
+    assert panel.canvas.beside[1]._named[0] == "Angle (deg)"
     assert force.time.style["showValues"] is False
     assert panel.canvas.beside[-1].time.style["showValues"]
     document.show_beside(())

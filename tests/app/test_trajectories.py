@@ -258,6 +258,19 @@ def test_values_follow_the_view_until_a_hand_moves_them(bench):
     assert row.view.viewRange()[1] != by_hand
 
 
+def test_a_proposal_out_of_view_takes_no_room_from_the_values_in_it(bench, qtbot):
+    gap = next(a for a in bench.document.session.artifacts if a.kind is Kind.GAP)
+    bench.document.select(gap.id)
+    qtbot.waitUntil(lambda: bench.document.proposal is not None, timeout=20_000)
+    x = bench.panel.rows[0]
+    assert x.proposed
+    # The body walks along X: the gap lies at 0.2 m, the end of the take at 1.2 m.
+    bench.panel.set_view(300, 390)
+    seen = x.values_of["CLAV"][300:390]
+    low, high = x.view.viewRange()[1]
+    assert high - low < 1.5 * np.ptp(seen)
+
+
 def test_menu_of_an_interval_changes_its_class(bench, monkeypatch):
     opened = []
     monkeypatch.setattr(QMenu, "popup", lambda menu, *_: opened.append(menu))

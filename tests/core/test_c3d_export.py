@@ -182,6 +182,7 @@ def test_take_without_source_becomes_a_new_file(
     assert (back.points is None) == (take.points is None)
     if take.points is not None and back.points is not None:
         assert back.points.kinds == take.points.kinds
+        assert back.points.units == take.points.units
     theirs = ezc3d.c3d(str(tmp_path / "new.c3d"))
     points = np.transpose(theirs["data"]["points"], (2, 1, 0))[:, : take.markers, :3]
     np.testing.assert_allclose(points, take.positions, rtol=1e-6)

@@ -190,6 +190,8 @@ def test_model_outputs_are_not_markers(shared_data: Path) -> None:
     assert kinds["LHipAngles"] == "angle"
     assert kinds["LKneeMoment"] == "moment"
     assert kinds["PELO"] == "modelled"
+    units = {"angle": "deg", "force": "N", "moment": "Nmm", "power": "W", "modelled": "mm"}
+    assert take.points.units == units
     assert {"LASI", "RTOE", "LHEE", "C7"} <= set(take.labels)
     assert len(take.events) == 12
     assert {e.label for e in take.events} == {"Foot Strike", "Foot Off"}

@@ -158,6 +158,7 @@ def test_what_ezc3d_holds_is_what_we_read(shared_data: Path, name: str) -> None:
     assert (theirs.points is None) == (ours.points is None)
     if ours.points is not None and theirs.points is not None:
         assert theirs.points.labels == ours.points.labels
+        assert theirs.points.units == ours.points.units
 
 
 def test_something_else_than_ezc3d_is_refused() -> None:

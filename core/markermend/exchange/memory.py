@@ -9,7 +9,7 @@ import numpy as np
 
 from markermend.errors import DataError
 from markermend.exchange.xarrays import rate_of, scale_of
-from markermend.files.c3d_points import kinds_of
+from markermend.files.c3d_points import kinds_of, units_of
 from markermend.files.labels import unique_labels
 from markermend.take import Event, Points, Take
 
@@ -61,6 +61,7 @@ def from_ezc3d(c3d: Mapping[str, Any]) -> Take:
             tuple(labels[i] for i in others),
             tuple(kinds[i] for i in others),
             tuple(others),
+            units_of(texts, kinds),
         )
         if others
         else None,

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from markermend.arrays import ByteArray, Float32Array, FloatArray
 from markermend.files.c3d_events import read_events
 from markermend.files.c3d_layout import C3dLayout, Storage, parse_layout
-from markermend.files.c3d_points import kinds_of
+from markermend.files.c3d_points import kinds_of, units_of
 from markermend.files.c3d_samples import (
     Plan,
     blocks,
@@ -85,6 +85,7 @@ def read_c3d(path: Path, *, progress: Progress | None = None) -> Take:
             labels=tuple(labels[i] for i in others),
             kinds=tuple(kinds[i] for i in others),
             columns=others,
+            units=units_of(lambda name: layout.strings("POINT", name), kinds),
         )
         if others
         else None,

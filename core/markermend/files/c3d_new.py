@@ -213,9 +213,12 @@ def _records(
 
 
 def _type_lists(take: Take) -> dict[str, tuple[str, ...]]:
-    """Labels of the points that are not markers, by the list that tells their kind."""
+    """Labels of the points that are not markers, by the list that tells their kind, and units."""
     found: dict[str, list[str]] = {}
     if take.points is not None:
         for label, kind in zip(take.points.labels, take.points.kinds, strict=True):
             found.setdefault(_LISTS.get(kind, "MODELED_MARKERS"), []).append(label)
+        for kind, unit in take.points.units.items():
+            if kind != "modelled":
+                found[f"{kind.upper()}_UNITS"] = [unit]
     return {name: tuple(labels) for name, labels in found.items()}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 # Lists of labels in the POINT group, as Vicon's type groups name them.
 LISTS = {
@@ -52,6 +52,29 @@ def kinds_of(point_texts: Callable[[str], Sequence[str]], labels: Sequence[str])
                 listed.setdefault(label, kind)
     axes = _segment_axes(labels)
     return tuple(_kind(label, listed, axes) for label in labels)
+
+
+def units_of(
+    point_texts: Callable[[str], Sequence[str]], kinds: Iterable[str]
+) -> Mapping[str, str]:
+    """Unit of each kind of point that is no marker, as far as the file tells.
+
+    Parameters
+    ----------
+    point_texts : as for :func:`kinds_of`
+    kinds : of points, as :func:`kinds_of` returns them
+
+    Returns
+    -------
+    mapping of kind to unit: of ``POINT:ANGLE_UNITS`` and the like; a model's points are lengths
+    """
+    told: dict[str, str] = {}
+    for kind in dict.fromkeys(kinds):
+        name = "UNITS" if kind == "modelled" else f"{kind.upper()}_UNITS"
+        unit = next(iter(point_texts(name)), "").strip()
+        if kind and unit:
+            told[kind] = unit
+    return told
 
 
 def _kind(label: str, listed: dict[str, str], axes: set[str]) -> str:

@@ -96,6 +96,7 @@ def drop(take: Take, labels: Sequence[str]) -> Take:
                 labels=tuple(others[i] for i in stay),
                 kinds=tuple(points.kinds[i] for i in stay),
                 columns=tuple(points.columns[i] for i in stay),
+                units=points.units,
             )
             if stay
             else None

@@ -68,10 +68,9 @@ def channel(take: Take, key: str) -> Channel | None:
         unit = analog.units[column]
         return Channel(analog.labels[column], unit, what, take.rate / analog.rate, values)
     if what == "point" and take.points is not None and column < len(take.points.labels):
-        points = take.points
-        return Channel(
-            points.labels[column], "", points.kinds[column], 1.0, points.values[:, column]
-        )
+        points, kind = take.points, take.points.kinds[column]
+        unit = points.units.get(kind, "")
+        return Channel(points.labels[column], unit, kind, 1.0, points.values[:, column])
     return None
 
 

@@ -298,7 +298,9 @@ class PlotRow(PlotFrame):
                 trusted += [values[:a], values[b:]]
             else:
                 trusted.append(values)
-        special += [item.yData for item in self.proposed if item.yData is not None]
+        for item in self.proposed:
+            if item.xData is not None:
+                special.append(item.yData[slice(*np.searchsorted(item.xData, (low, high)))])
         height = max(1.0, self.view.height())
         bottom = min(0.3, self.intervals.strip_height / height)
         top = min(0.3, self.flags.height / height)
