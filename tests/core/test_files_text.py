@@ -146,25 +146,43 @@ def test_labels_become_unique(stated: list[str]) -> None:
 
 
 @pytest.mark.parametrize(
-    ("rows", "told"),
+    ("rows", "seen"),
     [
-        ("1,0.00\n2,0.01\n5,0.04\n6,0.05", "places: 1"),
-        (",0.00\n,0.01\n,0.02\n,0.09\n,0.10\n,0.04\n,0.05\n,0.06", "places: 2"),
-        ("1,0.00\n2,0.00\n3,0.01\n4,0.02", ""),
-        (",0.00\n,0.00\n,0.01\n,0.02", ""),
-        ("4,0.04\n3,0.03\n2,0.02\n1,0.01", ""),
-        ("inf,0.00\ninf,0.01\n-inf,0.02\n1e308,0.05", "places: 1"),
-        ("-1e308,\n1e308,\n,", ""),
+        ("1,0.00\n2,0.01\n5,0.04\n6,0.05", "##..##"),
+        (",0.000\n,0.010\n,0.020\n,0.050\n,0.060", "###..##"),
+        ("1,0.00\n3,0.02\n5,0.04\n9,0.08", "###.#"),
+        ("1,0.00\n2,0.00\n3,0.01\n4,0.02", "####"),
+        (",0.00\n,0.01\n,0.02\n,0.03\n,0.04\n,0.06\n,0.07", "#######"),
+        ("4,0.04\n3,0.03\n2,0.02\n1,0.01", "####"),
+        ("inf,0.000\ninf,0.010\n-inf,0.020\n1e308,0.050", "###..#"),
+        ("-1e308,\n1e308,\n,", "###"),
     ],
 )
-def test_rows_that_are_missing_are_told(tmp_path: Path, rows: str, told: str) -> None:
+def test_rows_that_are_missing_are_gaps(tmp_path: Path, rows: str, seen: str) -> None:
     path = tmp_path / "a.csv"
     path.write_text("frame,time,A.x,A.y,A.z\n" + "".join(f"{r},1,2,3\n" for r in rows.split()))
     take = mm.read(path)
-    said = [w for w in take.warnings if "Rows are missing" in w]
-    assert [told in w for w in said] == ([True] if told else [])
-    if told:
-        assert take.rate == 100.0
+    assert "".join("#" if x == x else "." for x in take.positions[:, 0, 0]) == seen
+    said = [w for w in take.warnings if "rows are missing" in w]
+    assert said == (
+        [f"{seen.count('.')} rows are missing; their frames were read as gaps."] * bool("." in seen)
+    )
+    if said:
+        assert take.rate == (50.0 if "9" in rows else 100.0)
+
+
+@pytest.mark.parametrize("numbers", ["1 2 3 900000000", "1 2 3 9 10 4 5 6"])
+def test_rows_that_cannot_be_placed_are_read_one_after_the_other(
+    tmp_path: Path, numbers: str
+) -> None:
+    path, frames = tmp_path / "a.csv", numbers.split()
+    path.write_text(
+        "frame,time,A.x,A.y,A.z\n" + "".join(f"{f},{int(f) / 100},1,2,3\n" for f in frames)
+    )
+    take = mm.read(path)
+    assert take.frames == len(frames)
+    assert take.rate == 100.0
+    assert any("after row 3, for one" in w for w in take.warnings)
 
 
 def test_rows_missing_from_a_trc_and_columns_there_twice_are_told(tmp_path: Path) -> None:
@@ -173,7 +191,12 @@ def test_rows_missing_from_a_trc_and_columns_there_twice_are_told(tmp_path: Path
     mm.write(take, whole)
     lines = whole.read_text().splitlines(keepends=True)
     holed.write_text("".join(lines[:20] + lines[23:]))
-    assert not any("Rows" in w for w in mm.read(whole).warnings)
-    assert any("Rows are missing (places: 1)" in w for w in mm.read(holed).warnings)
+    read, gapped = mm.read(whole), mm.read(holed)
+    assert not read.warnings
+    assert gapped.warnings == ("3 rows are missing; their frames were read as gaps.",)
+    assert not gapped.read_only
+    gone = np.isnan(gapped.positions).all(axis=(1, 2))
+    assert gone.sum() == 3
+    np.testing.assert_array_equal(gapped.positions[~gone], read.positions[~gone])
     table.write_text("A.x,A.y,A.z,A.x,A.y,A.z\n1,2,3,4,5,6\n")
     assert any("the first was read: A.x." in w for w in mm.read(table).warnings)

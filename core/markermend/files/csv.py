@@ -18,13 +18,13 @@ from typing import IO
 
 import numpy as np
 
+from markermend.arrays import FloatArray, IntArray
 from markermend.errors import FileFormatError
 from markermend.files.labels import unique_labels
 from markermend.files.text import (
-    MISSING_ROWS,
     check_width,
+    frames_of_rows,
     mark_missing,
-    missing_rows,
     numbers,
     read_lines,
 )
@@ -49,7 +49,8 @@ def read_csv(path: Path, *, progress: Progress | None = None) -> Take:
     Returns
     -------
     Take
-        positions in mm; a sample is missing where a cell is blank or no number, or all are zero
+        positions in mm; a sample is missing where a cell is blank or no number, all are zero, or
+        frame numbers or times tell that a row is missing
 
     Raises
     ------
@@ -84,11 +85,11 @@ def read_csv(path: Path, *, progress: Progress | None = None) -> Take:
         strange += numbers(cells, table[i])
     if strange:
         warnings.append(f"{strange} cells that are no numbers were read as missing.")
-    told = (_column(names, pattern) for pattern in (_FRAME, _TIME))
-    lost = missing_rows(*(table[:, at] for at in told if at is not None))
-    if lost:
-        warnings.append(MISSING_ROWS.format(lost))
-    positions = table[:, columns].reshape(len(rows), len(labels), 3)
+    found = (_column(names, pattern) for pattern in (_FRAME, _TIME))
+    told = [table[:, at] for at in found if at is not None]
+    frames, even = frames_of_rows(len(rows), *told, warnings=warnings)
+    positions = np.full((frames[-1] + 1, len(labels), 3), np.nan)
+    positions[frames] = table[:, columns].reshape(len(rows), len(labels), 3)
     zeros = mark_missing(positions)
     if zeros:
         warnings.append(f"{zeros} samples at exactly (0, 0, 0) were read as missing.")
@@ -102,7 +103,7 @@ def read_csv(path: Path, *, progress: Progress | None = None) -> Take:
     return Take(
         positions=positions,
         labels=labels,
-        rate=_rate(names, table, warnings),
+        rate=_rate(names, table, frames if even else None, warnings),
         first_frame=_first_frame(names, table),
         source=Source(path.absolute(), "csv", status.st_size, status.st_mtime_ns, scale_mm=scale),
         warnings=tuple(warnings),
@@ -162,7 +163,7 @@ def _column(names: list[str], pattern: re.Pattern[str]) -> int | None:
     return next((i for i, name in enumerate(names) if pattern.match(name)), None)
 
 
-def _first_frame(names: list[str], table: np.ndarray[tuple[int, int], np.dtype[np.float64]]) -> int:
+def _first_frame(names: list[str], table: FloatArray) -> int:
     """Number of the first row, 1 where the table does not tell."""
     place = _column(names, _FRAME)
     first = table[0, place] if place is not None else 1.0
@@ -170,17 +171,16 @@ def _first_frame(names: list[str], table: np.ndarray[tuple[int, int], np.dtype[n
 
 
 def _rate(
-    names: list[str],
-    table: np.ndarray[tuple[int, int], np.dtype[np.float64]],
-    warnings: list[str],
+    names: list[str], table: FloatArray, frames: IntArray | None, warnings: list[str]
 ) -> float:
-    """Frames per second by the times, or 100 where there are none."""
+    """Frames per second by the times, or 100 where there are none; ``frames`` of rows if known."""
     place = _column(names, _TIME)
     if place is not None and len(table) > 1:
-        span = table[-1, place] - table[0, place]
-        if missing_rows(table[:, place]):
-            return float(round(1.0 / np.median(np.diff(table[:, place])), 5))
+        times = table[:, place]
+        span, count = (
+            (np.median(np.diff(times)), 1) if frames is None else (times[-1] - times[0], frames[-1])
+        )
         if np.isfinite(span) and span > 0:
-            return float(round((len(table) - 1) / span, 5))
+            return float(round(count / span, 5))
     warnings.append("The table has no times; 100 Hz was assumed.")
     return 100.0

@@ -7,12 +7,13 @@ from pathlib import Path
 
 import numpy as np
 
-from markermend.arrays import FloatArray
+from markermend.arrays import FloatArray, IntArray
 from markermend.errors import FileFormatError
 
 # Beyond it neighbouring frame numbers are one float64.
 _LARGEST_NUMBER = 2.0**53
-MISSING_ROWS = "Rows are missing (places: {0}); those that are there were read one after the other."
+# A number that went astray must not make a take of millions of empty frames.
+_MOST_FRAMES_A_ROW = 10
 
 
 def read_lines(path: Path) -> list[str]:
@@ -56,29 +57,54 @@ def numbers(cells: list[str], out: FloatArray) -> int:
     return 0
 
 
-def missing_rows(*columns: FloatArray) -> int:
-    """Between how many rows of a table others are missing, by the first column that tells.
+def frames_of_rows(rows: int, *columns: FloatArray, warnings: list[str]) -> tuple[IntArray, bool]:
+    """Frame that each row of a table belongs to, where rows that are missing leave theirs empty.
 
     Parameters
     ----------
+    rows : how many there are
     columns : (rows,) frame numbers, times…, which grow evenly where nothing is missing; NaN where
-        there is no number
+        there is no number. The first that tells is believed; times that were rounded to about a
+        frame do not tell
+    warnings : told what is missing
 
     Returns
     -------
-    number of rows that follow the one before too late, or lie before it; 0 where nothing tells,
-    as times that were rounded to more than a frame
+    (rows,) frames, growing from 0, and whether they follow the column that tells: they do not where
+    rows are out of order, or more is missing than a take would be without
     """
+    one_by_one = np.arange(rows)
     for column in columns:
-        if len(column) < 2 or not (np.abs(column) < _LARGEST_NUMBER).all():
+        if rows < 2 or not (np.abs(column) < _LARGEST_NUMBER).all():
             continue
         steps = np.diff(column)
-        if (steps == 0).mean() > 0.1:
-            continue
         usual = np.median(steps)
-        if usual > 0:
-            return int(np.count_nonzero((steps > 1.5 * usual) | (steps < 0)))
-    return 0
+        if (steps == 0).mean() > 0.1 or usual <= 0:
+            continue
+        late = steps - _rounding(column) > 1.5 * usual
+        if not late.any() and not (steps < 0).any():
+            return one_by_one, True
+        apart = np.where(late, np.round(steps / usual), 1.0)
+        frames = np.concatenate([[0.0], np.cumsum(apart)])
+        if (steps < 0).any() or frames[-1] > _MOST_FRAMES_A_ROW * rows:
+            warnings.append(
+                "Rows are out of order, or very many are missing (after row"
+                f" {int(np.flatnonzero(late | (steps < 0))[0]) + 1}, for one); those that are there"
+                " were read one after the other."
+            )
+            return one_by_one, False
+        missing = int(frames[-1]) + 1 - rows
+        warnings.append(f"{missing} rows are missing; their frames were read as gaps.")
+        return frames.astype(np.int64), True
+    return one_by_one, True
+
+
+def _rounding(column: FloatArray) -> float:
+    """How far a step between two rows may be off for the digits its column is written with."""
+    if (column == np.round(column)).all():
+        return 0.0
+    digits = next((d for d in range(1, 9) if np.allclose(column, np.round(column, d), 0, 1e-9)), 9)
+    return float(10.0**-digits)
 
 
 def check_width(rows: int, columns: int, size: int, name: str) -> None:

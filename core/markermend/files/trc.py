@@ -17,10 +17,9 @@ import numpy as np
 from markermend.errors import FileFormatError
 from markermend.files.labels import unique_labels
 from markermend.files.text import (
-    MISSING_ROWS,
     check_width,
+    frames_of_rows,
     mark_missing,
-    missing_rows,
     number,
     numbers,
     read_lines,
@@ -44,8 +43,9 @@ def read_trc(path: Path, *, progress: Progress | None = None) -> Take:
     Returns
     -------
     Take
-        positions in mm; a sample is missing where a cell is blank or not a number, or all three
-        are zero. ``read_only`` is set when there are fewer rows than the header says.
+        positions in mm; a sample is missing where a cell is blank or not a number, all three are
+        zero, or frame numbers tell that a row is missing. ``read_only`` is set when the header
+        tells of more frames.
 
     Raises
     ------
@@ -74,10 +74,9 @@ def read_trc(path: Path, *, progress: Progress | None = None) -> Take:
         strange += numbers(cells[2:], values[i])
     if strange:
         warnings.append(f"{strange} cells that are no numbers were read as missing.")
-    lost = missing_rows(counted)
-    if lost:
-        warnings.append(MISSING_ROWS.format(lost))
-    positions = values.reshape(len(rows), len(labels), 3)
+    frames, _ = frames_of_rows(len(rows), counted, warnings=warnings)
+    positions = np.full((frames[-1] + 1, len(labels), 3), np.nan)
+    positions[frames] = values.reshape(len(rows), len(labels), 3)
     zeros = mark_missing(positions)
     if zeros:
         warnings.append(f"{zeros} samples at exactly (0, 0, 0) were read as missing.")
@@ -87,19 +86,20 @@ def read_trc(path: Path, *, progress: Progress | None = None) -> Take:
         warnings.append("The file tells no unit of length that is known; millimetres were assumed.")
     positions *= scale
     declared = number(header.get("NumFrames", ""))
-    if np.isfinite(declared) and declared > len(rows):
+    cut = np.isfinite(declared) and declared > len(positions)
+    if cut:
         warnings.append(
-            f"The file is cut short: it says that it has {int(declared)} frames, {len(rows)} are"
-            " present."
+            f"The file is cut short: it says that it has {int(declared)} frames, {len(positions)}"
+            " are present."
         )
     return Take(
         positions=positions,
         labels=labels,
-        rate=_rate(header, rows, warnings),
+        rate=_rate(header, rows, len(positions), warnings),
         first_frame=int(start) if np.isfinite(start) else 1,
         source=Source(path.absolute(), "trc", status.st_size, status.st_mtime_ns, scale_mm=scale),
         warnings=tuple(warnings),
-        read_only=bool(declared > len(rows)),
+        read_only=bool(cut),
         info=MappingProxyType({"units": header.get("Units", ""), "storage": "text"}),
     )
 
@@ -180,8 +180,8 @@ def _begins_with_number(line: str) -> bool:
     return bool(np.isfinite(number(_cells(line)[0])))
 
 
-def _rate(header: dict[str, str], rows: list[str], warnings: list[str]) -> float:
-    """Frames per second: the header's, else the one that the times tell."""
+def _rate(header: dict[str, str], rows: list[str], frames: int, warnings: list[str]) -> float:
+    """Frames per second: the header's, else the one that the times of so many frames tell."""
     for key in ("DataRate", "CameraRate", "OrigDataRate"):
         rate = number(header.get(key, ""))
         if np.isfinite(rate) and rate > 0:
@@ -190,6 +190,6 @@ def _rate(header: dict[str, str], rows: list[str], warnings: list[str]) -> float
         first, last = (number((*_cells(row), "", "")[1]) for row in (rows[0], rows[-1]))
         if np.isfinite(last - first) and last > first:
             warnings.append("The file does not tell its frame rate; its times were used.")
-            return round((len(rows) - 1) / (last - first), 6)
+            return round((frames - 1) / (last - first), 6)
     warnings.append("The file does not tell its frame rate; 100 Hz was assumed.")
     return 100.0
