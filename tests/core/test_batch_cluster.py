@@ -86,3 +86,4 @@ def test_address_without_cluster_is_one_sentence(
     shown = capsys.readouterr().err
     assert shown.startswith("No cluster answers at “tcp://127.0.0.1:9”")
     assert len(shown.splitlines()) == 1
+    assert not (tmp_path / "out").exists()

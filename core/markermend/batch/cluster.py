@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Sequence
-from contextlib import ExitStack
+from collections.abc import Callable, Generator, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
 from typing import TYPE_CHECKING, Any
 
 import markermend as mm
@@ -18,8 +18,40 @@ if TYPE_CHECKING:
 _CONNECT_S = 10.0
 
 
+@contextmanager
+def connected(cluster: str | Client) -> Iterator[Client]:
+    """Client of a cluster, closed in the end unless it was given.
+
+    Parameters
+    ----------
+    cluster : address of the scheduler (``"tcp://host:8786"``), or a client of it
+
+    Raises
+    ------
+    MethodError
+        when Dask is not installed
+    MarkermendError
+        when nobody answers at the address
+    """
+    try:
+        from distributed import Client
+    except ImportError as error:
+        raise MethodError(
+            'A cluster needs Dask; install it with: python -m pip install "markermend[cluster]"'
+        ) from error
+    if not isinstance(cluster, str):
+        yield cluster
+        return
+    try:
+        client = Client(cluster, timeout=_CONNECT_S)
+    except (OSError, ValueError) as error:
+        raise MarkermendError(f"No cluster answers at “{cluster}”: {error}.") from error
+    with client:
+        yield client
+
+
 def run_on_cluster(
-    jobs: Sequence[Any], work: Callable[[Any, Progress], Any], cluster: str | Client
+    jobs: Sequence[Any], work: Callable[[Any, Progress], Any], client: Client
 ) -> Generator[Message, None, None]:
     """Do jobs on a cluster.
 
@@ -30,34 +62,17 @@ def run_on_cluster(
     ----------
     jobs : can be pickled; takes are named by path, so each worker must see the same folders
     work : function of a module, called with a job and a progress function
-    cluster : address of the scheduler (``"tcp://host:8786"``), or a client of it
+    client : of the cluster
 
     Yields
     ------
     Message
         ``"done"`` or ``"failed"``, in the order in which jobs end. Closing the generator takes
         back what has not begun.
-
-    Raises
-    ------
-    MethodError
-        when Dask is not installed
-    MarkermendError
-        when nobody answers at the address
     """
-    try:
-        from distributed import Client, as_completed
-    except ImportError as error:
-        raise MethodError(
-            'A cluster needs Dask; install it with: python -m pip install "markermend[cluster]"'
-        ) from error
+    from distributed import as_completed
+
     with ExitStack() as stack:
-        client = cluster
-        if isinstance(client, str):
-            try:
-                client = stack.enter_context(Client(client, timeout=_CONNECT_S))
-            except (OSError, ValueError) as error:
-                raise MarkermendError(f"No cluster answers at “{cluster}”: {error}.") from error
         # Not pure: a job is done for what it writes, even if Dask knows its result already.
         futures = {
             client.submit(alone, work, job, mm.__version__, pure=False, priority=-number): number

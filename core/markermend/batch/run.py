@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import closing
+from contextlib import closing, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import markermend as mm
-from markermend.batch.cluster import run_on_cluster
+from markermend.batch.cluster import connected, run_on_cluster
 from markermend.batch.pool import Message, run_jobs
 from markermend.batch.recipe import Recipe
 from markermend.batch.sources import Source
@@ -96,18 +96,30 @@ def run_batch(
     chosen = recipe or Recipe()
     plan = [Job(source, whole, chosen, resume) for source in takes]
     _check(plan, whole, fresh=not (resume or force))
-    whole.mkdir(parents=True, exist_ok=True)
-    write_text(whole / RECIPE, chosen.to_toml())
+    with nullcontext() if cluster is None else connected(cluster) as client:
+        whole.mkdir(parents=True, exist_ok=True)
+        write_text(whole / RECIPE, chosen.to_toml())
+        failures, skipped = _work(plan, _processes(jobs) if client is None else client, listener)
+    for part in (p for below in (TAKES, STATE) for p in (whole / below).rglob(".*.part")):
+        # A killed worker leaves the file it was writing.
+        part.unlink(missing_ok=True)
+    return _sum_up(plan, whole, {name: failures[name] for name in sorted(failures)}, skipped)
+
+
+def _work(
+    plan: Sequence[Job], workers: int | Client, listener: Listener | None
+) -> tuple[dict[str, str], int]:
+    """Clean takes by processes or a cluster; why some failed, how many were done before."""
     # Largest first, so that no process is left with a long take at the end.
     size = {job.source.name: job.source.path.stat().st_size + 1 for job in plan}
     ordered = sorted(plan, key=lambda job: (-size[job.source.name], job.source.name))
     shares = dict.fromkeys(size, 0.0)
     failures: dict[str, str] = {}
     skipped = 0
-    if cluster is None:
-        running = run_jobs(ordered, clean_one, _processes(jobs))
+    if isinstance(workers, int):
+        running = run_jobs(ordered, clean_one, workers)
     else:
-        running = run_on_cluster(ordered, clean_one, cluster)
+        running = run_on_cluster(ordered, clean_one, workers)
     with closing(running) as messages:
         for message in messages:
             source = ordered[message.job].source
@@ -118,10 +130,7 @@ def run_batch(
             if listener is not None:
                 done = sum(size[name] * share for name, share in shares.items())
                 listener(message, source, done / sum(size.values()))
-    for part in (p for below in (TAKES, STATE) for p in (whole / below).rglob(".*.part")):
-        # A killed worker leaves the file it was writing.
-        part.unlink(missing_ok=True)
-    return _sum_up(plan, whole, {name: failures[name] for name in sorted(failures)}, skipped)
+    return failures, skipped
 
 
 def _check(plan: Sequence[Job], folder: Path, *, fresh: bool) -> None:
