@@ -168,9 +168,14 @@ def test_bench_predictors_from_the_command_line(tmp_path, capsys, performer):
     path, table = tmp_path / "take.c3d", tmp_path / "out.csv"
     write(performer, path)
     words = ["bench", "predictors", str(path), "--order", "1", "--lags", "0", "--markers", "1"]
-    words += ["--jobs", "1", "--csv", str(table), "--figures", str(tmp_path)]
+    words += ["--jobs", "1", "--csv", str(table), "--figures"]
+    figures = tmp_path / "figures" / "new"
+    assert main([*words, str(path / "no")]) == 1
+    assert "“" + str(path) + "” is a file" in capsys.readouterr().err
+    assert not table.exists()
+    words.append(str(figures))
     assert main(words) == 0
     assert "take, predictors on 1 markers" in capsys.readouterr().out
-    assert (tmp_path / "take-histogram.svg").exists()
+    assert (figures / "take-histogram.svg").exists()
     assert table.read_text().startswith("table,take,series,position,value")
     assert main(words) == 1

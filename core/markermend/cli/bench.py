@@ -17,7 +17,15 @@ from markermend.cli.bench_slides import run_slides
 from markermend.cli.bench_smooth import run_smooth
 from markermend.cli.bench_takes import clean_takes
 from markermend.cli.bench_training import run_training
-from markermend.cli.console import STDOUT, Bar, check_outputs, say, write_text
+from markermend.cli.console import (
+    STDOUT,
+    Bar,
+    check_figures,
+    check_outputs,
+    say,
+    write_figures,
+    write_text,
+)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -33,10 +41,9 @@ def _run_e1(options: argparse.Namespace) -> int:
     from markermend.bench.e1_text import e1_csv, e1_table
     from markermend.detectors import find_detector
 
-    folder = Path(options.figures) if options.figures is not None else None
     names = figure_names([Path(t).stem for t in options.takes], options.share, options.amplitude)
-    drawings = [str(folder / name) for name in names] if folder is not None else []
-    check_outputs([options.csv, *drawings], source=None, force=options.force)
+    check_figures(options.figures, names, force=options.force)
+    check_outputs([options.csv], source=None, force=options.force)
     takes = clean_takes(options.takes, options.flaws)
     methods = list(dict.fromkeys(options.method))
     params = {
@@ -57,9 +64,8 @@ def _run_e1(options: argparse.Namespace) -> int:
             n_jobs=options.jobs,
             progress=bar,
         )
-    if folder is not None:
-        for name, text in e1_figures(rows).items():
-            write_text(str(folder / name), text)
+    if options.figures is not None:
+        write_figures(options.figures, e1_figures(rows))
     if options.csv is not None:
         write_text(options.csv, e1_csv(rows))
     if options.csv != STDOUT:

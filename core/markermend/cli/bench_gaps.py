@@ -6,7 +6,15 @@ import argparse
 from pathlib import Path
 
 import markermend as mm
-from markermend.cli.console import STDOUT, Bar, check_outputs, say, write_text
+from markermend.cli.console import (
+    STDOUT,
+    Bar,
+    check_figures,
+    check_outputs,
+    say,
+    write_figures,
+    write_text,
+)
 from markermend.cli.numbers import add_jobs, add_seed, add_simulations
 from markermend.errors import DataError
 
@@ -63,7 +71,6 @@ def run_gaps(options: argparse.Namespace) -> int:
     from markermend.bench.sequence import correlate, correlate_measures, describe
     from markermend.bench.sequence_text import correlation_tables, sequence_table
 
-    folder = Path(options.figures) if options.figures is not None else None
     check_outputs([options.csv], source=None, force=options.force)
     takes = {Path(path).stem: only_named(mm.read(path)) for path in options.takes}
     if options.list is not None:
@@ -78,9 +85,8 @@ def run_gaps(options: argparse.Namespace) -> int:
         )
     if not cases:
         raise DataError("No gap fits into these takes, or is listed for them; name other takes.")
-    if folder is not None:
-        drawings = [str(folder / figure_name(p)) for p in dict.fromkeys(c.protocol for c in cases)]
-        check_outputs(drawings, source=None, force=options.force)
+    drawn = dict.fromkeys(figure_name(case.protocol) for case in cases)
+    check_figures(options.figures, drawn, force=options.force)
     # Before the fills, which may take hours: takes that cannot be compared are told at once.
     known = {name: describe(take) for name, take in takes.items()} if options.correlate else {}
     pairs = correlate_measures(known) if options.correlate else ()
@@ -89,9 +95,8 @@ def run_gaps(options: argparse.Namespace) -> int:
         results = replay(cases, takes, methods, n_jobs=options.jobs, progress=bar)
     if options.csv is not None:
         write_text(options.csv, gaps_csv(results))
-    if folder is not None:
-        for name, text in figures(measure(results)).items():
-            write_text(str(folder / name), text)
+    if options.figures is not None:
+        write_figures(options.figures, figures(measure(results)))
     if options.csv == STDOUT:
         return 0
     lines = gaps_table(summarise(results, options.reference), options.reference)

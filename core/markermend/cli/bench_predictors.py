@@ -6,7 +6,15 @@ import argparse
 from pathlib import Path
 
 import markermend as mm
-from markermend.cli.console import STDOUT, Bar, check_outputs, say, write_text
+from markermend.cli.console import (
+    STDOUT,
+    Bar,
+    check_figures,
+    check_outputs,
+    say,
+    write_figures,
+    write_text,
+)
 from markermend.cli.numbers import add_jobs, from_one, from_zero
 
 SUMMARY = "compare predictors of a marker: residual, its distribution, what stays of a drift"
@@ -52,10 +60,9 @@ def run_predictors(options: argparse.Namespace) -> int:
     from markermend.bench.predictors_svg import figure_names, predictor_figures
     from markermend.bench.predictors_text import predictors_csv, predictors_table
 
-    folder = Path(options.figures) if options.figures is not None else None
     names = {name for path in options.takes for name in figure_names(Path(path).stem)}
-    drawings = [str(folder / name) for name in sorted(names)] if folder is not None else []
-    check_outputs([options.csv, *drawings], source=None, force=options.force)
+    check_figures(options.figures, sorted(names), force=options.force)
+    check_outputs([options.csv], source=None, force=options.force)
     takes = {Path(path).stem: mm.read(path) for path in options.takes}
     with Bar() as bar:
         study = study_predictors(
@@ -66,9 +73,8 @@ def run_predictors(options: argparse.Namespace) -> int:
             n_jobs=options.jobs,
             progress=bar,
         )
-    if folder is not None:
-        for name, text in predictor_figures(study).items():
-            write_text(str(folder / name), text)
+    if options.figures is not None:
+        write_figures(options.figures, predictor_figures(study))
     if options.csv is not None:
         write_text(options.csv, predictors_csv(study))
     if options.csv != STDOUT:

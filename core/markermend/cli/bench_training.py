@@ -6,7 +6,15 @@ import argparse
 from pathlib import Path
 
 import markermend as mm
-from markermend.cli.console import STDOUT, Bar, check_outputs, say, write_text
+from markermend.cli.console import (
+    STDOUT,
+    Bar,
+    check_figures,
+    check_outputs,
+    say,
+    write_figures,
+    write_text,
+)
 from markermend.cli.numbers import add_seed, add_simulations, from_one, positive
 
 SUMMARY = "fill the same gaps with networks that learnt from less and from more of a take"
@@ -57,11 +65,10 @@ def run_training(options: argparse.Namespace) -> int:
         training_table,
     )
 
-    folder = Path(options.figures) if options.figures is not None else None
     stems = [Path(path).stem for path in options.takes]
     names = [name for stem in stems for name in figure_names(stem, options.length)]
-    drawings = [str(folder / name) for name in names] if folder is not None else []
-    check_outputs([options.csv, *drawings], source=None, force=options.force)
+    check_figures(options.figures, names, force=options.force)
+    check_outputs([options.csv], source=None, force=options.force)
     takes = {Path(path).stem: only_named(mm.read(path)) for path in options.takes}
     with Bar() as bar:
         rows = study_training(
@@ -73,9 +80,8 @@ def run_training(options: argparse.Namespace) -> int:
             seed=options.seed,
             progress=bar,
         )
-    if folder is not None:
-        for name, text in training_figures(rows).items():
-            write_text(str(folder / name), text)
+    if options.figures is not None:
+        write_figures(options.figures, training_figures(rows))
     if options.csv is not None:
         write_text(options.csv, training_csv(rows))
     if options.csv != STDOUT:

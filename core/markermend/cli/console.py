@@ -6,7 +6,7 @@ import json
 import shutil
 import sys
 import time
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
@@ -138,6 +138,37 @@ def check_outputs(paths: Sequence[str | None], *, source: str | None, force: boo
                 raise ExportError(f"“{path}” is the take itself; name another file to write.")
             if not force:
                 raise ExportError(f"“{path}” exists already; add --force to overwrite it.")
+
+
+def check_figures(folder: str | None, names: Iterable[str], *, force: bool) -> None:
+    """Refuse, before any work is done, a folder that figures cannot or should not go into.
+
+    Parameters
+    ----------
+    folder : made by :func:`write_figures` where it is not there; nothing is asked of None
+    names : of the files
+    force : existing files may be overwritten
+
+    Raises
+    ------
+    ExportError
+        when it or what it would lie in is a file, or holds one of the files already
+    """
+    if folder is None:
+        return
+    place = Path(folder).absolute()
+    nearest = next(path for path in (place, *place.parents) if path.exists())
+    if not nearest.is_dir():
+        raise ExportError(f"“{nearest}” is a file; name a folder for the figures.")
+    if nearest == place:
+        check_outputs([str(place / name) for name in names], source=None, force=force)
+
+
+def write_figures(folder: str, figures: Mapping[str, str]) -> None:
+    """Write figures by name into a folder, which is made where it is not there."""
+    Path(folder).mkdir(parents=True, exist_ok=True)
+    for name, text in figures.items():
+        write_text(str(Path(folder) / name), text)
 
 
 def check_take_output(path: str, *, source: str = "") -> None:
