@@ -88,6 +88,7 @@ def test_files_of_different_kinds(shared_data: Path, tmp_path: Path) -> None:
     assert found.samples == ()
     assert found.parameters == ()
     assert not found.identical
+    assert render(found).endswith("Bytes: not listed, since the files are of different formats")
 
 
 def test_describe_file(shared_data: Path) -> None:

@@ -109,5 +109,11 @@ def test_command_line(walk, tmp_path, monkeypatch, capsys):
     assert back.frames == walk.frames
     assert (back.confidence[20:40, 6] == 0.5).all()
     assert np.abs(back.positions - walk.positions)[20:40, 6].max() < 60
-    assert main(["denoise", "-", "-o", "file.csv"]) == 1
-    assert "“-”" in capsys.readouterr().err
+    monkeypatch.chdir(tmp_path)
+    for words, said in (
+        (["-", "-o", "file.csv"], "“-”"),
+        (["-", "-o", "-", "--cmu"], "--cmu has no effect on a stream"),
+        (["a.csv", "-o", "b.csv", "--network", "n", "n", "--list"], "--list has no effect on what"),
+    ):
+        assert main(["denoise", *words]) == 1
+        assert said in capsys.readouterr().err

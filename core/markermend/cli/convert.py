@@ -15,6 +15,7 @@ def run(options: argparse.Namespace) -> int:
     take = read_take(options.take)
     with Bar() as bar:
         mm.write(take, options.output, as_float=options.float, progress=bar)
-    size = f"{count(take.markers, 'marker')}, {count(take.frames, 'frame')}"
+    noun = "joint" if take.skeleton else "marker"
+    size = f"{count(take.markers, noun)}, {count(take.frames, 'frame')}"
     say(f"Written: {options.output}, {size} at {take.rate:g} Hz.")
     return 0

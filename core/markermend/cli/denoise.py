@@ -29,9 +29,11 @@ def run(options: argparse.Namespace) -> int:
         raise ExportError(
             f"“{options.output}” should end in {', '.join(WRITABLE)}, to tell what to write."
         )
+    if options.network is not None:
+        _refuse(options, ("prior", "list"), "what a network does")
     pose = mm.read_pose(options.pose, skeleton=options.skeleton, rate=options.rate)
-    for warning in pose.warnings:
-        warn(warning)
+    for oddity in pose.warnings:
+        warn(f"{Path(options.pose).name}: {oddity}")
     if options.network is not None:
         return _by_network(pose, options)
     prior = shipped_prior() if options.prior is None else load_prior(Path(options.prior))
@@ -63,6 +65,13 @@ def _as_asked(pose: Pose, options: argparse.Namespace) -> Pose:
     return to_cmu(pose) if options.cmu else pose
 
 
+def _refuse(options: argparse.Namespace, names: tuple[str, ...], beside: str) -> None:
+    """Refuse options that would have no effect beside what was asked for."""
+    for name in names:
+        if getattr(options, name):
+            raise MethodError(f"--{name} has no effect on {beside}; leave it out.")
+
+
 def _by_network(pose: Pose, options: argparse.Namespace) -> int:
     """Let a trained network do it."""
     from markermend.poses.by_network import denoise_by_network
@@ -86,6 +95,7 @@ def _follow(options: argparse.Namespace) -> int:
 
     if options.pose != options.output:
         raise ExportError("A stream is “-” on both sides: markermend denoise - -o -")
+    _refuse(options, ("network", "cmu", "list", "skeleton"), "a stream")
     prior = shipped_prior() if options.prior is None else load_prior(Path(options.prior))
 
     def write(text: str) -> None:

@@ -84,6 +84,9 @@ def render(comparison: Comparison, *, most: int = 20) -> str:
         for d in comparison.bytes
     ]
     for title, entries in (("Samples", samples), ("Parameters", parameters), ("Bytes", found)):
+        if entries is found and not found and comparison.differing_bytes:
+            lines.append("Bytes: not listed, since the files are of different formats")
+            continue
         lines.append(f"{title}: {len(entries) or 'none'}")
         lines += [f"  {entry}" for entry in entries[:most]]
         if len(entries) > most:

@@ -81,7 +81,8 @@ class Comparison:
     ----------
     a, b : the files
     renamed : labels in the first and in the second file, of markers that are the same but for it
-    samples, parameters, bytes : what differs; byte runs are listed up to 10,000
+    samples, parameters, bytes : what differs; byte runs are listed up to 10,000, and not at all
+        between files of different formats
     differing_bytes : how many bytes differ in the length that both have
     sizes : of the two files
     """
@@ -134,6 +135,8 @@ def compare(
     report = part(progress, 0.8, 1.0)
     report(0.0, "Comparing bytes")
     differing, found = _bytes(first, second, layouts[0])
+    if len({take.source.format for take in (one, two) if take.source is not None}) > 1:
+        found = ()
     sizes = (first.stat().st_size, second.stat().st_size)
     samples = tuple(_samples(one, two, renamed))
     return Comparison(

@@ -26,7 +26,7 @@ class JointParams:
     sensitivity: float = _tunable(
         0.5, "Flag what is at least 1 − this sure; higher finds more and errs more", "", 0.0, 1.0
     )
-    slow: bool = _tunable(True, "Look for slow changes too; seconds instead of one")
+    slow: bool = _tunable(True, "Look for slow changes too, which takes most of the time")
     least_mm: float = _tunable(0.5, "Leave out sudden changes smaller than this", "mm")
     peak_ms: float = _tunable(50.0, "Longest single peak; longer blocks are steps", "ms", 1.0, 500)
 
