@@ -166,7 +166,7 @@ def test_everything_in_the_window_can_be_translated(qapp, open_window, qtbot, da
             qtbot.addWidget(dialog)
         take, truth = damaged
         names = {*take.labels, *(a.why for a in truth), *shortcuts.PRESET_LABEL.values()}
-        names |= {*languages.LANGUAGES.values(), "Markermend", "100 Hz"}
+        names |= {*languages.LANGUAGES.values(), "Markermend", "Markermend…", "100 Hz"}
         plain = set()
         for top in (window, sheet, page):
             for widget in (top, *top.findChildren(QWidget), *top.findChildren(QAction)):

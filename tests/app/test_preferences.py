@@ -6,9 +6,15 @@ import math
 import re
 
 import pytest
-from PySide6.QtCore import QAbstractTableModel, Qt
-from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QAbstractItemView, QApplication, QLabel, QPushButton
+from PySide6.QtCore import QAbstractTableModel, QPoint, QPointF, Qt
+from PySide6.QtGui import QColor, QWheelEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QApplication,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+)
 
 import markermend as mm
 from markermend.artifact import Kind
@@ -17,6 +23,8 @@ from markermend.mesh import infer_mesh
 from markermend.presets import save_preset
 from markermend.review.file import open_session
 from markermend_app import detection, languages, settings, units
+from markermend_app.actions import shortcuts
+from markermend_app.actions.shortcut_sheet import ShortcutSheet
 from markermend_app.dialogs.preferences import OFFERED, Preferences
 from markermend_app.panels.inspector.artifact import ArtifactPage
 from markermend_app.style import theme
@@ -206,6 +214,72 @@ def test_return_in_a_field_presses_no_button(qtbot) -> None:
     qtbot.addWidget(preferences)
     preferences.show()
     assert not [b.text() for b in preferences.findChildren(QPushButton) if b.isDefault()]
+
+
+def wheel(widget):
+    """Turn the wheel over a widget by one notch."""
+    at = QPointF(widget.rect().center())
+    turn = QWheelEvent(
+        at,
+        QPointF(widget.mapToGlobal(at.toPoint())),
+        QPoint(),
+        QPoint(0, -120),
+        Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    QApplication.sendEvent(widget, turn)
+
+
+def test_the_wheel_scrolls_the_page_and_changes_no_field_on_its_way(page):
+    page.preset.setFocus()
+    was = page.autosave.value()
+    for field in (page.theme, page.unit, page.autosave, page.dial):
+        wheel(field)
+    assert [n for n in OFFERED if settings.store().contains(n)] == []
+    assert page.autosave.value() == was
+    page.autosave.setFocus()
+    wheel(page.autosave)
+    assert page.autosave.value() == was - 1
+
+
+def test_the_wheel_over_the_details_changes_no_artifact(window, qtbot):
+    window.show()
+    artifact = window.inspector.artifact
+    before = window.document.current
+    for field in (artifact.kind, artifact.first, artifact.last, artifact.methods.more):
+        wheel(field)
+    assert window.document.current == before
+    assert len(window.document.session.history) == 1
+
+
+def test_the_page_takes_the_keyboard_at_its_first_field_and_is_seen_whole(page, qtbot):
+    qtbot.waitUntil(page.isVisible)
+    assert page.theme.hasFocus() or page.focusWidget() is page.theme
+    scroll = page.findChild(QScrollArea)
+    assert scroll.focusPolicy() is Qt.FocusPolicy.NoFocus
+    content, seen = scroll.widget().sizeHint(), scroll.viewport().size()
+    assert content.width() <= seen.width()
+    limit = page.screen().availableSize().height() * 0.9
+    assert content.height() <= seen.height() or page.height() >= limit - 1
+
+
+def test_a_list_drops_down_below_its_field_where_no_entry_is_cut(page, qtbot):
+    choose(page.theme, "dark")
+    page.theme.showPopup()
+    view, field = page.theme.view(), page.theme
+    last = view.visualRect(view.model().index(field.count() - 1, 0))
+    assert last.bottom() < view.viewport().height()
+    assert view.mapToGlobal(QPoint()).y() >= field.mapToGlobal(field.rect().bottomLeft()).y()
+    field.hidePopup()
+
+
+def test_the_page_leads_to_the_keys_and_names_their_preset(page, monkeypatch):
+    monkeypatch.setattr(ShortcutSheet, "exec", lambda self: shortcuts.use_preset("nexus"))
+    assert page.keys.text() == "Markermend…"
+    page.keys.click()
+    assert page.keys.text() == "Vicon Nexus…"
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ from itertools import combinations
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import QMenu
+from PySide6.QtWidgets import QMenu, QMessageBox
 
 from markermend.artifact import Status
 from markermend.mesh import infer_mesh
@@ -47,6 +47,13 @@ def test_no_preset_gives_a_key_twice(qapp):
     for name in shortcuts.PRESETS:
         shortcuts.use_preset(name)
         assert shortcuts.conflicts(shortcuts.table()) == {}
+
+
+def test_no_preset_takes_the_last_key_of_an_action(qapp):
+    keyed = {spec.name for spec in ACTIONS if spec.keys}
+    for name in shortcuts.PRESETS:
+        shortcuts.use_preset(name)
+        assert {action for action, keys in shortcuts.table().items() if keys} == keyed
 
 
 def test_presets_name_actions_there_are_and_keys_qt_knows():
@@ -135,6 +142,21 @@ def test_a_preset_chosen_in_the_sheet_stays(qtbot, window):
     sheet.preset.activated.emit(place)
     assert shortcuts.preset() == "qtm"
     assert window.actions_by_name["next"].shortcut() == QKeySequence("Ctrl+Right")
+
+
+@pytest.mark.parametrize("answer", [QMessageBox.StandardButton.No, QMessageBox.StandardButton.Yes])
+def test_a_preset_asks_before_it_takes_away_keys_chosen_by_hand(qtbot, window, monkeypatch, answer):
+    shortcuts.change("note", ("Ctrl+J",))
+    monkeypatch.setattr(QMessageBox, "question", lambda *_: answer)
+    sheet = ShortcutSheet(window)
+    qtbot.addWidget(sheet)
+    place = sheet.preset.findData("qtm")
+    sheet.preset.setCurrentIndex(place)
+    sheet.preset.activated.emit(place)
+    taken = answer == QMessageBox.StandardButton.Yes
+    assert (shortcuts.preset() == "qtm") is taken
+    assert (shortcuts.table()["note"] == ("Ctrl+J",)) is not taken
+    assert sheet.preset.currentData() == shortcuts.preset()
 
 
 def test_every_action_stands_in_a_menu_with_its_key(window):

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
     QKeySequenceEdit,
     QLabel,
     QLineEdit,
+    QMessageBox,
     QPushButton,
     QTreeWidget,
     QTreeWidgetItem,
@@ -208,8 +209,16 @@ class ShortcutSheet(QDialog):
         self._fill()
 
     def _preset_chosen(self) -> None:
-        shortcuts.use_preset(self.preset.currentData())
+        """Take a preset, and ask first where keys chosen by hand would be lost."""
+        if not shortcuts.own() or self._lets_go(self.preset.currentText()):
+            shortcuts.use_preset(self.preset.currentData())
         self._fill()
+
+    def _lets_go(self, preset: str) -> bool:
+        """Whether the keys chosen by hand may go."""
+        title, text = self.tr("Keyboard and mouse"), self.tr("Take all keys of {0}?").format(preset)
+        lost = self.tr("What you changed by hand would be lost.")
+        return QMessageBox.question(self, title, f"{text} {lost}") == QMessageBox.StandardButton.Yes
 
 
 def _below(item: QTreeWidgetItem) -> list[QTreeWidgetItem]:

@@ -33,6 +33,7 @@ PRESETS: Mapping[str, Mapping[str, Keys]] = MappingProxyType(
             "next": ("Ctrl+Right", "N"),
             "previous": ("Ctrl+Left", "P"),
             "repair": ("Ctrl+F", "F"),
+            "filter": ("Ctrl+Shift+F",),
             "fit": ("Ctrl+Home", "Ctrl+0"),
             "frames_forward": ("Shift+Right", "PgDown"),
             "frames_back": ("Shift+Left", "PgUp"),

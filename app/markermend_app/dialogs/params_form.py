@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from markermend_app.wheel import leave_wheel
 from markermend_app.words import tr
 
 _UNITS = ("_hz", "_mm")
@@ -50,6 +51,7 @@ class ParamsForm(QWidget):
             self.fields[field.name] = made
             name = tr(words(field.name))
             made.setAccessibleName(name)
+            leave_wheel(made)
             self._form.addRow(name, made)
             hint = QLabel(tr(field.metadata.get("help", "")))
             hint.setProperty("role", "small")

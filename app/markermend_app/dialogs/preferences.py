@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QIcon, QPixmap
 from PySide6.QtWidgets import (
     QApplication,
@@ -28,9 +28,12 @@ from PySide6.QtWidgets import (
 
 from markermend.artifact import Kind
 from markermend_app import detection, languages, settings, units
+from markermend_app.actions import shortcuts
+from markermend_app.actions.shortcut_sheet import ShortcutSheet
 from markermend_app.dialogs.help_key import help_in
 from markermend_app.dialogs.params_form import inset
 from markermend_app.style import theme
+from markermend_app.wheel import leave_wheel
 from markermend_app.words import tr
 
 VERTICAL, AUTOSAVE, AUTOSAVE_MIN = "vertical", "autosave_min", 5
@@ -79,6 +82,9 @@ class Preferences(QDialog):
         scroll.setWidget(page)
         scroll.setWidgetResizable(True)
         scroll.setFrameShape(QScrollArea.Shape.NoFrame)
+        # Else it takes the keyboard first, and shows nowhere that it has it.
+        scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        leave_wheel(page)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         again = buttons.addButton(
             self.tr("Restore defaults"), QDialogButtonBox.ButtonRole.ResetRole
@@ -93,7 +99,9 @@ class Preferences(QDialog):
         for button in self.findChildren(QPushButton):
             # Return in a field would press the first of them, which asks for a colour.
             button.setAutoDefault(False)
-        self.resize(600, 720)
+        self.theme.setFocus()
+        whole = page.sizeHint() + QSize(48, buttons.sizeHint().height() + 48)
+        self.resize(whole.expandedTo(QSize(600, 0)).boundedTo(self.screen().availableSize() * 0.9))
 
     # The page
 
@@ -189,6 +197,10 @@ class Preferences(QDialog):
         self.processes.valueChanged.connect(
             lambda value: self._store(detection.PROCESSES, value or -1)
         )
+        self.keys = QPushButton()
+        self.keys.clicked.connect(self._open_keys)
+        self._form.addRow(self.tr("Keys as in"), self.keys)
+        self._hint(self.tr("All keys on one sheet, each to be changed, with presets."))
 
     # Its parts
 
@@ -201,7 +213,6 @@ class Preferences(QDialog):
     def _hint(self, text: str) -> None:
         label = QLabel(text)
         label.setProperty("role", "small")
-        label.setWordWrap(True)
         self._form.addRow("", label)
 
     def _row(self, text: str, widget: QWidget) -> None:
@@ -246,6 +257,7 @@ class Preferences(QDialog):
             self.processes.setValue(max(0, round(settings.number(detection.PROCESSES, -1))))
         self._read_detection()
         self._paint_kinds()
+        self._tell_keys()
 
     def _read_detection(self) -> None:
         """Show dial and preset."""
@@ -311,6 +323,17 @@ class Preferences(QDialog):
         app = QApplication.instance()
         if isinstance(app, QApplication):
             theme.recolour(app)
+
+    def _open_keys(self) -> None:
+        """Open the sheet of keys, which keeps what is chosen there itself."""
+        ShortcutSheet(self).exec()
+        self._tell_keys()
+
+    def _tell_keys(self) -> None:
+        """Name the preset of keys in use."""
+        text = f"{shortcuts.PRESET_LABEL[shortcuts.preset()]}…"
+        self.keys.setText(text)
+        self.keys.setAccessibleName(self.tr("Keys as in {0}").format(text))
 
     def _restore(self) -> None:
         """Forget all that was chosen on this page."""

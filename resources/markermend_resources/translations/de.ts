@@ -3176,6 +3176,14 @@
         <translation>Für die Suche nach langsamer Drift in langen Aufnahmen.</translation>
     </message>
     <message>
+        <source>Keys as in</source>
+        <translation>Tasten wie in</translation>
+    </message>
+    <message>
+        <source>All keys on one sheet, each to be changed, with presets.</source>
+        <translation>Alle Tasten auf einem Blatt, jede änderbar, mit Vorlagen.</translation>
+    </message>
+    <message>
         <source>Preset “{0}”</source>
         <translation>Vorgabe „{0}“</translation>
     </message>
@@ -3190,6 +3198,10 @@
     <message>
         <source>Colour of {0}</source>
         <translation>Farbe von: {0}</translation>
+    </message>
+    <message>
+        <source>Keys as in {0}</source>
+        <translation>Tasten wie in {0}</translation>
     </message>
 </context>
 <context>
@@ -3533,6 +3545,14 @@
     <message>
         <source>{0} belongs to “{1}”, which would lose it.</source>
         <translation>{0} gehört „{1}“, das sie verlöre.</translation>
+    </message>
+    <message>
+        <source>Take all keys of {0}?</source>
+        <translation>Alle Tasten von {0} übernehmen?</translation>
+    </message>
+    <message>
+        <source>What you changed by hand would be lost.</source>
+        <translation>Was Sie von Hand geändert haben, ginge verloren.</translation>
     </message>
 </context>
 <context>

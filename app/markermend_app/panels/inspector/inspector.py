@@ -10,6 +10,7 @@ from markermend_app.panels.inspector.artifact import ArtifactPage, Decisions
 from markermend_app.panels.inspector.take import SelectionPage, TakePage
 from markermend_app.panels.markers.badge import hint
 from markermend_app.style import theme
+from markermend_app.wheel import leave_wheel
 
 
 class Inspector(QWidget):
@@ -41,6 +42,7 @@ class Inspector(QWidget):
         self._pages.addWidget(self._nothing)
         for holder in self._holders.values():
             self._pages.addWidget(holder)
+            leave_wheel(holder)
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.setSpacing(0)
