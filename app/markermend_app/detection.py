@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import fields, replace
 from types import MappingProxyType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from markermend_app import settings
+from markermend_app.background.garbage import keep_what_is_loaded
+
+if TYPE_CHECKING:
+    from markermend.artifact import Artifact
+    from markermend.mesh import Mesh
+    from markermend.progress import Progress
+    from markermend.take import Take
 
 PRESET, SENSITIVITY, PROCESSES = "detection_preset", "sensitivity", "processes"
 BALANCED = 0.5
@@ -39,3 +46,20 @@ def chosen_params(slow: bool) -> Any:
     wanted = {"slow": slow, "jobs": round(settings.number(PROCESSES, -1)) or -1}
     known = {f.name for f in fields(params)}
     return replace(params, **{k: v for k, v in wanted.items() if k in known})
+
+
+def search(take: Take, mesh: Mesh | None, progress: Progress, *, slow: bool) -> Sequence[Artifact]:
+    """Artifacts of a take as the preferences have them found; on a worker, for it takes seconds.
+
+    Raises
+    ------
+    MarkermendError
+        when the preset is gone or cannot be read
+    Cancelled
+        when ``progress`` raises it
+    """
+    from markermend.detectors import detect
+
+    params = chosen_params(slow)
+    keep_what_is_loaded()
+    return detect(take, params=params, mesh=mesh, progress=progress)

@@ -58,6 +58,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     from PySide6.QtWidgets import QApplication
 
     from markermend_app import languages, settings
+    from markermend_app.background.garbage import Collector
     from markermend_app.file_open import FileOpener
     from markermend_app.style import theme
     from markermend_app.window import MainWindow
@@ -67,6 +68,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     app.setApplicationName("Markermend")
     # Beside a worker the window waits this long, each time, before it may go on.
     sys.setswitchinterval(SWITCH_S)
+    Collector(app)
     app.setDesktopFileName("markermend")
     languages.install(app)
     theme.apply(app, chosen.theme or settings.text("theme", "system"))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import gc
+
 import numpy as np
 import pytest
 from driving import WAIT
@@ -10,6 +12,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QSettings
 import markermend as mm
 from markermend.artifact import Artifact, Kind
 from markermend.take import Take
+from markermend_app.background.garbage import YOUNG
 
 
 @pytest.fixture(autouse=True)
@@ -26,6 +29,16 @@ def closed_windows_are_gone(qapp):
     """Delete what was closed: no event loop runs here that would, and the looks dress it all."""
     yield
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
+    gc.collect(YOUNG)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def garbage_is_collected_between_tests():
+    """Collect as the app does, in this thread: a worker must not destroy what was a window."""
+    gc.disable()
+    yield
+    gc.collect()
+    gc.enable()
 
 
 def walking_box(frames: int = 400, rate: float = 100.0) -> Take:

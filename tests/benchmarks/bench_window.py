@@ -192,12 +192,14 @@ def main() -> int:
 
         store = QSettings(str(folder / "settings.ini"), QSettings.Format.IniFormat)
         settings.store = lambda: store  # type: ignore[assignment]
+        from markermend_app.background.garbage import Collector
         from markermend_app.main import SWITCH_S
         from markermend_app.style import theme
         from markermend_app.window import MainWindow
 
         app = QApplication([])
         sys.setswitchinterval(SWITCH_S)
+        Collector(app)
         theme.apply(app, "light")
         window = MainWindow()
         window.show()

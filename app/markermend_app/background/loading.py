@@ -143,7 +143,6 @@ def glance(item: ToReview, progress: Progress) -> Glance:
 def prepare(item: ToReview, progress: Progress) -> Prepared:
     """Make ahead what opening a take would wait for."""
     from markermend.batch.review import take_over
-    from markermend.detectors import detect
     from markermend.mesh import infer_mesh
     from markermend.repairs import propose
 
@@ -154,9 +153,8 @@ def prepare(item: ToReview, progress: Progress) -> Prepared:
     found = None
     new = not session.history and not take_over(session, item)
     if new and settings.flag("detect_on_open", True):
-        params = detection.chosen_params(slow=False)
-        searched = detect(take, params=params, mesh=mesh, progress=part(progress, 0.2, 0.8))
-        found = tuple(searched)
+        within = part(progress, 0.2, 0.8)
+        found = tuple(detection.search(take, mesh, within, slow=False))
         session.add_detected(found, SEARCHED)
     first = sorted(
         session.with_status(Status.PENDING), key=lambda a: -badness(a, take.rate, take.frames)

@@ -226,10 +226,7 @@ class Commands(QObject):
         take = session.original
 
         def work(progress: Progress) -> Any:
-            from markermend.detectors import detect
-
-            params = detection.chosen_params(slow)
-            return detect(take, params=params, mesh=mesh, progress=progress)
+            return detection.search(take, mesh, progress, slow=slow)
 
         def done(found: Sequence[Artifact]) -> None:
             if self._document.session is not session:
