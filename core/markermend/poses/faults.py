@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.ndimage import binary_closing
 
 from markermend.arrays import BoolArray, FloatArray, runs
 from markermend.poses.normal import bone_lengths
@@ -19,6 +20,11 @@ _FROZEN_FRAMES, _SAME_MM, _MOVED_MM = 4, 1e-6, 2.0
 # A distance is impossible when off by this share of itself and of the mean bone.
 _OFF, _OFF_BONE = 0.15, 0.12
 _USUAL = (2.0, 98.0)
+# So few possible frames in a row, between or beside impossible ones, may be so by chance; beside
+# them they are where the next frame could only be reached by turning this fast.
+_BY_CHANCE, _FASTEST_RAD_S = 2, 20.0
+# Where its parent is misplaced, a joint whose bone is as usual in this share of frames went along.
+_ALONG = 0.8
 _SIDES = (("left_shoulder", "left_elbow", "left_wrist"), ("left_hip", "left_knee", "left_ankle"))
 
 
@@ -116,9 +122,12 @@ def _unswapped(pose: Pose) -> tuple[Pose, BoolArray]:
         if np.isnan(left).all() or np.isnan(right).all():
             continue
         usual = np.nanmedian(left, axis=0), np.nanmedian(right, axis=0)
-        keep = _far(left, usual[0]) + _far(right, usual[1])
-        change = _far(left, usual[1]) + _far(right, usual[0])
-        wrong = np.flatnonzero(change < 0.5 * keep)
+        keep = np.stack([_far(left, usual[0]), _far(right, usual[1])])
+        change = np.stack([_far(left, usual[1]), _far(right, usual[0])])
+        # One that jumped to the other's place leaves that one where it belongs.
+        wrong = np.flatnonzero(
+            (change.sum(axis=0) < 0.5 * keep.sum(axis=0)) & (change < 4.0 * keep).all(axis=0)
+        )
         for a, b in both:
             for values in (positions, rotations, confidence):
                 values[wrong, a], values[wrong, b] = values[wrong, b], values[wrong, a].copy()
@@ -129,37 +138,65 @@ def _unswapped(pose: Pose) -> tuple[Pose, BoolArray]:
 
 
 def _misplaced(pose: Pose) -> BoolArray:
-    """(frames, joints) joints whose distance from the nearest ancestor in its place is impossible.
+    """(frames, joints) joints that stand where their bones cannot reach.
 
-    Where a joint was misplaced, its child is judged from the joint's parent: an elbow that jumped
-    leaves the wrist alone, another person's arm takes it along.
+    Where a joint was misplaced, its child is judged from the joint's parent, unless it went along:
+    an elbow that jumped leaves the wrist alone, another person's arm takes it along.
     """
     wrong = np.zeros((pose.frames, len(pose.joints)), dtype=bool)
     bones = bone_lengths(pose.positions, pose.parents)
     if np.isnan(bones).all():
         return wrong
-    mean = float(np.nanmean(bones))
+    room = _OFF_BONE * float(np.nanmean(bones))
     for joint in pose.order:
-        ancestor, unjudged = pose.parents[joint], pose.seen[:, joint].copy()
-        usual = unjudged.copy()
-        while ancestor >= 0 and unjudged.any():
-            far = np.sqrt(
-                np.sum((pose.positions[:, joint] - pose.positions[:, ancestor]) ** 2, axis=1)
-            )
-            usual &= ~wrong[:, ancestor]
-            shown = far[usual & ~np.isnan(far)]
-            judged = unjudged & ~wrong[:, ancestor] & ~np.isnan(far)
-            if len(shown):
-                low, high = np.percentile(shown, _USUAL)
-                if ancestor == pose.parents[joint]:
-                    low = high = np.median(shown)
-                room = _OFF_BONE * mean
-                wrong[:, joint] |= judged & (
-                    (far > (1 + _OFF) * high + room) | (far < (1 - _OFF) * low - room)
-                )
-            unjudged &= ~judged
-            ancestor = pose.parents[ancestor]
+        parent = pose.parents[joint]
+        if parent < 0:
+            continue
+        mine, seen = _out_of_reach(pose, joint, wrong, room), pose.seen[:, joint]
+        bone = pose.positions[:, joint] - pose.positions[:, parent]
+        alike = np.abs(_length(bone) - bones[joint]) < _OFF * bones[joint]
+        bone[wrong[:, parent]] = np.nan
+        mine |= seen & _by_chance(mine, bone, _FASTEST_RAD_S / pose.rate * bones[joint] + room)
+        for start, stop in runs(seen & wrong[:, parent]).tolist():
+            if alike[start:stop].mean() >= _ALONG:
+                mine[start:stop] = True
+        wrong[:, joint] = mine
     return wrong
+
+
+def _out_of_reach(pose: Pose, joint: int, wrong: BoolArray, room: float) -> BoolArray:
+    """(frames,) bool: its distance from the nearest ancestor in its place is impossible."""
+    out = np.zeros(pose.frames, dtype=bool)
+    ancestor, unjudged = pose.parents[joint], pose.seen[:, joint].copy()
+    usual = unjudged.copy()
+    while ancestor >= 0 and unjudged.any():
+        far = _length(pose.positions[:, joint] - pose.positions[:, ancestor])
+        usual &= ~wrong[:, ancestor]
+        shown = far[usual & ~np.isnan(far)]
+        judged = unjudged & ~wrong[:, ancestor] & ~np.isnan(far)
+        if len(shown):
+            low, high = np.percentile(shown, _USUAL)
+            if ancestor == pose.parents[joint]:
+                low = high = np.median(shown)
+            out |= judged & ((far > (1 + _OFF) * high + room) | (far < (1 - _OFF) * low - room))
+        unjudged &= ~judged
+        ancestor = pose.parents[ancestor]
+    return out
+
+
+def _by_chance(wrong: BoolArray, bone: FloatArray, step: float) -> BoolArray:
+    """(frames,) bool: frames between wrong ones, or from which the next good one is too far."""
+    joined = wrong | binary_closing(wrong, np.ones(_BY_CHANCE + 1, dtype=bool))
+    far = _length(np.diff(bone, axis=0)) > step
+    for _ in range(_BY_CHANCE):
+        after, before = joined[:-2] & far[1:], joined[2:] & far[:-1]
+        joined[1:-1] |= (after & ~joined[2:]) | (before & ~joined[:-2])
+    return np.asarray(joined)
+
+
+def _length(vectors: FloatArray) -> FloatArray:
+    """Length of each vector."""
+    return np.asarray(np.sqrt(np.sum(vectors**2, axis=-1)))
 
 
 def _far(points: FloatArray, place: FloatArray) -> FloatArray:
