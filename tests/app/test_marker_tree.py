@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QModelIndex, QPoint, Qt
 from PySide6.QtWidgets import QStyle, QStyleOptionViewItem
 
 from markermend.artifact import Artifact, Kind
@@ -20,9 +20,9 @@ from markermend_app.panels.markers.marker_model import (
     OPEN,
     OWN,
     MarkerModel,
-    Node,
 )
 from markermend_app.panels.markers.marker_tree import MarkerTree
+from markermend_app.panels.markers.rows import Node
 
 MESH = Mesh(
     ("CLAV", "STRN", "C7", "T10", "LSHO", "LELB", "LWRA", "LWRB"),
@@ -179,7 +179,7 @@ def test_subjects_unlabelled_and_other_points_stand_apart(tmp_path, qtbot):
         np.zeros((20, 4, 3)),
         labels,
         100.0,
-        points=Points(np.zeros((20, 1, 3)), ("LHipAngles",), ("angle",), (4,)),
+        points=Points(np.zeros((20, 1, 3)), ("LHipAngles",), ("angle",), (4,), {"angle": "deg"}),
         analog=Analog(np.zeros((20, 1), np.float32), ("Fz1",), ("N",), 100.0),
     )
     document = Document()
@@ -190,7 +190,10 @@ def test_subjects_unlabelled_and_other_points_stand_apart(tmp_path, qtbot):
     assert top == ["A", "B", "Unlabelled (1)", "Other points (1)", "Analog channels (1)"]
     names = visible(tree)
     assert names[:5] == ["A", "Head", "HEAD", "NECK", "B"]
-    assert names[-4:] == ["Angle", "LHipAngles", "Analog channels (1)", "Fz1 (N)"]
+    # What has no counts has the whole row for its name, a closed group of markers has not.
+    spanned = [tree.view.isFirstColumnSpanned(i, QModelIndex()) for i in range(5)]
+    assert spanned == [True, True, False, True, True]
+    assert names[-4:] == ["Angle (deg)", "LHipAngles", "Analog channels (1)", "Fz1 (N)"]
     document.open(None, None)
     document.proposals.close()
 

@@ -46,9 +46,8 @@ from markermend_app.panels.markers.marker_model import (
     OWN,
     SORT,
     MarkerModel,
-    flatten,
-    grow,
 )
+from markermend_app.panels.markers.rows import flatten, grow
 from markermend_app.panels.queue.filter_line import FilterLine
 from markermend_app.style import theme
 
@@ -195,9 +194,9 @@ class MarkerTree(QWidget):
                 self.view.collapse(index)
 
     def _span(self, index: QModelIndex) -> None:
-        """Give an open group's name the whole row: its counts stand in the rows beneath."""
+        """Give a name the whole row where it has no counts, or they stand in rows beneath."""
         node = self._model.node(self._proxy.mapToSource(index))
-        spanned = self.view.isExpanded(index) and not node.label
+        spanned = not node.label and (self.view.isExpanded(index) or not node.all_markers())
         self.view.setFirstColumnSpanned(index.row(), index.parent(), spanned)
 
     def _span_all(self, parent: QModelIndex) -> None:
