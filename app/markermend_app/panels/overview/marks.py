@@ -1,4 +1,4 @@
-"""What stands around the overview's picture: groups, time, the scale of the heat."""
+"""What stands around and over the overview's picture: groups, time, scale, what is looked at."""
 
 from __future__ import annotations
 
@@ -6,9 +6,10 @@ from collections.abc import Sequence
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFontMetrics, QLinearGradient, QPainter
+from PySide6.QtGui import QColor, QFontMetrics, QLinearGradient, QPainter, QPen
 
 from markermend_app.panels.overview.picture import Rows
+from markermend_app.panels.overview.places import Places
 from markermend_app.style import theme
 
 TICK_PX = 90
@@ -92,3 +93,41 @@ def paint_words(painter: QPainter, area: QRectF, text: str) -> None:
     painter.drawRoundedRect(box, 4, 4)
     painter.setPen(look.text)
     painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
+
+
+def paint_shown(painter: QPainter, places: Places, rows: Sequence[int]) -> None:
+    """Tick the markers that the plots show, left of their rows."""
+    for row in rows:
+        box = places.box(row, *places.span)
+        tick = QRectF(places.area.left() - 7, box.top(), 6, box.height())
+        painter.fillRect(tick, theme.current().accent)
+
+
+def paint_view(painter: QPainter, places: Places, start: float, stop: float) -> None:
+    """Frame the picture and, unless it is all of it, the part that the plots show."""
+    look, area = theme.current(), places.area
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setPen(QPen(look.border, 1))
+    painter.drawRect(area.adjusted(-0.5, -0.5, 0.5, 0.5))
+    left = max(area.left(), places.x(start + 0.5))
+    right = min(area.right(), places.x(stop + 0.5))
+    if right - left >= area.width() - 1:
+        return
+    veil = theme.faded(look.window, 0.35)
+    painter.fillRect(QRectF(area.left(), area.top(), left - area.left(), area.height()), veil)
+    painter.fillRect(QRectF(right, area.top(), area.right() - right, area.height()), veil)
+    painter.setPen(QPen(look.accent, 1.5))
+    painter.drawRect(QRectF(left, area.top(), max(2.0, right - left), area.height()))
+
+
+def paint_current(painter: QPainter, box: QRectF) -> None:
+    """Frame the artifact under review."""
+    painter.setPen(QPen(theme.current().text, 1))
+    painter.drawRect(box.adjusted(-1.5, -1.5, 1.5, 1.5))
+
+
+def paint_cursor(painter: QPainter, places: Places, frame: int) -> None:
+    """Draw a line through the frame of the cursor."""
+    x, area = places.x(frame + 0.5), places.area
+    painter.setPen(QPen(theme.current().text, 1))
+    painter.drawLine(QPointF(x, area.top() - 2), QPointF(x, area.bottom() + 2))

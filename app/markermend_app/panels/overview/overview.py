@@ -12,7 +12,6 @@ from PySide6.QtGui import (
     QMouseEvent,
     QPainter,
     QPaintEvent,
-    QPen,
     QResizeEvent,
     QWheelEvent,
 )
@@ -40,8 +39,8 @@ from markermend_app.panels.overview.picture import (
     paint_artifacts,
     paint_levels,
     residual_levels,
-    row_edges,
 )
+from markermend_app.panels.overview.places import Places
 from markermend_app.panels.overview.residual import Residuals
 from markermend_app.panels.plots.range import time_range
 from markermend_app.style import theme
@@ -171,33 +170,23 @@ class Overview(QWidget):
 
     # Places on screen
 
-    def _area(self) -> QRectF:
-        """Where the picture stands."""
-        return QRectF(
-            _LEFT,
-            _TOP,
-            max(1, self.width() - _LEFT - _RIGHT),
-            max(1, self.height() - _TOP - _BOTTOM),
-        )
-
-    def _x(self, frame: float) -> float:
-        """Pixel at which a frame begins."""
-        area, (start, stop) = self._area(), self._span
-        return area.left() + (frame - start) * area.width() / (stop - start)
+    @property
+    def _places(self) -> Places:
+        """What lies where."""
+        width = max(1, self.width() - _LEFT - _RIGHT)
+        height = max(1, self.height() - _TOP - _BOTTOM)
+        rows = 0 if self._rows is None else len(self._rows.columns)
+        return Places(QRectF(_LEFT, _TOP, width, height), self._span, rows)
 
     def _frame_at(self, x: float) -> int:
-        """Frame under a pixel."""
-        take, area, (start, stop) = self._take, self._area(), self._span
-        frame = np.floor(start + (x - area.left()) * (stop - start) / area.width())
+        """Frame under a pixel, within the take."""
+        take, frame = self._take, np.floor(self._places.frame(x))
         return int(np.clip(frame, 0, 0 if take is None else max(0, take.frames - 1)))
 
     def _marker_at(self, y: float) -> str | None:
         """Marker under a pixel."""
-        take, rows, area = self._take, self._rows, self._area()
-        if take is None or rows is None or not rows.columns:
-            return None
-        row = int((y - area.top()) * len(rows.columns) / area.height())
-        if not 0 <= row < len(rows.columns):
+        take, rows, row = self._take, self._rows, self._places.row(y)
+        if take is None or rows is None or row is None:
             return None
         return take.labels[rows.columns[row]]
 
@@ -205,15 +194,7 @@ class Overview(QWidget):
         """The artifact under a point, or the nearest within a few pixels."""
         if self._rows is None or not len(self._place):
             return None
-        area = self._area()
-        height = area.height() / len(self._rows.columns)
-        low, high = self._x(0), self._x(1)
-        left = low + self._place[:, 0] * (high - low)
-        right = low + self._place[:, 1] * (high - low)
-        top = area.top() + self._place[:, 2] * height
-        dx = np.maximum(0, np.maximum(left - at.x(), at.x() - right))
-        dy = np.maximum(0, np.maximum(top - at.y(), at.y() - top - height))
-        away = np.hypot(dx, dy)
+        away = self._places.away(at, self._place)
         nearest = int(np.argmin(away))
         return self._artifacts[nearest] if away[nearest] <= _REACH_PX else None
 
@@ -243,7 +224,7 @@ class Overview(QWidget):
             self.document.go_to(self._frame_at(event.position().x()))
         elif self._held is not None:
             x, (low, high) = self._held
-            by = (x - event.position().x()) * (high - low) / self._area().width()
+            by = (x - event.position().x()) * (high - low) / self._places.area.width()
             self.set_span(low + by, high + by)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
@@ -258,10 +239,9 @@ class Overview(QWidget):
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Zoom time at the mouse; a sideways wheel moves through it."""
-        area, (low, high) = self._area(), self._span
+        low, high = self._span
         notches = event.angleDelta().y() / 120.0
-        at = low + (event.position().x() - area.left()) * (high - low) / area.width()
-        at = min(max(at, low), high)
+        at = min(max(self._places.frame(event.position().x()), low), high)
         factor = _STEP**-notches
         by = -event.angleDelta().x() / 120.0 * 0.1 * (high - low)
         self.set_span(at - (at - low) * factor + by, at + (high - at) * factor + by)
@@ -319,7 +299,8 @@ class Overview(QWidget):
         painter = QPainter(self)
         painter.fillRect(self.rect(), look.window)
         paint_focus(painter, self)
-        take, rows, area = self._take, self._rows, self._area()
+        take, rows, places = self._take, self._rows, self._places
+        area = places.area
         font = QFont(self.font())
         font.setPointSize(theme.SMALL_PT - 1)
         painter.setFont(font)
@@ -340,7 +321,7 @@ class Overview(QWidget):
             )
         marks.paint_time(painter, area, self._span, take.rate, room)
         painter.setClipRect(area.adjusted(-8, -4, 2, 4))
-        self._paint_marks(painter, rows, area)
+        self._paint_marks(painter, rows, places)
         share = self.residuals.share
         if self.mode.mode == "residual" and share is not None:
             marks.paint_words(
@@ -350,7 +331,7 @@ class Overview(QWidget):
     def _picture(self, take: Take, rows: Rows) -> QImage:
         """The picture at the screen's own resolution, painted when it is out of date."""
         if self._image is None:
-            area, ratio = self._area(), self.devicePixelRatioF()
+            area, ratio = self._places.area, self.devicePixelRatioF()
             size = max(1, round(area.width() * ratio)), max(1, round(area.height() * ratio))
             mode = self.mode.mode
             self._image = paint_levels(size, rows, self._levels(take, size[0]), heat(mode))
@@ -369,33 +350,13 @@ class Overview(QWidget):
             return np.full((take.markers, width), np.nan)
         return residual_levels(worst(self.residuals.values, width, *self._span))
 
-    def _paint_marks(self, painter: QPainter, rows: Rows, area: QRectF) -> None:
-        """Which markers are shown, the current artifact, the part in view, and the cursor."""
-        look, current = theme.current(), self.document.current
-        edges = row_edges(len(rows.columns), round(area.height()))
-        for name in self.document.shown:
-            top, bottom = edges[rows.row_of[self._column_of[name]]]
-            tick = QRectF(area.left() - 7, area.top() + top, 6, max(2, bottom - top))
-            painter.fillRect(tick, look.accent)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(QPen(look.border, 1))
-        painter.drawRect(area.adjusted(-0.5, -0.5, 0.5, 0.5))
-        left = max(area.left(), self._x(self._view[0] + 0.5))
-        right = min(area.right(), self._x(self._view[1] + 0.5))
-        if right - left < area.width() - 1:
-            veil = theme.faded(look.window, 0.35)
-            painter.fillRect(
-                QRectF(area.left(), area.top(), left - area.left(), area.height()), veil
-            )
-            painter.fillRect(QRectF(right, area.top(), area.right() - right, area.height()), veil)
-            painter.setPen(QPen(look.accent, 1.5))
-            painter.drawRect(QRectF(left, area.top(), max(2.0, right - left), area.height()))
+    def _paint_marks(self, painter: QPainter, rows: Rows, places: Places) -> None:
+        """Which markers are shown, the part in view, the current artifact, and the cursor."""
+        shown = [rows.row_of[self._column_of[name]] for name in self.document.shown]
+        marks.paint_shown(painter, places, shown)
+        marks.paint_view(painter, places, *self._view)
+        current = self.document.current
         if current is not None:
-            top, bottom = edges[rows.row_of[self._column_of[current.marker]]]
-            x0, x1 = self._x(current.start), self._x(current.stop)
-            box = QRectF(x0, area.top() + top, max(3.0, x1 - x0), max(3, bottom - top))
-            painter.setPen(QPen(look.text, 1))
-            painter.drawRect(box.adjusted(-1.5, -1.5, 1.5, 1.5))
-        x = self._x(self.document.frame + 0.5)
-        painter.setPen(QPen(look.text, 1))
-        painter.drawLine(QPointF(x, area.top() - 2), QPointF(x, area.bottom() + 2))
+            row = rows.row_of[self._column_of[current.marker]]
+            marks.paint_current(painter, places.box(row, current.start, current.stop))
+        marks.paint_cursor(painter, places, self.document.frame)
