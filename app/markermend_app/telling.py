@@ -39,6 +39,7 @@ _SAME = (
     "Rename {0} to {1}",
     "Join {0} on {1}",
     "Lower {0} ({1} on {2})",
+    "Leave {0} ({1} on {2})",
     "Detect ({0})",
     "{0} artifacts",
     "{0} artifact",

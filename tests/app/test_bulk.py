@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QLabel, QPushButton
 
 from markermend.artifact import Artifact, Kind, Status
+from markermend.review.file import open_session
 from markermend.take import Take
 
 WAIT = 20_000
@@ -115,6 +116,26 @@ def test_after_several_rejections_it_asks_once_and_never_in_the_way(peaks, qtbot
     qtbot.keyClick(peaks, Qt.Key.Key_Z, CTRL)
     assert document.session.artifact(on_t10[3]).confidence == sure
     assert bulk.doubt is None
+
+
+def test_what_was_left_is_not_asked_again_when_the_review_is_opened_anew(peaks, qtbot, tmp_path):
+    document, bulk = peaks.document, peaks.bulk
+    on_t10 = [a.id for a in document.session.artifacts if (a.marker, a.kind) == ("T10", Kind.PEAK)]
+    document.reject(on_t10[:3])
+    (keep,) = [b for b in peaks.findChildren(QPushButton) if b.text() == "Leave them"]
+    assert bulk.doubt is not None
+    qtbot.mouseClick(keep, Qt.MouseButton.LeftButton)
+    assert bulk.doubt is None
+    assert document.session.history[-1] == "Leave 1 artifact (peak on T10)"
+    take, mesh = document.session.original, document.mesh
+    document.session.mark_exported()
+    document.open(None, None)
+    document.open(open_session(take, folder=tmp_path), mesh)
+    document.artifacts_changed.emit()
+    assert len(document.session.with_status(Status.REJECTED)) == 3
+    assert bulk.doubt is None
+    document.undo()
+    assert document.session.with_status(Status.REJECTED)
 
 
 def test_a_note_is_written_with_keys_and_shown_in_the_queue(peaks, qtbot):

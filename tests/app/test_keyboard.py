@@ -139,6 +139,26 @@ def test_a_range_swept_by_keys_ends_where_another_marker_comes_forward(window, q
     assert document.selection == swept
 
 
+def test_home_and_end_are_the_ends_of_the_list_that_has_the_keyboard(window, qtbot):
+    document, steps = window.document, window.history.view
+    for artifact in document.session.artifacts[:3]:
+        document.accept([artifact.id])
+    frame, count = document.frame, window.history.model.rowCount()
+    steps.setFocus()
+    key(qtbot, steps, Qt.Key.Key_Home)
+    assert steps.currentIndex().row() == 0
+    key(qtbot, steps, Qt.Key.Key_End)
+    assert steps.currentIndex().row() == count - 1
+    tree = window.tree.view
+    tree.setFocus()
+    key(qtbot, tree, Qt.Key.Key_End)
+    assert tree.indexBelow(tree.currentIndex()).isValid() is False
+    assert document.frame == frame
+    window.trajectories.canvas.setFocus()
+    key(qtbot, focus(), Qt.Key.Key_End)
+    assert document.frame == document.session.take.frames - 1
+
+
 def in_tree(window, marker):
     """Put the tree's cursor on a marker, as the arrows do."""
     tree = window.tree

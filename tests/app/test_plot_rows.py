@@ -181,6 +181,18 @@ def test_distance_goes_to_the_second_marker_or_to_the_one_chosen(panel):
     assert row.title == "To CLAV"
     away = distance(at["LWRB"], at["CLAV"])
     np.testing.assert_array_equal(row.traces["LWRB"].item("measured").yData, away)
+    # Where all belong to one subject its name is not said.
+    labels = {label: f"Ann:{label}" for label in take.labels}
+    panel.document.do(lambda session: hand.rename(session, labels))
+    panel.document.show(["Ann:LWRA", "Ann:LWRB"])
+    panel.open_menu()
+    texts = [action.text() for action in panel.menu.actions()]
+    panel.menu.close()
+    assert "Distance to LWRB" in texts
+    panel.document.undo()
+    panel.document.show(["LWRA", "LWRB"])
+    panel.choose_rows(["distance"])
+    (row,) = panel.rows
     # The step stands out of a distance that is constant otherwise.
     panel.choose_partner(None)
     low, high = row.view.viewRange()[1]

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 from markermend.review.step import Step, stretch
 from markermend_app.document import Document
 from markermend_app.panels.markers.badge import hint
+from markermend_app.panels.own_ends import OwnEnds
 from markermend_app.style import theme
 from markermend_app.telling import told
 
@@ -34,6 +35,7 @@ class HistoryPanel(QWidget):
         self.view = QListView()
         self.view.setModel(self.model)
         self.view.setUniformItemSizes(True)
+        OwnEnds(self.view)
         # What is longer than the panel is wide is cut off, and told whole in its tooltip.
         self.view.setItemDelegate(_Narrow(self.view))
         self.view.setAccessibleName(self.tr("History"))

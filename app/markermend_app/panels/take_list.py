@@ -29,6 +29,7 @@ from markermend_app.actions import shortcuts
 from markermend_app.background.batch_review import BatchReview
 from markermend_app.background.loading import Glance
 from markermend_app.panels.markers.badge import dot_icon, paint_share
+from markermend_app.panels.own_ends import OwnEnds
 from markermend_app.panels.queue.view import PlainDelegate
 from markermend_app.style import theme
 from markermend_app.words import tr
@@ -139,6 +140,7 @@ class TakeList(QWidget):
         self.view = QListView()
         self.view.setModel(self.model)
         self.view.setUniformItemSizes(True)
+        OwnEnds(self.view)
         self.view.setAccessibleName(self.tr("Takes"))
         self._painter = _RowDelegate(self)
         self.view.setItemDelegate(self._painter)

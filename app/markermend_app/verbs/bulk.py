@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
@@ -10,7 +10,9 @@ from PySide6.QtWidgets import QWidget
 
 from markermend.artifact import Artifact, Kind
 from markermend.progress import Progress
-from markermend.review.alike import Doubt, doubts, lower, lowered
+from markermend.review.alike import Doubt, answered, doubts, leave, lower
+from markermend.review.edits import Change
+from markermend.review.session import Session
 from markermend_app.background.jobs import Lane
 from markermend_app.dialogs.alike import AlikeDialog
 from markermend_app.document import Document
@@ -54,19 +56,23 @@ class Bulk(QObject):
 
     def lower_doubted(self) -> None:
         """Make the rest of a sort that was rejected several times less sure."""
-        if self.doubt is None:
-            return
-        doubt, number = self.doubt, len(self.doubt.rest)
-        self.keep_doubted()
-        if self._document.do(lambda session: lower(session, doubt)):
+        number = 0 if self.doubt is None else len(self.doubt.rest)
+        if self._answer(lower):
             self.said.emit(self.tr("{0} artifacts come last now.").format(number))
 
     def keep_doubted(self) -> None:
         """Leave them as they are and do not ask again."""
-        if self.doubt is not None:
-            self._asked.add((self.doubt.marker, self.doubt.kind))
-            self.doubt = None
-            self.doubt_changed.emit()
+        self._answer(leave)
+
+    def _answer(self, verb: Callable[[Session, Doubt], Change]) -> bool:
+        """Do something about the sort in doubt, and ask no more; whether it could be done."""
+        doubt = self.doubt
+        if doubt is None:
+            return False
+        self._asked.add((doubt.marker, doubt.kind))
+        self.doubt = None
+        self.doubt_changed.emit()
+        return self._document.do(lambda session: verb(session, doubt))
 
     def _forget_asked(self) -> None:
         """Ask anew in another take."""
@@ -76,8 +82,11 @@ class Bulk(QObject):
     def _look_for_doubts(self) -> None:
         """Ask about the first sort that was rejected several times, unless asked before."""
         session = self._document.session
-        found = () if session is None else doubts(session.artifacts)
-        self._asked |= {(d.marker, d.kind) for d in found if session and lowered(session, d)}
+        if session is None or not self._document.editable:
+            found: tuple[Doubt, ...] = ()
+        else:
+            found = doubts(session.artifacts)
+            self._asked |= {(d.marker, d.kind) for d in found if answered(session, d)}
         new = next((d for d in found if (d.marker, d.kind) not in self._asked), None)
         if new != self.doubt:
             self.doubt = new

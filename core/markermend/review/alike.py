@@ -88,15 +88,30 @@ def doubts(artifacts: Sequence[Artifact]) -> tuple[Doubt, ...]:
 def lower(session: Session, doubt: Doubt) -> Change:
     """Make the rest less sure, as one step, so that they come last and no bulk repair takes them.
 
-    Their confidence is multiplied by :attr:`Doubt.share`; see :func:`lowered`.
+    Their confidence is multiplied by :attr:`Doubt.share`; see :func:`answered`.
     """
     changes = {a.id: replace(a, confidence=a.confidence * doubt.share) for a in doubt.rest}
-    many = f"{len(changes)} artifacts" if len(changes) > 1 else "1 artifact"
-    label = f"Lower {many} ({doubt.kind} on {doubt.marker})"
-    return session.perform(label, SetArtifacts(changes))
+    return session.perform(f"Lower {_named(doubt)}", SetArtifacts(changes))
 
 
-def lowered(session: Session, doubt: Doubt) -> bool:
-    """Whether artifacts of this sort were made less sure in this review before."""
-    of = f"({doubt.kind} on {doubt.marker})"
-    return any(step.startswith("Lower ") and step.endswith(of) for step in session.history)
+def leave(session: Session, doubt: Doubt) -> Change:
+    """Leave the rest as sure as they are; a step that changes nothing, so that it is remembered."""
+    return session.perform(f"Leave {_named(doubt)}", SetArtifacts({}))
+
+
+def answered(session: Session, doubt: Doubt) -> bool:
+    """Whether artifacts of this sort were made less sure in this review before, or left so."""
+    of = _sort(doubt)
+    return any(
+        step.startswith(("Lower ", "Leave ")) and step.endswith(of) for step in session.history
+    )
+
+
+def _named(doubt: Doubt) -> str:
+    """How many artifacts of which sort."""
+    return f"{len(doubt.rest)} artifact{'s' * (len(doubt.rest) > 1)} {_sort(doubt)}"
+
+
+def _sort(doubt: Doubt) -> str:
+    """Class and marker, as they end the name of a step."""
+    return f"({doubt.kind} on {doubt.marker})"

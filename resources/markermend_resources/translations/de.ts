@@ -1624,6 +1624,10 @@
         <translation>{0} herabgestuft ({1} an {2})</translation>
     </message>
     <message>
+        <source>Leave {0} ({1} on {2})</source>
+        <translation>{0} belassen ({1} an {2})</translation>
+    </message>
+    <message>
         <source>Detect ({0})</source>
         <translation>Gesucht ({0})</translation>
     </message>

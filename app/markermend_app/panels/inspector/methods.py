@@ -17,6 +17,7 @@ from markermend_app import units
 from markermend_app.actions import shortcuts
 from markermend_app.document import Document
 from markermend_app.panels.inspector.take import heading, plain
+from markermend_app.panels.markers.naming import short_names
 from markermend_app.telling import told
 from markermend_app.words import tr
 
@@ -145,8 +146,8 @@ class MethodList(QWidget):
     def _promise(self) -> str:
         """What the preview is expected to achieve, or why there is none."""
         a, proposal = self._document.current, self._document.proposal
+        session = self._document.session
         if a is not None and a.status is Status.REPAIRED:
-            session = self._document.session
             note = None if session is None else session.notes.get(a.id)
             text = self.tr("Repaired. Reopen it to try another method.")
             return f"{text} {told(note.leaves)}" if note is not None and note.leaves else text
@@ -169,8 +170,9 @@ class MethodList(QWidget):
         elif proposal.error_mm is None and method != "leave_empty":
             text += self.tr(", expected error not measured")
         followed = self._document.preview.references
-        if followed:
-            text += self.tr(", following {0}").format(", ".join(followed))
+        if followed and session is not None:
+            short = short_names(session.original.labels)
+            text += self.tr(", following {0}").format(", ".join(short[m] for m in followed))
         from markermend.repairs.look_again import in_words
 
         said = " ".join(map(told, filter(None, (proposal.reason, in_words(proposal.leaves or ())))))

@@ -48,6 +48,7 @@ from markermend_app.panels.markers.marker_model import (
     MarkerModel,
 )
 from markermend_app.panels.markers.rows import flatten, grow
+from markermend_app.panels.own_ends import OwnEnds
 from markermend_app.panels.queue.filter_line import FilterLine
 from markermend_app.style import theme
 
@@ -82,6 +83,7 @@ class MarkerTree(QWidget):
 
         self.pick: Callable[[str], bool] = lambda marker: False
         self.view = _View()
+        OwnEnds(self.view)
         self.view.returned.connect(self._check)
         self.filter = FilterLine(self.tr("Filter markers"), self.view)
         self.filter.textChanged.connect(self._filter)

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QMenu
 from markermend.take import Take
 from markermend_app import settings
 from markermend_app.document import Document
+from markermend_app.panels.markers.naming import short_names
 from markermend_app.panels.plots.beside import analog_key, point_key
 from markermend_app.panels.plots.quantity import COORDINATES, QUANTITIES, can_show
 from markermend_app.panels.staying_menu import StayingMenu
@@ -41,7 +42,7 @@ def fill_rows_menu(menu: QMenu, panel: TrajectoryPanel) -> None:
             menu.addSeparator()
         text = _tr(quantity.meaning)
         if name == "distance" and panel.partner is not None and take is not None:
-            text = _tr("Distance to {0}").format(panel.partner)
+            text = _tr("Distance to {0}").format(short_names(take.labels)[panel.partner])
         action = _check(menu, text, name in panel.chosen, partial(toggle, name))
         action.setEnabled(can_show(take, name))
         checks[name] = action
@@ -69,6 +70,7 @@ def _partners(menu: QMenu, panel: TrajectoryPanel) -> None:
     if session is None:
         return
     labels = session.original.labels
+    short = short_names(labels)
     groups = [] if mesh is None else [(told_group(g.name), g.markers) for g in mesh.groups]
     placed = {m for _, members in groups for m in members}
     rest = tuple(m for m in range(len(labels)) if m not in placed)
@@ -78,7 +80,7 @@ def _partners(menu: QMenu, panel: TrajectoryPanel) -> None:
         sub = menu.addMenu(name)
         for label in (labels[m] for m in members):
             chosen = label == panel.chosen_partner
-            _check(sub, label, chosen, partial(panel.choose_partner, label))
+            _check(sub, short[label], chosen, partial(panel.choose_partner, label))
 
 
 def _beside(menu: QMenu, document: Document, take: Take) -> None:
