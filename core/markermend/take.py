@@ -235,7 +235,17 @@ class Take:
         try:
             return self._column[label]
         except KeyError:
-            raise DataError(f"The take has no marker called “{label}”.") from None
+            raise DataError(self._no_marker(label)) from None
+
+    def _no_marker(self, label: str) -> str:
+        """Say that there is no such marker, and which one may be meant."""
+        from difflib import get_close_matches
+
+        who = "The take" if self.source is None else self.source.path.name
+        near = get_close_matches(label.casefold(), [s.casefold() for s in self.labels], 1)
+        meant = next((s for s in self.labels if [s.casefold()] == near), None)
+        hint = f"is “{meant}” meant?" if meant else "“markermend info” lists its markers."
+        return f"{who} has no marker called “{label}”; {hint}"
 
     def __contains__(self, label: str) -> bool:
         return label in self._column

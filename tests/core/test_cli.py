@@ -115,6 +115,10 @@ def test_bad_usage_is_two(words: list[str], capsys: pytest.CaptureFixture[str]) 
         ["clean", "missing.c3d", "-o", "missing/out.c3d"],
         ["clean", "missing.c3d", "-o", "out.c3d", "--method", "magic"],
         ["fill", "missing.c3d", "-o", "out.c3d"],
+        ["clean", "missing.c3d", "-o", "out.trc", "--record"],
+        ["clean", "missing.c3d", "-o", "out.c3d", "--artifacts", "a.json", "--detector", "paper"],
+        ["clean", "missing.c3d", "-o", "out.c3d", "--artifacts", "missing.json"],
+        ["bench", "gaps", "missing.c3d", "--figures", "a"],
     ],
 )
 def test_failure_is_one_sentence(
@@ -262,8 +266,8 @@ def test_clean_refuses_a_list_that_is_none(
     recording: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     listed = tmp_path / "found.json"
-    for text in ("not json", "[1]", "{}", '{"artifacts": [{"marker": "TOP0"}]}'):
-        listed.write_text(text)
+    for text in (b"not json", b"\xd7", b"[1]", b"{}", b'{"artifacts": [{"marker": "TOP0"}]}'):
+        listed.write_bytes(text)
         assert run("clean", recording, "-o", tmp_path / "x.c3d", "--artifacts", listed) == 1
         *odd, said = capsys.readouterr().err.splitlines()
         assert all(line.startswith(recording.name) for line in odd)
@@ -310,6 +314,36 @@ def test_a_model_named_by_hand_says_how_far_off_it_is_or_that_this_is_not_measur
     assert listed
     assert all(("not measured" in line) != known for line in listed)
     assert ("not measured" in page.read_text()) != known
+
+
+def test_joints_are_searched_in_one_way_and_counted_as_joints(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    joints, table = tmp_path / "joints.csv", tmp_path / "table.csv"
+    joints.write_text(
+        "frame,joint,parent,x,y,z\n" + "".join(f"{f},hip,,{f},2,3\n" for f in range(5))
+    )
+    assert run("detect", joints, "--method", "paper") == 1
+    assert "so that “paper” can change nothing" in capsys.readouterr().err
+    assert run("convert", joints, "-o", table) == 0
+    assert "1 joint, 5 frames" in capsys.readouterr().out
+
+
+def test_another_format_counts_what_was_repaired(
+    recording: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run("fill", recording, "-o", tmp_path / "filled.trc", "--method", "linear") == 0
+    assert f"{GAP.stop - GAP.start} new samples" in capsys.readouterr().out
+
+
+def test_a_marker_that_is_not_there_is_named_with_the_nearest(
+    recording: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for label, said in (("top0", "is “TOP0” meant?"), ("zzzzzz", "“markermend info” lists")):
+        assert run("smooth", recording, "-o", tmp_path / "x.c3d", "--marker", label) == 1
+        err = capsys.readouterr().err
+        assert recording.name in err
+        assert said in err
 
 
 def test_span_counts_frames() -> None:

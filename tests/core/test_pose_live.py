@@ -113,6 +113,7 @@ def test_command_line(walk, tmp_path, monkeypatch, capsys):
     for words, said in (
         (["-", "-o", "file.csv"], "“-”"),
         (["-", "-o", "-", "--cmu"], "--cmu has no effect on a stream"),
+        (["a.csv", "-o", "b.csv", "--skeleton", "a.asf"], "--skeleton has no effect on anything"),
         (["a.csv", "-o", "b.csv", "--network", "n", "n", "--list"], "--list has no effect on what"),
     ):
         assert main(["denoise", *words]) == 1

@@ -121,6 +121,8 @@ def read_recipe(path: str | Path) -> Recipe:
         given = tomllib.loads(where.read_text(encoding="utf-8"))
     except OSError as error:
         raise not_opened(where, error) from error
+    except UnicodeDecodeError as error:
+        raise FileFormatError(f"The recipe “{where}” is not TOML; name another file.") from error
     except ValueError as error:
         raise FileFormatError(f"The recipe “{where}” is not TOML: {error}.") from error
     for table, keys in _TABLES.items():

@@ -101,7 +101,10 @@ def read_cases(path: str | Path) -> tuple[GapCase, ...]:
     except OSError as error:
         raise not_opened(Path(path), error) from error
     except (ValueError, KeyError, TypeError) as error:
-        raise FileFormatError(f"{path} is no list of gaps to replay: {error}.") from error
+        raise FileFormatError(
+            f"“{path}” is no list of gaps to replay, each with take, protocol, length and gaps as"
+            " [marker, start, stop]; “markermend bench gaps” draws its own without --list."
+        ) from error
 
 
 def _case(entry: Mapping[str, Any]) -> GapCase:

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 import markermend as mm
-from markermend.artifact import Artifact, repair_in_words
+from markermend.artifact import repair_in_words
 from markermend.cli.console import (
     STDOUT,
     Bar,
@@ -20,14 +20,13 @@ from markermend.cli.console import (
     written,
 )
 from markermend.cli.detect import find, summary
-from markermend.cli.detection import choose
+from markermend.cli.detection import choose, refuse_choice
 from markermend.cli.repairing import left_over, listing, seen_again, summary_table
-from markermend.mesh import Mesh
+from markermend.errors import ExportError
 from markermend.outcome import cleaned_document, outcomes
 from markermend.patch import patched
-from markermend.progress import Progress, part
+from markermend.progress import part
 from markermend.repairs import find_method, repair_all
-from markermend.take import Take
 
 
 def run(options: argparse.Namespace) -> int:
@@ -37,12 +36,23 @@ def run(options: argparse.Namespace) -> int:
     check_take_output(options.output, source=options.take)
     if options.method != "auto":
         find_method(options.method)
-    options.detector, options.params = choose(options)
+    if options.artifacts is not None:
+        refuse_choice(options, "--artifacts lists what is repaired")
+    if Path(options.output).suffix.lower() != ".c3d" and (options.record or options.mark_outputs):
+        raise ExportError(
+            f"Only a C3D has room for what --record and --mark-outputs write; leave them out, or"
+            f" write “{Path(options.output).with_suffix('.c3d').name}”."
+        )
+    listed = None if options.artifacts is None else read_artifacts(options.artifacts)
+    chosen = choose(options)
     take = read_take(options.take)
     with Bar() as bar:
         bar(0.0, "Working out the body")
         mesh = mm.infer_mesh(take)
-        found, method = _artifacts(take, mesh, options, part(bar, 0.0, 0.8))
+        if listed is None:
+            found, method = find(take, mesh, options, chosen, part(bar, 0.0, 0.8)), chosen[0]
+        else:
+            found, method = listed[0], str(listed[1].get("method", ""))
         pairs = repair_all(
             take,
             found,
@@ -81,13 +91,3 @@ def run(options: argparse.Namespace) -> int:
         ]:
             say(line)
     return 0
-
-
-def _artifacts(
-    take: Take, mesh: Mesh, options: argparse.Namespace, progress: Progress
-) -> tuple[tuple[Artifact, ...], str]:
-    """What is to be repaired, listed in a file or detected, and what found it."""
-    if options.artifacts is None:
-        return find(take, mesh, options, progress), options.detector
-    listed, document = read_artifacts(options.artifacts)
-    return listed, str(document.get("method", ""))

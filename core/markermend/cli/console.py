@@ -239,6 +239,8 @@ def read_json(path: str) -> dict[str, Any]:
         document = json.loads(Path(path).read_text(encoding="utf-8"))
     except OSError as error:
         raise not_opened(Path(path), error) from error
+    except UnicodeDecodeError as error:
+        raise MarkermendError(f"“{path}” is not JSON; name another file.") from error
     except ValueError as error:
         raise MarkermendError(f"“{path}” is not JSON: {error}.") from error
     if not isinstance(document, dict):

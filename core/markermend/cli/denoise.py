@@ -31,6 +31,8 @@ def run(options: argparse.Namespace) -> int:
         )
     if options.network is not None:
         _refuse(options, ("prior", "list"), "what a network does")
+    if options.skeleton is not None and Path(options.pose).suffix.lower() != ".amc":
+        _refuse(options, ("skeleton",), "anything but an AMC")
     pose = mm.read_pose(options.pose, skeleton=options.skeleton, rate=options.rate)
     for oddity in pose.warnings:
         warn(f"{Path(options.pose).name}: {oddity}")

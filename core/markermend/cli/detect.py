@@ -9,6 +9,7 @@ import math
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from pathlib import Path
+from typing import Any
 
 import markermend as mm
 from markermend.artifact import Artifact, Kind
@@ -24,7 +25,7 @@ from markermend.cli.console import (
     write_json,
     write_text,
 )
-from markermend.cli.detection import choose
+from markermend.cli.detection import choose, refuse_choice
 from markermend.mesh import Mesh
 from markermend.progress import Progress
 from markermend.take import Take
@@ -47,13 +48,13 @@ _COLUMNS = (
 def run(options: argparse.Namespace) -> int:
     """Detect, and show or write what was found."""
     check_outputs([options.json, options.csv], source=options.take, force=options.force)
-    options.detector, options.params = choose(options)
+    chosen = choose(options)
     take = read_take(options.take)
     with Bar() as bar:
-        found = find(take, None, options, bar)
+        found = find(take, None, options, chosen, bar)
     if options.json is not None:
         name = Path(options.take).name
-        write_json(options.json, document(take, found, options.detector, mm.__version__, name=name))
+        write_json(options.json, document(take, found, chosen[0], mm.__version__, name=name))
     if options.csv is not None:
         write_text(options.csv, to_csv(take, found))
     if STDOUT not in (options.json, options.csv):
@@ -64,12 +65,17 @@ def run(options: argparse.Namespace) -> int:
 
 
 def find(
-    take: Take, mesh: Mesh | None, options: argparse.Namespace, progress: Progress
+    take: Take,
+    mesh: Mesh | None,
+    options: argparse.Namespace,
+    chosen: tuple[str, Any],
+    progress: Progress,
 ) -> tuple[Artifact, ...]:
-    """Detect as :func:`markermend.cli.detection.choose` settled it."""
-    return mm.detect(
-        take, method=options.detector, params=options.params, mesh=mesh, progress=progress
-    )
+    """Detect as :func:`markermend.cli.detection.choose` chose from the options."""
+    if take.skeleton:
+        refuse_choice(options, f"{Path(options.take).name} holds joints, found wrong in one way")
+    method, params = chosen
+    return mm.detect(take, method=method, params=params, mesh=mesh, progress=progress)
 
 
 def when(take: Take, artifact: Artifact) -> tuple[str, str]:

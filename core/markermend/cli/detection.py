@@ -48,6 +48,29 @@ def add_detection(p: argparse.ArgumentParser, option: str) -> None:
     )
 
 
+def refuse_choice(options: argparse.Namespace, why: str) -> None:
+    """Refuse options that choose how to detect where that has no effect.
+
+    Parameters
+    ----------
+    options : of the command
+    why : nothing is chosen there, as the beginning of a sentence
+
+    Raises
+    ------
+    MethodError
+        when one of them was given, but for ``--no-slow``, which asks for nothing
+    """
+    from markermend.errors import MethodError
+
+    names = {"sensitivity": "--sensitivity", "set": "--set", "preset": "--preset"}
+    given = [shown for name, shown in names.items() if getattr(options, name) not in (None, [])]
+    if options.detector is not None:
+        given.insert(0, f"“{options.detector}”")
+    if given:
+        raise MethodError(f"{why}, so that {' and '.join(given)} can change nothing; leave it out.")
+
+
 def choose(options: argparse.Namespace) -> tuple[str, Any]:
     """Name of the detection method and its parameters: the preset, then what is said beside it.
 

@@ -15,7 +15,7 @@ from markermend.arrays import IntArray
 from markermend.errors import ExportError, FileFormatError
 from markermend.files.opening import not_opened
 from markermend.progress import Progress, quiet
-from markermend.take import Take
+from markermend.take import Origin, Take
 
 __all__ = ["Export", "read", "stale_outputs", "write"]
 
@@ -29,7 +29,8 @@ class Export:
     Attributes
     ----------
     path : the file written
-    samples : samples (marker and frame) that are not the source's; all of them in a new file
+    samples : samples (marker and frame) that are not the source's: filled or edited ones, all of a
+        take that was read from no file
     backup : where the file that was there before is kept, or None
     outputs : points that a model computed from markers that were changed: angles, moments,
         powers… in the same file, which no longer match
@@ -185,8 +186,6 @@ def stale_outputs(take: Take, changed: Sequence[str] | None = None) -> tuple[str
     labels of the angles, moments, powers and the like that belong to the same subjects as the
     changed markers. Which marker enters which output a file does not tell, so all are named.
     """
-    from markermend.take import Origin
-
     if take.points is None:
         return ()
     if changed is None:
@@ -224,7 +223,7 @@ def _writer(
     )
 
     others = {name: f for name, f in formats().items() if f.write is not None}
-    present = np.asarray(np.count_nonzero(take.present, axis=0), dtype=np.int64)
+    own = take.present if take.source is None else take.origin >= Origin.FILLED
 
     if take.skeleton and target.suffix.lower() in SKELETONS_WRITTEN:
         return _skeleton_writer(take, target, report)
@@ -239,7 +238,7 @@ def _writer(
                 file.write(contents(others[suffix], take))
             case _:
                 write_new(take, file, report, notes=_notes(take, record, mark_outputs))
-        return present
+        return np.asarray(np.count_nonzero(own, axis=0), dtype=np.int64)
 
     if target.suffix.lower() in (".trc", ".csv", *others):
         return new

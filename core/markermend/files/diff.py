@@ -135,13 +135,20 @@ def compare(
     report = part(progress, 0.8, 1.0)
     report(0.0, "Comparing bytes")
     differing, found = _bytes(first, second, layouts[0])
-    if len({take.source.format for take in (one, two) if take.source is not None}) > 1:
+    if _format(one) != _format(two):
         found = ()
     sizes = (first.stat().st_size, second.stat().st_size)
     samples = tuple(_samples(one, two, renamed))
     return Comparison(
         first, second, tuple(renamed.items()), samples, tuple(parameters), found, differing, sizes
     )
+
+
+def _format(take: Take) -> tuple[str, str]:
+    """What kind of file a take was read from; of skeleton recordings the ending tells which."""
+    if take.source is None:
+        return "", ""
+    return take.source.format, take.source.path.suffix.lower() if take.skeleton else ""
 
 
 def _shared(one: Take, two: Take) -> tuple[int, int, list[slice]]:

@@ -219,8 +219,7 @@ class Session:
 
     def mark(self, artifact: Artifact, proposal: Repair | None = None) -> Change:
         """Add an artifact by hand; with a proposal it is repaired by it in the same step."""
-        if artifact.marker not in self.original:
-            raise DataError(f"The take has no marker called “{artifact.marker}”.")
+        self.original.index(artifact.marker)
         if artifact.stop > self.original.frames:
             raise DataError("An artifact cannot reach beyond the last frame.")
         artifact = replace(artifact, id=self.free_id(artifact.id))
