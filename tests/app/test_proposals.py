@@ -24,7 +24,7 @@ def slow(qapp, damaged, monkeypatch):
     session.add_detected(truth, "truth")
     begun, entered, go_on = [], threading.Event(), threading.Event()
 
-    def propose(take, artifact, artifacts, *, method, mesh, references, progress):
+    def propose(take, artifact, artifacts, *, method, mesh, references, errors, progress):
         begun.append(artifact.marker)
         entered.set()
         assert go_on.wait(10)

@@ -1,5 +1,7 @@
 """What becomes of gaps where much is missing at once: of four markers one or two, eight together.
 
+Repaired together, as `fill` does, and one at a time, as a review does.
+
 python tests/benchmarks/bench_missing.py TAKE.c3d ... (recordings with little missing)
 """
 
@@ -11,13 +13,14 @@ from pathlib import Path
 import numpy as np
 
 import markermend as mm
-from markermend.artifact import Artifact
+from markermend.artifact import Artifact, Status
 from markermend.bench.gaps import BAND_90, only_named
 from markermend.patch import patched
-from markermend.repairs import Repair, find_gaps, repair_all
+from markermend.repairs import Repair, find_gaps, propose, repair_all
 from markermend.repairs.tits2018.local_frame import rank_by_spread
 from markermend.take import Take
 
+Pairs = list[tuple[Artifact, Repair]]
 SECONDS, DRAWS, SEED, BESIDE = (0.1, 0.5, 1.0, 2.0), 3, 34, 5
 # Markers kept of the take (None for all), and how many of the first are hidden.
 KINDS: dict[str, tuple[int | None, int]] = {
@@ -25,7 +28,7 @@ KINDS: dict[str, tuple[int | None, int]] = {
     "two of four": (4, 2),
     "eight of a body": (None, 8),
 }
-HEAD = "one after the other: filled, mm off, mm expected, in the band, damage found, off in length"
+HEAD = "filled, mm off, mm expected, in the band, damage found, off in length"
 
 
 def whole(path: str) -> Take:
@@ -54,9 +57,29 @@ def judged(
     return float(miss.mean()), expected, band, bool(done.leaves), bool((beyond > 10.0).any())
 
 
+def together(holed: Take) -> Pairs:
+    """All gaps repaired at once."""
+    return list(repair_all(holed, find_gaps(holed)))
+
+
+def by_turns(holed: Take) -> Pairs:
+    """The gaps repaired one at a time, in their order; those that could not be once more."""
+    take, known = holed, {a.id: a for a in find_gaps(holed)}
+    pairs = {}
+    for artifact in 2 * tuple(known.values()):
+        if known[artifact.id].status is not Status.REPAIRED:
+            errors = {n: r.error_mm for n, (_, r) in pairs.items() if r.error_mm is not None}
+            repair = propose(take, artifact, known.values(), errors=errors)
+            pairs[artifact.id] = artifact, repair
+            if repair.patches:
+                take = patched(take, repair.patches)
+                known[artifact.id] = artifact.with_status(Status.REPAIRED)
+    return list(pairs.values())
+
+
 def main() -> None:
     """Hide, repair, and print."""
-    found: dict[tuple[str, float], list[tuple[float, float, float, bool, bool] | None]] = {}
+    found: dict[tuple[str, str, float], list[tuple[float, float, float, bool, bool] | None]] = {}
     for path in sys.argv[1:]:
         full = whole(path)
         rng = np.random.default_rng([SEED, sum(map(ord, Path(path).stem))])
@@ -74,17 +97,19 @@ def main() -> None:
                 positions = truth.positions.copy()
                 positions[start : start + length, [truth.index(n) for n in names[:hidden]]] = np.nan
                 holed = Take(positions, truth.labels, truth.rate)
-                pairs = repair_all(holed, find_gaps(holed))
-                after = patched(holed, (p for _, r in pairs for p in r.patches))
-                found.setdefault((kind, seconds), []).extend(
-                    judged(truth, after, a, r) if r.patches else None for a, r in pairs
-                )
+                for way in (together, by_turns):
+                    pairs = way(holed)
+                    after = patched(holed, (p for _, r in pairs for p in r.patches))
+                    found.setdefault((way.__name__, kind, seconds), []).extend(
+                        judged(truth, after, a, r) if r.patches else None for a, r in pairs
+                    )
     sys.stdout.write(HEAD + "\n")
-    for (kind, seconds), results in sorted(found.items()):
+    for (way_name, kind, seconds), results in sorted(found.items()):
         filled = np.array([r for r in results if r is not None], dtype=float).reshape(-1, 5)
         off, expected, band, damage, lengths = np.nanmean(filled, axis=0)
         sys.stdout.write(
-            f"{kind:<16}{seconds:4} s {100 * len(filled) / len(results):4.0f} % {off:6.1f} "
+            f"{way_name:<9} {kind:<15}{seconds:4} s "
+            f"{100 * len(filled) / len(results):4.0f} % {off:6.1f} "
             f"(median {np.median(filled[:, 0]):.1f}) {expected:6.1f} {100 * band:4.0f} % "
             f"{100 * damage:4.0f} % {100 * lengths:4.0f} %\n"
         )

@@ -162,7 +162,8 @@ def prepare(item: ToReview, progress: Progress) -> Prepared:
     proposals: dict[Key, Any] = {}
     for i, artifact in enumerate(first):
         progress(0.8 + 0.2 * i / len(first), "Proposing repairs")
-        repair = propose(session.take, artifact, session.artifacts, mesh=mesh)
+        known, errors = session.artifacts, session.expected_errors
+        repair = propose(session.take, artifact, known, mesh=mesh, errors=errors)
         proposals[artifact, AUTO, ()] = repair
     return Prepared(item, stamp, take, mesh, found, session.history, proposals, glance_at(session))
 

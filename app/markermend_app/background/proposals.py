@@ -39,9 +39,11 @@ class _Request:
     Attributes
     ----------
     artifacts : all that were known then
+    errors : how far off repairs that were made may be, mm, by the artifact's id
     """
 
     artifacts: tuple[Artifact, ...]
+    errors: Mapping[str, float]
 
     def disbelieves(self, change: Change) -> bool:
         """Whether samples that change were not to be believed before either."""
@@ -109,11 +111,11 @@ class Proposals(QObject):
 
     def _submit(self, session: Session, mesh: Mesh, wanted: Sequence[Key]) -> None:
         """Hand to the worker what is not there or under way."""
-        take, artifacts = session.take, session.artifacts
+        take, artifacts, errors = session.take, session.artifacts, session.expected_errors
         for key in wanted:
             if key in self._known or key in self._asked:
                 continue
-            token = self._asked[key] = _Request(artifacts)
+            token = self._asked[key] = _Request(artifacts, errors)
             self._lane.submit(
                 "Propose",
                 partial(self._work, take, key, token, mesh),
@@ -194,6 +196,7 @@ class Proposals(QObject):
             method=method,
             mesh=mesh,
             references=references,
+            errors=token.errors,
             progress=report,
         )
 

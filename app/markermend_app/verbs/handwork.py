@@ -74,12 +74,12 @@ class HandWork(QObject):
             return
 
         def prepare(session: Session) -> Callable[[Progress], Any]:
-            take, everything = session.take, session.artifacts
+            take, everything, errors = session.take, session.artifacts, session.expected_errors
 
             def work(progress: Progress) -> Any:
                 from markermend.repairs import propose
 
-                return propose(take, artifact, everything, mesh=mesh)
+                return propose(take, artifact, everything, mesh=mesh, errors=errors)
 
             return work
 

@@ -22,14 +22,10 @@ from markermend.repairs import (  # noqa: F401, importing a module registers its
 from markermend.repairs.advice import COMPARED, Advice, advise
 from markermend.repairs.choice import choose
 from markermend.repairs.gaps import fill, find_gaps
+from markermend.repairs.proposing import propose, propose_from
 from markermend.repairs.registry import REPAIRS, Evidence, Method, Repair, find_method
-from markermend.repairs.run import (
-    evidence_for,
-    propose,
-    propose_from,
-    repair,
-    repair_all,
-)
+from markermend.repairs.run import repair, repair_all
+from markermend.repairs.trust import evidence_for
 
 __all__ = [
     "COMPARED",

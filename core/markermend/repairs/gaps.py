@@ -6,7 +6,8 @@ from markermend.arrays import runs
 from markermend.artifact import Artifact, Kind, in_order
 from markermend.mesh import Mesh
 from markermend.progress import Progress
-from markermend.repairs.run import AUTO, repair
+from markermend.repairs.proposing import AUTO
+from markermend.repairs.run import repair
 from markermend.take import AXES, Take, is_unlabelled
 
 

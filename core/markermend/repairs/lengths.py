@@ -1,8 +1,8 @@
-"""Markers that were gone together, put back at their usual distances from each other.
+"""Repaired markers, put back at their usual distances from each other and from those beside them.
 
-Each was repaired by itself, from what was still seen. Where that took two of them, or one and a
-marker beside it, further apart or nearer together than they otherwise are, both give way, the less
-sure one the more.
+Each was repaired by itself, from what was still seen. Where that took it further from a marker
+beside it or nearer to it than they otherwise are, it gives way; so do both, the less sure one the
+more, where both were repaired.
 """
 
 from __future__ import annotations
@@ -16,15 +16,19 @@ from scipy.ndimage import gaussian_filter1d
 from markermend.arrays import FloatArray, IntArray
 from markermend.artifact import Artifact
 from markermend.repairs.look_again import looked_at
-from markermend.repairs.registry import Repair
-from markermend.take import AXES, Take
+from markermend.repairs.registry import Evidence, Repair
+from markermend.take import AXES, Take, is_unlabelled
 
 Pair = tuple[Artifact, Repair]
 
 NEAREST = 3
 """Distances to this many others are held, those that vary least."""
-UNUSUAL = 0.01
-"""Outer shares of the distances seen that count as unusual (as Tits and others, 2018, eq. 25)."""
+UNUSUAL, NEVER = 0.01, 0.0
+"""Outer shares of the distances seen that count as unusual (as Tits and others, 2018, eq. 25).
+
+Where one marker alone was gone, only what never was seen: its neighbours tell well where it is,
+also in a rare pose, and to draw it back from there errs more than it mends.
+"""
 LOOSEST_MM = 60.0
 """Distances that vary more are none of a body part."""
 LEAST_SLACK_MM, SLACK, ROUNDS = 0.3, 0.5, 6
@@ -37,7 +41,7 @@ SUREST_MM2, FIXED, LEAST_MM = 1e-4, 1e6, 1e-9
 
 
 @dataclass(frozen=True)
-class _Tie:
+class Tie:
     """Two columns, the limits of their usual distance, and how exactly it is held, in mm."""
 
     first: int
@@ -47,35 +51,35 @@ class _Tie:
     slack: float
 
 
-def at_usual_distances(take: Take, pairs: Sequence[Pair]) -> list[Pair]:
-    """Move repairs of the same moment so that distances stay as they are elsewhere.
+def at_usual_distances(evidence: Evidence, pairs: Sequence[Pair]) -> list[Pair]:
+    """Move repairs so that distances to the markers beside them stay as they are elsewhere.
 
     Parameters
     ----------
-    take : the take with these repairs; NaN = missing
-    pairs : artifacts and their repairs; those of three axes that tell their deviation are moved
+    evidence : the take with these repairs, and the samples that tell what is usual
+    pairs : artifacts and their repairs; those of three axes that tell their deviation are moved,
+        those that share frames together
 
     Returns
     -------
-    The pairs in their order, with new values where artifacts of several markers overlap and a
-    distance was unusual. The expected errors stay: what is gained is not promised.
+    The pairs in their order, with new values where a distance was unusual. The expected errors
+    stay: what is gained is not promised.
     """
-    seen = take.positions.copy()
-    for artifact, repair in pairs:
-        if repair.patches:
-            seen[artifact.start : artifact.stop, take.index(artifact.marker)] = np.nan
+    take = evidence.take
     result = list(pairs)
-    ties: dict[int, list[_Tie]] = {}
     for together in _together([artifact for artifact, _ in pairs]):
         group = [n for n in together if _movable(pairs[n][1])]
         if not group:
             continue
         columns = {take.index(pairs[n][0].marker) for n in group}
-        for column in columns - ties.keys():
-            ties[column] = _ties(seen, column)
+        unusual = UNUSUAL if len({pairs[n][0].marker for n in together}) > 1 else NEVER
         wanted = {
-            (min(t.first, t.second), max(t.first, t.second)): t for c in columns for t in ties[c]
+            (min(t.first, t.second), max(t.first, t.second)): t
+            for column in columns
+            for t in ties_of(evidence, column, unusual)
         }
+        if not wanted:
+            continue
         moved = _settled(take, [pairs[n] for n in group], list(wanted.values()))
         for n, values in zip(group, moved, strict=True):
             artifact, repair = pairs[n]
@@ -92,7 +96,7 @@ def _movable(repair: Repair) -> bool:
 
 
 def _together(artifacts: Sequence[Artifact]) -> list[list[int]]:
-    """Groups of artifacts that share frames, directly or by way of others, of several markers."""
+    """Groups of artifacts that share frames, directly or by way of others."""
     groups: list[list[int]] = []
     stop = 0
     for n in sorted(range(len(artifacts)), key=lambda n: artifacts[n].start):
@@ -100,28 +104,45 @@ def _together(artifacts: Sequence[Artifact]) -> list[list[int]]:
             groups.append([])
         groups[-1].append(n)
         stop = max(stop, artifacts[n].stop)
-    return [g for g in groups if len({artifacts[n].marker for n in g}) > 1]
+    return groups
 
 
-def _ties(positions: FloatArray, column: int) -> list[_Tie]:
-    """The distances of a marker that vary least, with what is usual for them."""
-    rows = np.flatnonzero(~np.isnan(positions[:, column, 0]))
+def ties_of(evidence: Evidence, column: int, unusual: float = UNUSUAL) -> list[Tie]:
+    """The distances of a marker that vary least, with what is usual for them.
+
+    Parameters
+    ----------
+    evidence : the take, and which of its samples are looked at
+    column : of the marker; it is the first of each tie
+    unusual : outer share of the distances seen that is not usual, on either side
+
+    Returns
+    -------
+    At most three, the steadiest first, to named markers of the same subject
+    """
+    take = evidence.take
+    rows = np.flatnonzero(evidence.trusted[:, column].all(axis=1))
     rows = rows[:: max(1, len(rows) // LOOKED_AT)]
-    apart = np.sqrt(((positions[rows] - positions[rows, [column]][:, None]) ** 2).sum(axis=2))
+    near = take.positions[rows]
+    apart = np.sqrt(((near - near[:, [column]]) ** 2).sum(axis=2))
+    apart[~evidence.trusted[rows].all(axis=2)] = np.nan
+    subject = take.subject(take.labels[column])
+    strangers = [is_unlabelled(n) or take.subject(n) != subject for n in take.labels]
+    apart[:, strangers] = np.nan
     often = np.flatnonzero((~np.isnan(apart)).sum(axis=0) >= LEAST_SEEN)
     often = often[often != column]
     spread = np.nanstd(apart[:, often], axis=0)
     best = np.argsort(spread, kind="stable")[:NEAREST]
     best = best[spread[best] < LOOSEST_MM]
     steady, slack = often[best], np.maximum(LEAST_SLACK_MM, SLACK * spread[best])
-    limits = np.nanquantile(apart[:, steady], [UNUSUAL, 1.0 - UNUSUAL], axis=0)
+    limits = np.nanquantile(apart[:, steady], [unusual, 1.0 - unusual], axis=0)
     return [
-        _Tie(column, int(other), float(low), float(high), float(loose))
+        Tie(column, int(other), float(low), float(high), float(loose))
         for other, low, high, loose in zip(steady, *limits, slack, strict=True)
     ]
 
 
-def _settled(take: Take, group: Sequence[Pair], ties: Sequence[_Tie]) -> list[FloatArray | None]:
+def _settled(take: Take, group: Sequence[Pair], ties: Sequence[Tie]) -> list[FloatArray | None]:
     """New values for each repair of a group, None where nothing moves.
 
     The likeliest places, frame by frame, by Gauss and Newton: near to where each was put, by its

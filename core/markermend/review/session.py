@@ -135,6 +135,12 @@ class Session:
         """Artifacts whose status is one of these."""
         return tuple(a for a in self.artifacts if a.status in statuses)
 
+    @property
+    def expected_errors(self) -> Mapping[str, float]:
+        """How far off repairs may be, mm, by the artifact's id, where it is known."""
+        notes = self._state.notes.items()
+        return {n: note.error_mm for n, note in notes if note.error_mm is not None}
+
     def repairs_in_words(self) -> tuple[str, ...]:
         """Say what was repaired and how, one line each, for the record in an exported file.
 
