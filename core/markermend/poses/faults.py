@@ -186,12 +186,11 @@ def _out_of_reach(pose: Pose, joint: int, wrong: BoolArray, room: float) -> Bool
 
 def _by_chance(wrong: BoolArray, bone: FloatArray, step: float) -> BoolArray:
     """(frames,) bool: frames between wrong ones, or from which the next good one is too far."""
-    joined = wrong | binary_closing(wrong, np.ones(_BY_CHANCE + 1, dtype=bool))
-    far = _length(np.diff(bone, axis=0)) > step
+    joined, far = wrong.copy(), _length(np.diff(bone, axis=0)) > step
     for _ in range(_BY_CHANCE):
         after, before = joined[:-2] & far[1:], joined[2:] & far[:-1]
         joined[1:-1] |= (after & ~joined[2:]) | (before & ~joined[:-2])
-    return np.asarray(joined)
+    return np.asarray(joined | binary_closing(joined, np.ones(_BY_CHANCE + 1, dtype=bool)))
 
 
 def _length(vectors: FloatArray) -> FloatArray:
