@@ -9,7 +9,7 @@ from PySide6.QtCore import QCoreApplication, QPoint, QPointF
 from markermend.artifact import Artifact, Kind
 from markermend.mesh import Mesh
 from markermend.review.file import open_session
-from markermend.take import Take
+from markermend.take import Analog, Take
 from markermend_app.document import Document
 from markermend_app.panels.overview.mode import MODES
 from markermend_app.panels.overview.overview import Overview
@@ -76,3 +76,24 @@ def test_everything_is_drawn(qtbot, tmp_path, document, panels, frames, markers,
     for panel in panels:
         assert not panel.grab().isNull()
     assert len(quality.model.rows) == markers
+
+
+def test_force_is_seen_in_a_file_without_markers(qtbot, tmp_path, document, panels):
+    plots, overview = panels[:2]
+    force = np.linspace(0, 900, 600, dtype=np.float32)[:, None]
+    analog = Analog(force, ("Fz1",), ("N",), 1000.0)
+    take = Take(np.zeros((60, 0, 3)), (), 100.0, analog=analog)
+    document.open(open_session(take, folder=tmp_path), None)
+    assert plots.empty.isVisible()
+    assert "no markers" in plots.empty.accessibleName()
+    assert overview.mode.isHidden()
+    document.show_beside(["analog 0"])
+    (row,) = plots.canvas.frames
+    assert plots.canvas.isVisible()
+    assert row.view.viewRange()[1][1] > 850
+    QCoreApplication.processEvents()
+    plots.canvas.scene().sigMouseMoved.emit(row.view.mapViewToScene(QPointF(30, 450)))
+    assert plots.header.readout.text().endswith("Fz1 450.8 N")
+    document.go_to(40)
+    document.show_beside(())
+    assert plots.empty.isVisible()

@@ -2139,6 +2139,30 @@
         <source>All files</source>
         <translation>Alle Dateien</translation>
     </message>
+    <message>
+        <source>No take is open</source>
+        <translation>Keine Aufnahme ist offen</translation>
+    </message>
+    <message>
+        <source>Open a take, or drop one onto the window.</source>
+        <translation>Eine Aufnahme öffnen oder auf das Fenster ziehen.</translation>
+    </message>
+    <message>
+        <source>Check the channels in the tree that are to be seen.</source>
+        <translation>Im Baum die Kanäle ankreuzen, die gezeigt werden sollen.</translation>
+    </message>
+    <message>
+        <source>This file has no markers</source>
+        <translation>Diese Datei enthält keine Marker</translation>
+    </message>
+    <message>
+        <source>Check markers in the tree, or go to an artifact in the review queue.</source>
+        <translation>Marker im Baum ankreuzen oder zu einem Artefakt der Prüfliste gehen.</translation>
+    </message>
+    <message>
+        <source>No marker is shown</source>
+        <translation>Kein Marker wird gezeigt</translation>
+    </message>
 </context>
 <context>
     <name>AlikeDialog</name>
@@ -2987,6 +3011,10 @@
         <translation>Hier erscheint die ganze Aufnahme, sobald eine offen ist.</translation>
     </message>
     <message>
+        <source>There are no markers to be seen here.</source>
+        <translation>Hier gibt es keine Marker zu sehen.</translation>
+    </message>
+    <message>
         <source>Working out residuals… {0:.0%}</source>
         <translation>Residuen werden berechnet… {0:.0%}</translation>
     </message>
@@ -3819,22 +3847,6 @@
     <message>
         <source>Plots of the shown markers</source>
         <translation>Kurven der gezeigten Marker</translation>
-    </message>
-    <message>
-        <source>No take is open</source>
-        <translation>Keine Aufnahme ist offen</translation>
-    </message>
-    <message>
-        <source>Open a take, or drop one onto the window.</source>
-        <translation>Eine Aufnahme öffnen oder auf das Fenster ziehen.</translation>
-    </message>
-    <message>
-        <source>No marker is shown</source>
-        <translation>Kein Marker wird gezeigt</translation>
-    </message>
-    <message>
-        <source>Check markers in the tree, or go to an artifact in the review queue.</source>
-        <translation>Marker im Baum ankreuzen oder zu einem Artefakt der Prüfliste gehen.</translation>
     </message>
     <message>
         <source>To {0}</source>

@@ -127,7 +127,7 @@ class Overview(QWidget):
             self._span = (0.0, 1.0 if take is None else max(1.0, float(take.frames)))
             self._view = self._span
         self.residuals.forget()
-        self.mode.setVisible(take is not None)
+        self.mode.setVisible(take is not None and take.markers > 0)
         self.setCursor(
             Qt.CursorShape.ArrowCursor if take is None else Qt.CursorShape.PointingHandCursor
         )
@@ -306,11 +306,10 @@ class Overview(QWidget):
         painter.setFont(font)
         painter.setPen(look.muted)
         if take is None or rows is None or take.frames == 0 or take.markers == 0:
-            painter.drawText(
-                self.rect(),
-                Qt.AlignmentFlag.AlignCenter,
-                self.tr("The whole take appears here once one is open."),
-            )
+            text = self.tr("The whole take appears here once one is open.")
+            if take is not None:
+                text = self.tr("There are no markers to be seen here.")
+            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, text)
             return
         painter.drawImage(area, self._picture(take, rows))
         marks.paint_groups(painter, rows, area)

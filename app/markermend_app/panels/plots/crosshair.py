@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, QPointF
 
 from markermend_app.document import Document
 from markermend_app.panels.inspector.artifact_text import describe
+from markermend_app.panels.plots.beside import BesideRow
 from markermend_app.panels.plots.frame import PlotFrame
 from markermend_app.panels.plots.header import PlotHeader
 from markermend_app.panels.plots.readout import read_out
@@ -34,7 +35,7 @@ class Crosshair(QObject):
         session = self._document.session
         rows = self._canvas.frames
         under = next((r for r in rows if r.view.sceneBoundingRect().contains(at)), None)
-        if session is None or under is None or not self._document.shown:
+        if session is None or under is None or not self._readable(under):
             self.leave()
             return
         if isinstance(under, PlotRow):
@@ -53,11 +54,15 @@ class Crosshair(QObject):
     def read_out(self, frame: int, row: PlotFrame | None = None) -> None:
         """Say frame, time and values: in a row, else the foremost marker's position."""
         session, shown = self._document.session, self._document.shown
-        if session is None or not shown or not session.take.frames:
+        if session is None or not session.take.frames or not self._readable(row):
             self._header.clear()
         else:
             take = session.original if self.before else session.take
             self._header.read_out(read_out(take, shown, frame, row))
+
+    def _readable(self, row: PlotFrame | None) -> bool:
+        """Whether there are values: channels have some without any marker."""
+        return bool(self._document.shown) or isinstance(row, BesideRow)
 
     def _draw(self, under: PlotFrame | None, frame: int | None) -> None:
         """Draw the lines: the level goes through the foremost marker's sample."""

@@ -215,6 +215,8 @@ def can_show(take: Take | None, name: str) -> bool:
     """Whether a take holds what a quantity needs."""
     if take is None:
         return True
+    if not take.markers:
+        return False
     if name == "file_residual":
         return take.residuals is not None
     # Some systems write the word for cameras and leave it empty.

@@ -21,6 +21,7 @@ from markermend_app.panels.plots.drawn import Drawn
 from markermend_app.panels.plots.frame import PlotFrame, events_of
 from markermend_app.panels.plots.gestures import Gestures
 from markermend_app.panels.plots.header import PlotHeader
+from markermend_app.panels.plots.nothing import why_empty
 from markermend_app.panels.plots.partner import partner_of
 from markermend_app.panels.plots.prediction import Predictions
 from markermend_app.panels.plots.quantity import COORDINATES, QUANTITIES, can_show
@@ -194,7 +195,8 @@ class TrajectoryPanel(QWidget):
 
     def _lay_rows(self) -> None:
         """Lay out the rows chosen, as far as the take holds what they show."""
-        self.canvas.set_rows([n for n in self.chosen if can_show(self.take, n)] or COORDINATES)
+        least = COORDINATES if self.take is None or self.take.markers else ()
+        self.canvas.set_rows([n for n in self.chosen if can_show(self.take, n)] or least)
         self._prepare(self.rows)
         if self.take is not None and self.document.shown:
             self._show_markers()
@@ -205,6 +207,7 @@ class TrajectoryPanel(QWidget):
         found = () if take is None else tuple(channel(take, k) for k in self.document.beside)
         self.canvas.set_beside(grouped(c for c in found if c is not None))
         self._prepare(self.canvas.beside)
+        self._turn_page()
         self.set_view(*self._view)
 
     def _prepare(self, rows: Sequence[PlotFrame]) -> None:
@@ -222,17 +225,7 @@ class TrajectoryPanel(QWidget):
     def _show_markers(self) -> None:
         """Draw other markers."""
         session, shown = self.document.session, self.document.shown
-        if session is None:
-            self.empty.say(
-                self.tr("No take is open"),
-                self.tr("Open a take, or drop one onto the window."),
-            )
-        elif not shown:
-            self.empty.say(
-                self.tr("No marker is shown"),
-                self.tr("Check markers in the tree, or go to an artifact in the review queue."),
-            )
-        self._stack.setCurrentIndex(int(bool(shown)))
+        self._turn_page()
         self.header.show_markers(shown)
         if session is not None:
             drawn = {name: self._drawn(name) for name in shown}
@@ -249,6 +242,11 @@ class TrajectoryPanel(QWidget):
                 self._show_afresh(*self._view)
         self.show_current()
         self.cross.read_out(self.document.frame)
+
+    def _turn_page(self) -> None:
+        """Show the plots where there is something in them, else say what to do."""
+        self.empty.say(*why_empty(self.take))
+        self._stack.setCurrentIndex(int(bool(self.document.shown or self.document.beside)))
 
     def _drawn(self, name: str) -> Shown:
         """A marker as the rows draw it."""
