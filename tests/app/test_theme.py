@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication
 
 from markermend.artifact import Kind
 from markermend_app import settings
+from markermend_app.panels.markers.badge import ground_of, ink_on
 from markermend_app.style import theme
 from markermend_app.style.looks import LOOKS, colour_blind
 
@@ -44,6 +45,15 @@ def test_text_is_readable(look: theme.Theme):
         assert _contrast(color, look.plot) > 3
     for color in look.kinds.values():
         assert _contrast(color, look.plot) > 2.4
+
+
+@pytest.mark.parametrize("name", ["light", "dark", "contrast"])
+def test_badges_can_be_read_also_where_they_step_back(qapp, name):
+    theme.apply(qapp, name)
+    for kind in Kind:
+        ground = ground_of(kind, faint=True)
+        assert _contrast(ink_on(ground), ground) > 4.5
+        assert ground != ground_of(kind)
 
 
 @pytest.mark.parametrize("look", LOOKS.values(), ids=lambda t: t.name)

@@ -97,6 +97,20 @@ def test_methods_go_by_their_labels(cleaned) -> None:
     assert "local_regression" not in table
 
 
+@pytest.mark.parametrize(
+    ("method", "said"),
+    [
+        ("joint", "Detected by “joint”"),
+        ("sudden", "Searched for gaps, peaks, noise and steps"),
+        ("sudden, all kinds", "noise and steps and for artifacts of all classes"),
+        ("hand", "Detected by “hand”"),
+    ],
+)
+def test_it_says_what_was_searched_for(method: str, said: str) -> None:
+    take = mm.Take(np.zeros((20, 2, 3)), ("A", "B"), 100.0)
+    assert said in take_report(take, take, (), method=method, name="t")
+
+
 def test_json_inside_tells_the_same(cleaned) -> None:
     take, _, done = cleaned
     (values,) = embedded(report(cleaned), "take")

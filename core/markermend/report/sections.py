@@ -19,6 +19,8 @@ from markermend.take import Take
 
 # Longer lists are cut on the page, worst first; the JSON has them whole.
 _MOST_ROWS = 200
+# How steps of a review name their searches; other names are those of detectors.
+_SEARCHES = {"sudden": "gaps, peaks, noise and steps", "all kinds": "artifacts of all classes"}
 _KEY = (
     '<p class="key">'
     + "".join(f'<span><i class="{kind.value}"></i>{kind.value}</span>' for kind in Kind)
@@ -81,6 +83,14 @@ def batch_parts(
     yield page.tail()
 
 
+def _searched(method: str) -> str:
+    """What was looked for, as far as a review tells, else with which detector."""
+    searches = [_SEARCHES.get(name) for name in method.split(", ")]
+    if None in searches:
+        return f"Detected by “{method}”"
+    return f"Searched for {' and for '.join(filter(None, searches))}"
+
+
 def _section(
     before: Take,
     after: Take,
@@ -95,7 +105,7 @@ def _section(
     found, mended = len(done), sum(o.method is not None for o in done)
     facts = (
         f"{before.frames:,} frames at {before.rate:g} Hz ({before.duration_s:.1f} s), "
-        f"{q.markers} markers. Detected by “{method}”, Markermend {mm.__version__}."
+        f"{q.markers} markers. {_searched(method)}, Markermend {mm.__version__}."
     )
     shapes = [curves(before, after, o) for o in worst(done)]
     values = cleaned_document(before, done, method, mm.__version__, name=name)

@@ -27,6 +27,13 @@ def _luminance(color: QColor) -> float:
     return 0.299 * color.redF() + 0.587 * color.greenF() + 0.114 * color.blueF()
 
 
+def ground_of(kind: Kind, faint: bool = False) -> QColor:
+    """Colour behind a class's letter; a faint one steps back, and can still be read."""
+    look = theme.current()
+    color = look.kinds[kind]
+    return theme.blend(look.panel, color, 0.3) if faint else color
+
+
 def badge_width(text: str, font: QFont) -> int:
     """Width of a badge with this text."""
     return QFontMetrics(font).horizontalAdvance(text) + 2 * PAD
@@ -70,8 +77,7 @@ def paint_counts(
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setClipRect(rect)
     painter.setFont(font)
-    painter.setOpacity(0.55 if faint else 1.0)
-    height = QFontMetrics(font).height() + 2
+    look, height = theme.current(), QFontMetrics(font).height() + 2
     x = rect.left() + PAD
     texts = count_texts(counts)
     dots = QFontMetrics(font).horizontalAdvance("…")
@@ -79,13 +85,13 @@ def paint_counts(
         width = badge_width(text, font)
         needed = width if i == len(texts) - 1 else width + 3 + dots
         if x + needed > rect.right():
-            painter.setPen(theme.current().muted)
+            painter.setPen(look.muted)
             painter.drawText(
                 QRectF(x, rect.top(), dots + 1, rect.height()), Qt.AlignmentFlag.AlignVCenter, "…"
             )
             break
         box = QRectF(x, rect.center().y() + 1 - height / 2, width, height)
-        paint_badge(painter, box, text, theme.current().kinds[kind])
+        paint_badge(painter, box, text, ground_of(kind, faint))
         x += width + 3
     painter.restore()
 
