@@ -26,7 +26,9 @@ def chosen() -> np.ndarray:
 
 def predicted(poses: np.ndarray, hidden: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     frames = chosen()
-    return by_likeness(poses, np.ones(12), hidden[frames], frames, START, STOP, RATE)
+    weights = np.linalg.lstsq(poses[frames], hidden[frames], rcond=1e-6)[0]
+    trust = np.ones(poses.shape[1])
+    return by_likeness(poses, trust, weights, hidden[frames], frames, START, STOP, RATE)
 
 
 def test_movement_that_recurs_is_followed_where_it_bends() -> None:
@@ -36,6 +38,22 @@ def test_movement_that_recurs_is_followed_where_it_bends() -> None:
     straight = np.linspace(hidden[START - 1], hidden[STOP], STOP - START)
     assert off.mean() < 0.05 < 0.3 < np.abs(straight - hidden[START:STOP]).mean()
     assert np.mean(off < 2.0 * np.sqrt(variance)) > 0.9
+
+
+def test_what_a_limb_has_no_part_in_leads_less_far_astray() -> None:
+    poses, hidden = movement()
+    hidden = hidden + poses[:, :2]
+    others = np.cumsum(np.random.default_rng(7).normal(0.0, 0.4, (900, 12)), axis=0)
+    found, _ = predicted(np.hstack([poses, others]), hidden)
+    assert np.abs(found - hidden[START:STOP]).mean() < 0.21
+
+
+def test_a_gap_is_entered_and_left_at_the_speed_beside_it() -> None:
+    poses, _ = movement()
+    path = np.sin(np.arange(900) / 23.0)[:, None]
+    found, _ = predicted(poses * 1e-3, path)
+    off = np.abs(found - path[START:STOP])
+    assert max(off[:3].max(), off[-3:].max()) < 0.12
 
 
 def test_what_nothing_tells_meets_the_sides_and_is_unsure_between() -> None:
@@ -51,8 +69,9 @@ def test_channels_without_trust_have_no_part() -> None:
     frames, spoilt = chosen(), poses.copy()
     spoilt[:, 3] = np.random.default_rng(6).normal(0.0, 1e3, 900)
     trust = (np.arange(12) != 3).astype(float)
+    weights = trust[:, None] * np.ones((12, 2))
     results = [
-        by_likeness(body, trust, hidden[frames], frames, START, STOP, RATE)[0]
+        by_likeness(body, trust, weights, hidden[frames], frames, START, STOP, RATE)[0]
         for body in (poses, spoilt)
     ]
     assert results[1] == pytest.approx(results[0])

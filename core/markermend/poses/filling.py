@@ -171,11 +171,14 @@ def _fill_gap(
         told = np.asarray(known[:, gap.channels].all(axis=1))
         chosen = moments_to_compare(told, start, stop, rate)
         if len(chosen):
-            trust = np.zeros(estimate.shape[1])
-            trust[others] = 1.0 - hidden[others]
+            trust, by = (
+                np.zeros(estimate.shape[1]),
+                np.zeros((estimate.shape[1], len(gap.channels))),
+            )
+            trust[others], by[others] = 1.0 - hidden[others], weights
             levels = estimate[np.ix_(np.append(chosen, np.arange(start, stop)), others)] @ weights
             left = estimate[np.ix_(chosen, gap.channels)] - levels[: len(chosen)]
-            strays, variance = by_likeness(estimate, trust, left, chosen, start, stop, rate)
+            strays, variance = by_likeness(estimate, trust, by, left, chosen, start, stop, rate)
             return levels[len(chosen) :] + strays, variance
     inside = estimate[start:stop][:, others] @ weights
     beside = base[ends][:, gap.channels] - estimate[ends][:, others] @ weights

@@ -13,10 +13,10 @@ _BESIDE_S, _BESIDE_HZ = 0.5, 60.0
 # Poses are alike when they move alike, too: what changes within this time counts as much.
 _MOVES_S = 0.1
 # What is particular to a time lasts this long; its share, and that of chance.
-_LASTS_S, _PASSING, _CHANCE = 0.2, 0.2, 0.003
+_LASTS_S, _PASSING, _CHANCE = 0.4, 0.2, 0.001
 _LEAST_MOMENTS = 30
 # What it never saw, the process does not expect: squared errors are larger by about this.
-_TOO_SURE = 4.0
+_TOO_SURE = 5.0
 
 
 def moments_to_compare(known: BoolArray, start: int, stop: int, rate: float) -> IntArray:
@@ -44,6 +44,7 @@ def moments_to_compare(known: BoolArray, start: int, stop: int, rate: float) -> 
 def by_likeness(
     poses: FloatArray,
     trust: FloatArray,
+    weights: FloatArray,
     targets: FloatArray,
     chosen: IntArray,
     start: int,
@@ -56,6 +57,7 @@ def by_likeness(
     ----------
     poses : (frames, channels) without NaN
     trust : (channels,) how much each is to be relied on; 0 for those to be predicted
+    weights : (channels, n) regression of what is to be predicted on poses; 0 as in ``trust``
     targets : (moments, n) what is to be predicted as it was at the chosen frames
     chosen : (moments,) frames that tell
     start, stop : the gap
@@ -68,20 +70,25 @@ def by_likeness(
     Notes
     -----
     Its covariance is the sum of one that falls with the difference of poses and of their movement,
-    and one that falls with time, both Matérn's of order 3/2. So a movement that the recording has
-    elsewhere is followed, and the sides of the gap are met.
+    Matérn's of order 3/2, and one that falls with time, of order 5/2. So a movement that the
+    recording has elsewhere is followed, and the sides of the gap are met at the speed they have.
+    Half of a difference is of all that is seen, half of what the regression makes of it, which
+    leaves out what a limb has no part in.
     """
     inside = np.arange(start, stop)
     lag = max(round(_MOVES_S * rate), 1)
     mean = poses[chosen].mean(axis=0)
-    there, here = (_moving(poses, frames, lag, mean, trust) for frames in (chosen, inside))
-    apart = _squared(there, there)
-    scale = max(float(apart.mean()), np.finfo(float).tiny)
-    system = _matern(np.sqrt(apart / scale))
-    system += _PASSING * _matern(np.abs(chosen[:, None] - chosen) / (_LASTS_S * rate))
+    system, across = np.zeros((len(chosen),) * 2), np.zeros((len(inside), len(chosen)))
+    for view in (np.diag(trust), weights):
+        there, here = (_moving(poses, frames, lag, mean, view) for frames in (chosen, inside))
+        apart = _squared(there, there)
+        half = 0.5 / max(float(apart.mean()), np.finfo(float).tiny)
+        system += half * apart
+        across += half * _squared(here, there)
+    system, across = _likeness(np.sqrt(system)), _likeness(np.sqrt(across))
+    system += _PASSING * _nearness(np.abs(chosen[:, None] - chosen) / (_LASTS_S * rate))
     system[np.diag_indices(len(chosen))] += _CHANCE
-    across = _matern(np.sqrt(_squared(here, there) / scale))
-    across += _PASSING * _matern(np.abs(inside[:, None] - chosen) / (_LASTS_S * rate))
+    across += _PASSING * _nearness(np.abs(inside[:, None] - chosen) / (_LASTS_S * rate))
     usual = targets.mean(axis=0)
     left = targets - usual
     factor = cho_factor(system, lower=True, check_finite=False)
@@ -94,12 +101,12 @@ def by_likeness(
 
 
 def _moving(
-    poses: FloatArray, frames: IntArray, lag: int, mean: FloatArray, trust: FloatArray
+    poses: FloatArray, frames: IntArray, lag: int, mean: FloatArray, view: FloatArray
 ) -> Float32Array:
-    """(frames, 2 · channels) poses and how they change; so precise as it takes to compare them."""
+    """(frames, 2 · n) a view of poses and its change; so precise as it takes to compare them."""
     last = len(poses) - 1
     change = poses[np.minimum(frames + lag, last)] - poses[np.maximum(frames - lag, 0)]
-    both = np.hstack([(poses[frames] - mean) * trust, change * trust])
+    both = np.hstack([(poses[frames] - mean) @ view, change @ view])
     return both.astype(np.float32)
 
 
@@ -109,7 +116,13 @@ def _squared(a: Float32Array, b: Float32Array) -> FloatArray:
     return np.asarray(np.maximum(far, 0.0), dtype=np.float64)
 
 
-def _matern(far: FloatArray) -> FloatArray:
+def _likeness(far: FloatArray) -> FloatArray:
     """Matérn's covariance of order 3/2."""
     scaled = np.sqrt(3.0) * far
     return np.asarray((1.0 + scaled) * np.exp(-scaled))
+
+
+def _nearness(far: FloatArray) -> FloatArray:
+    """Matérn's covariance of order 5/2, whose samples have a speed."""
+    scaled = np.sqrt(5.0) * far
+    return np.asarray((1.0 + scaled + scaled**2 / 3.0) * np.exp(-scaled))
