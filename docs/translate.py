@@ -25,6 +25,7 @@ def table_strings() -> list[str]:
     from markermend.repairs import REPAIRS
     from markermend.smoothers import SMOOTHERS
     from markermend_app import detection, telling
+    from markermend_app.actions import synonyms
     from markermend_app.actions import table as actions
     from markermend_app.dialogs import params_form
     from markermend_app.panels.inspector import artifact_text
@@ -35,6 +36,7 @@ def table_strings() -> list[str]:
     found += [name.lower() for name in theme.KIND_NAME.values()]
     for spec in actions.ACTIONS:
         found += [spec.text, spec.tip or spec.text.rstrip("…"), *spec.menu.lstrip("|").split("/")]
+    found += synonyms.SYNONYMS.values()
     for method in (*REPAIRS.values(), *SMOOTHERS.values()):
         found += [method.label, method.summary]
     for smoother in SMOOTHERS.values():

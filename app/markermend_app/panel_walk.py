@@ -27,11 +27,17 @@ class PanelWalk:
         """Go to the previous panel."""
         self._step(-1)
 
+    def go(self, name: str) -> None:
+        """Go to the panel of that name, open or not."""
+        dock = self._window.docks[name]
+        self._window.show_dock(name)
+        for panel, part in self._stops():
+            if panel is dock:
+                _give_keyboard(part)
+
     def home(self) -> None:
         """Give the keyboard back to the plots, for the review."""
-        plots = self._window.trajectories.canvas
-        plots.activateWindow()
-        plots.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        _give_keyboard(self._window.trajectories.canvas)
 
     def filter(self) -> None:
         """Give the keyboard to what narrows down the review queue, if it is there, or the tree."""
@@ -39,8 +45,7 @@ class PanelWalk:
         if _is_in(QApplication.focusWidget(), self._window.docks["queue"]):
             name, line = "queue", self._window.queue.filter
         self._window.show_dock(name)
-        line.activateWindow()
-        line.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        _give_keyboard(line)
         line.selectAll()
 
     def _stops(self) -> list[tuple[QWidget, QWidget]]:
@@ -73,8 +78,13 @@ class PanelWalk:
         panel, part = stops[at]
         # One that another covers as a tab comes forward.
         panel.raise_()
-        part.activateWindow()
-        part.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        _give_keyboard(part)
+
+
+def _give_keyboard(part: QWidget) -> None:
+    """Let a part of a panel take the keys, also where its panel floats."""
+    part.activateWindow()
+    part.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
 
 def _is_open(panel: QWidget) -> bool:

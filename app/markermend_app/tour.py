@@ -129,7 +129,7 @@ class Tour(QObject):
         if not self.running:
             return
         if self.place == len(self.steps):
-            keys = [shortcuts.first(name) for name in ("manual", "shortcuts", "palette")]
+            keys = [shortcuts.way_to(name) for name in ("manual", "shortcuts", "palette")]
             text = self.tr(
                 "{0} opens the manual at the panel in use, {1} lists every key, and {2} finds any "
                 "command by a few letters. The tour is in the Help menu."
@@ -137,7 +137,7 @@ class Tour(QObject):
             self.card.say(self.tr("That is the whole round"), text.format(*keys), "", last=True)
         else:
             step = self.steps[self.place]
-            text = step.text.format(*map(shortcuts.first, step.keys))
+            text = step.text.format(*map(shortcuts.way_to, step.keys))
             count = self.tr("{0} of {1}").format(self.place + 1, len(self.steps))
             self.card.say(step.title, text, count, last=False)
         self._follow()

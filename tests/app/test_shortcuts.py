@@ -13,8 +13,11 @@ from PySide6.QtWidgets import QMenu, QMessageBox
 from markermend.artifact import Status
 from markermend.mesh import infer_mesh
 from markermend.review.file import open_session
+from markermend_app import settings
 from markermend_app.actions import palette, shortcuts
+from markermend_app.actions.elsewhere import elsewhere
 from markermend_app.actions.shortcut_sheet import ShortcutSheet
+from markermend_app.actions.synonyms import SYNONYMS
 from markermend_app.actions.table import ACTIONS
 from markermend_app.window import MainWindow
 
@@ -84,6 +87,24 @@ def test_who_had_a_key_loses_it_to_who_takes_it(qapp):
     shortcuts.restore("reject")
     assert shortcuts.table()["reject"] == ("R",)
     assert shortcuts.table()["accept"] == ()
+
+
+def test_an_action_restored_hands_back_the_key_it_had_taken(qapp):
+    before = shortcuts.table()
+    shortcuts.change("accept", ("R",))
+    shortcuts.restore("accept")
+    assert shortcuts.table() == before
+
+
+def test_hints_name_the_keys_that_hold_and_the_menu_where_there_is_none(window, damaged, tmp_path):
+    window.document.session.mark_exported()
+    window.document.open(open_session(damaged[0], folder=tmp_path / "new"), None)
+    shortcuts.change("detect", ("Ctrl+D",))
+    shortcuts.change("play", ("Ctrl+L",))
+    assert window.queue._hint.text().startswith("Nothing found yet. Ctrl+D looks")
+    assert window.transport.play.toolTip() == "Play (Ctrl+L)"
+    shortcuts.change("detect", ())
+    assert "Review › Detect artifacts looks" in window.queue._hint.text()
 
 
 def test_spoilt_settings_leave_the_table(qapp, monkeypatch):
@@ -196,6 +217,50 @@ def opened_palette(window, qtbot):
     return found
 
 
+@pytest.mark.parametrize(
+    ("wanted", "first"),
+    [
+        ("analog", "View: Choose plots…"),
+        ("force", "View: Choose plots…"),
+        ("undo", "Edit: Undo"),
+        ("fill", "Review: Repair"),
+        ("spline", "Review: Repair method: Cubic spline"),
+        ("butterworth", "By hand: Smooth…"),
+        ("dark mode", "View: Dark theme"),
+        ("threads", "Edit: Preferences…"),
+        ("hotkeys", "Help: Keyboard and mouse…"),
+        ("save", "File: Export repaired take…"),
+        ("trails", "3D view: Trails of all markers"),
+        ("speed", "Plots: Speed"),
+        ("quality", "View: Panels: Quality"),
+    ],
+)
+def test_the_palette_finds_by_the_words_of_operators(window, wanted, first):
+    found = [*palette.entries(window.actions_by_name, window.document), *elsewhere(window)]
+    assert palette.ranked(wanted, found)[0].text == first
+
+
+def test_letters_far_apart_find_nothing():
+    assert palette.score("undo", "Measure the distance to: board: board:behind") is None
+
+
+def test_other_words_are_of_actions_there_are():
+    assert set(SYNONYMS) <= {spec.name for spec in ACTIONS}
+
+
+def test_the_palette_shows_channels_panels_and_recent_takes(window, qtbot, take_path):
+    settings.add_recent(take_path)
+    window.docks["quality"].hide()
+    found = {entry.text: entry for entry in elsewhere(window)}
+    found["View: Panels: Quality"].do()
+    assert window.docks["quality"].isVisible()
+    assert window.docks["quality"].isAncestorOf(window.focusWidget())
+    found["Plots: Speed"].do()
+    assert "speed" in window.trajectories.chosen
+    assert take_path.name in found
+    assert "3D view: Axis that points up: Z" in found
+
+
 def test_the_palette_runs_an_action(window, qtbot):
     found = opened_palette(window, qtbot)
     first = window.document.current.id
@@ -223,7 +288,7 @@ def test_the_palette_offers_every_action_and_does_nothing_that_is_disabled(windo
     texts = [e.text for e in entries]
     for spec in ACTIONS:
         if spec.name != "palette":
-            assert any(spec.text in t for t in texts)
+            assert any(window.actions_by_name[spec.name].text() in t for t in texts)
     found = opened_palette(window, qtbot)
     qtbot.keyClicks(found.line, "redo")
     qtbot.keyClick(found.line, Qt.Key.Key_Return)

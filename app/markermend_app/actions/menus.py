@@ -37,6 +37,16 @@ def build(owner: QWidget, document: Document, run: Callable[[str], None]) -> dic
         for spec in ACTIONS:
             made[spec.name].setEnabled(spec.enabled(document))
 
+    def name_methods() -> None:
+        """Call the methods by their names, once an artifact is looked at: repairs load late."""
+        if document.current is not None:
+            from markermend.repairs import REPAIRS
+
+            for method in REPAIRS.values():
+                if method.key is not None:
+                    made[f"method_{method.key}"].setText(tr(method.label))
+
+    document.current_changed.connect(name_methods)
     for signal in (
         document.opened,
         document.history_changed,

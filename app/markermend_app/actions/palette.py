@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -21,6 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from markermend_app.actions import shortcuts
+from markermend_app.actions.synonyms import SYNONYMS
 from markermend_app.actions.table import ACTIONS
 from markermend_app.document import Document
 from markermend_app.style import theme
@@ -31,6 +33,10 @@ Index = QModelIndex | QPersistentModelIndex
 _ENTRY = Qt.ItemDataRole.UserRole
 _LINE = Qt.AlignmentFlag.AlignVCenter | Qt.TextFlag.TextSingleLine
 _WIDTH, _HEIGHT = 560, 420
+_HEAD, _WITHIN, _OTHER_WORD = 3.0, 2.0, 1.5
+"""How well a word fits; as scattered letters at most 1."""
+_SCATTERED = 0.3
+"""Letters further apart than that stand in any long text."""
 
 
 @dataclass(frozen=True)
@@ -44,6 +50,7 @@ class Entry:
     icon : beside the text
     usable : whether it can be done now
     do : does it
+    also : other words it is found by
     """
 
     text: str
@@ -51,6 +58,7 @@ class Entry:
     icon: QIcon
     usable: bool
     do: Callable[[], object]
+    also: str = ""
 
 
 def entries(made: Mapping[str, QAction], document: Document) -> list[Entry]:
@@ -60,10 +68,14 @@ def entries(made: Mapping[str, QAction], document: Document) -> list[Entry]:
         if spec.name == "palette":
             continue
         action = made[spec.name]
-        menu = tr(spec.menu.lstrip("|").rpartition("/")[0] or spec.menu.lstrip("|"))
-        words = f"{menu}: {action.text()}"
+        path = [tr(part) for part in spec.menu.lstrip("|").split("/")]
+        # A menu below another one may say in its name what its entries say again.
+        path = [part for part in path if not action.text().startswith(part)]
+        words = ": ".join((*path, action.text()))
         key = shortcuts.first(spec.name)
-        found.append(Entry(words, key, action.icon(), action.isEnabled(), action.trigger))
+        also = f"{tr(spec.tip)} {tr(SYNONYMS.get(spec.name, ''))}"
+        do: Callable[[], object] = action.trigger
+        found.append(Entry(words, key, action.icon(), action.isEnabled(), do, also))
     session = document.session
     if session is None:
         return found
@@ -86,16 +98,19 @@ def entries(made: Mapping[str, QAction], document: Document) -> list[Entry]:
     return found
 
 
-def score(wanted: str, text: str) -> float | None:
+def score(wanted: str, text: str, also: str = "") -> float | None:
     """How well a search fits a text, higher is better; None when it does not.
 
     Every word of the search has to be found, in any order: best where it begins a word of the
-    text, else within one, else as letters in this order. Short texts go before long ones.
+    text, else within one, else where it begins one of the other words, else as letters in this
+    order. Short texts go before long ones.
     """
-    text = text.casefold()
+    text, others = text.casefold(), re.findall(r"[\w-]+", also.casefold())
     total = -0.01 * len(text)
     for word in wanted.casefold().split():
         fit = _fit(word, text)
+        if (fit is None or fit < _OTHER_WORD) and any(o.startswith(word) for o in others):
+            fit = _OTHER_WORD
         if fit is None:
             return None
         total += fit
@@ -107,14 +122,15 @@ def _fit(word: str, text: str) -> float | None:
     place = text.find(word)
     if place >= 0:
         heads = any(h == 0 or not text[h - 1].isalnum() for h in _places(word, text))
-        return 3.0 if heads else 2.0
+        return _HEAD if heads else _WITHIN
     at = first = -1
     for letter in word:
         at = text.find(letter, at + 1)
         if at < 0:
             return None
         first = at if first < 0 else first
-    return len(word) / (at - first + 1)
+    fit = len(word) / (at - first + 1)
+    return fit if fit >= _SCATTERED else None
 
 
 def _places(word: str, text: str) -> list[int]:
@@ -126,7 +142,7 @@ def ranked(wanted: str, found: Sequence[Entry]) -> list[Entry]:
     """Entries that fit a search, best first; of equals those that can be done now. Else all."""
     if not wanted.strip():
         return list(found)
-    fits = [(score(wanted, entry.text), entry) for entry in found]
+    fits = [(score(wanted, entry.text, entry.also), entry) for entry in found]
     good = [(fit + 0.4 * entry.usable, entry) for fit, entry in fits if fit is not None]
     good.sort(key=lambda pair: -pair[0])
     return [entry for _, entry in good]

@@ -201,12 +201,17 @@ class ShortcutSheet(QDialog):
 
     def _give(self, keys: tuple[str, ...]) -> None:
         shortcuts.change(self._name(), tuple(dict.fromkeys(keys)))
-        self._fill()
+        self._changed()
 
     def _reset(self) -> None:
         """Give the chosen action back the keys of the preset."""
         shortcuts.restore(self._name())
+        self._changed()
+
+    def _changed(self) -> None:
+        """Show what holds, and go back to the list: the button pressed may be disabled now."""
         self._fill()
+        self.tree.setFocus()
 
     def _preset_chosen(self) -> None:
         """Take a preset, and ask first where keys chosen by hand would be lost."""

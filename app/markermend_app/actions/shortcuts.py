@@ -18,6 +18,7 @@ from PySide6.QtWidgets import QWidget
 
 from markermend_app import settings
 from markermend_app.actions.table import ACTIONS
+from markermend_app.words import tr
 
 Keys = tuple[str, ...]
 
@@ -131,16 +132,26 @@ def change(name: str, keys: Keys) -> None:
 
 
 def restore(name: str) -> None:
-    """Give an action back the keys of the preset; whoever had taken them loses them."""
-    chosen = own()
-    chosen.pop(name, None)
+    """Give an action back the keys of the preset.
+
+    Whoever had taken them loses them; whoever had lost one to the action gets it back.
+    """
+    chosen, standard = own(), _of_preset(name)
+    freed = set(chosen.pop(name, ())) - set(standard)
+    for other, had in chosen.items():
+        back = freed - set(had)
+        chosen[other] = (*(k for k in _of_preset(other) if k in back), *had)
     settings.remember(_OWN, json.dumps(chosen))
-    spec = next(spec for spec in ACTIONS if spec.name == name)
-    standard = _plain(PRESETS[preset()].get(name, spec.keys))
     if table()[name] != standard or any(len(holders(k, table())) > 1 for k in standard):
         change(name, standard)
     else:
         watcher.changed.emit()
+
+
+def _of_preset(name: str) -> Keys:
+    """Keys that the preset in use gives an action."""
+    spec = next(spec for spec in ACTIONS if spec.name == name)
+    return _plain(PRESETS[preset()].get(name, spec.keys))
 
 
 def holders(key: str, keys: Mapping[str, Keys]) -> list[str]:
@@ -171,6 +182,12 @@ def first(name: str) -> str:
     """The key shown for an action, as this desktop writes it, or empty."""
     had = table().get(name, ())
     return native(had[0]) if had else ""
+
+
+def way_to(name: str) -> str:
+    """How an action is done: the key shown for it, else where it stands in the menus."""
+    spec = next(spec for spec in ACTIONS if spec.name == name)
+    return first(name) or " › ".join(map(tr, (*spec.menu.lstrip("|").split("/"), spec.text)))
 
 
 def with_key(text: str, name: str) -> str:

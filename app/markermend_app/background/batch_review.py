@@ -229,7 +229,7 @@ class BatchReview(QObject):
             self.said.emit(self.tr("Everything is decided, in all takes of the list."))
         else:
             text = self.tr("Everything is decided. {0} goes on with {1}.")
-            self.said.emit(text.format(shortcuts.first("next_take"), item.name))
+            self.said.emit(text.format(shortcuts.way_to("next_take"), item.name))
 
 
 def _listed(given: Sequence[Path], progress: Progress) -> Listed:

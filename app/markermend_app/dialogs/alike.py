@@ -25,6 +25,7 @@ from PySide6.QtWidgets import (
 
 from markermend.artifact import Artifact
 from markermend.review.alike import alike
+from markermend_app.actions import shortcuts
 from markermend_app.dialogs.help_key import help_in
 from markermend_app.dialogs.params_form import inset
 from markermend_app.document import Document
@@ -222,7 +223,7 @@ class AlikeDialog(QDialog):
         elif waiting:
             text = self.tr("Working out {0} repairs…").format(len(self._listed))
         else:
-            text = self.tr("One step, undone by one Ctrl+Z.")
+            text = self.tr("One step, undone by {0}.").format(shortcuts.way_to("undo"))
             if left:
                 one, many = self.tr("1 is left as it is."), self.tr("{0} are left as they are.")
                 text = (one if left == 1 else many.format(left)) + " " + text

@@ -58,9 +58,7 @@ class Notice(QFrame):
                 len(doubt.rest),
             )
         )
-        self.agree.setText(
-            self.tr("Lower them ({0})").format(shortcuts.native(shortcuts.first("lower_doubted")))
-        )
+        self.agree.setText(shortcuts.with_key(self.tr("Lower them"), "lower_doubted"))
 
     def _recolour(self) -> None:
         self.sign.setPixmap(theme.icon("help").pixmap(16, 16))

@@ -180,7 +180,7 @@ class TakeList(QWidget):
         self.model.set_rows(rows)
         done = sum(row.glance is not None and row.glance.done for row in rows)
         self.told.setText(self.tr("{0} of {1} takes done").format(done, len(rows)) if rows else "")
-        self.next.setText(self.tr("Next take ({0})").format(shortcuts.first("next_take")))
+        self.next.setText(shortcuts.with_key(self.tr("Next take"), "next_take"))
         self.next.setEnabled(batch.next_item is not None)
         finished = current is not None and any(
             r.current and r.glance and r.glance.done for r in rows

@@ -86,6 +86,7 @@ class Transport(QWidget):
         document.frame_changed.connect(self._frame_changed)
         document.frame_requested.connect(self._brought_into_view)
         theme.watcher.changed.connect(self._recolour)
+        shortcuts.watcher.changed.connect(self._recolour)
         self._recolour()
         self._opened()
 

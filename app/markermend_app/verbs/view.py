@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication
 from markermend.artifact import Kind
 from markermend_app import settings
 from markermend_app.actions import palette, shortcuts
+from markermend_app.actions.elsewhere import elsewhere
 from markermend_app.actions.shortcut_sheet import ShortcutSheet
 from markermend_app.actions.table import METHOD_KEYS
 from markermend_app.dialogs import ask as dialogs
@@ -103,8 +104,8 @@ def _let_go(window: MainWindow) -> None:
 
 
 def _open_palette(window: MainWindow) -> None:
-    """Find an action, marker or artifact by a few letters."""
-    found = palette.entries(window.actions_by_name, window.document)
+    """Find an action, marker or artifact, or what a panel can show, by a few letters."""
+    found = [*palette.entries(window.actions_by_name, window.document), *elsewhere(window)]
     palette.Palette(found, window).open()
 
 

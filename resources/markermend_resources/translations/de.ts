@@ -900,6 +900,230 @@
         <translation>Tastatur und Maus</translation>
     </message>
     <message>
+        <source>load import read file c3d trc csv bvh amc</source>
+        <translation>laden importieren lesen Datei c3d trc csv bvh amc</translation>
+    </message>
+    <message>
+        <source>queue takes multiple pipeline</source>
+        <translation>Stapel Aufnahmen mehrere Pipeline</translation>
+    </message>
+    <message>
+        <source>directory takes multiple pipeline</source>
+        <translation>Verzeichnis Aufnahmen mehrere Pipeline</translation>
+    </message>
+    <message>
+        <source>example sample tutorial</source>
+        <translation>Demo Muster Probe</translation>
+    </message>
+    <message>
+        <source>save write file c3d trc csv copy as</source>
+        <translation>speichern schreiben Datei sichern c3d trc csv Kopie</translation>
+    </message>
+    <message>
+        <source>html quality statistics summary print</source>
+        <translation>html Qualität Statistik Zusammenfassung drucken</translation>
+    </message>
+    <message>
+        <source>discard unload</source>
+        <translation>verwerfen entladen zumachen</translation>
+    </message>
+    <message>
+        <source>exit leave</source>
+        <translation>verlassen schließen Ende</translation>
+    </message>
+    <message>
+        <source>back revert history</source>
+        <translation>zurück zurücknehmen Verlauf undo</translation>
+    </message>
+    <message>
+        <source>again forward history</source>
+        <translation>erneut vor Verlauf redo</translation>
+    </message>
+    <message>
+        <source>deselect escape cancel</source>
+        <translation>abwählen Escape abbrechen</translation>
+    </message>
+    <message>
+        <source>search find narrow</source>
+        <translation>suchen finden eingrenzen</translation>
+    </message>
+    <message>
+        <source>settings options configure units millimetres language theme dark colours axis autosave threads processes sensitivity preset shortcuts</source>
+        <translation>Optionen Konfiguration Einheiten Millimeter Sprache Aussehen dunkel Farben Achse automatisch speichern Threads Prozesse Empfindlichkeit Vorlage Tasten</translation>
+    </message>
+    <message>
+        <source>find analyse scan check errors problems gaps spikes</source>
+        <translation>finden analysieren prüfen Fehler Probleme Lücken Spitzen suchen</translation>
+    </message>
+    <message>
+        <source>drift creep slide slippage</source>
+        <translation>Drift kriechen rutschen</translation>
+    </message>
+    <message>
+        <source>confirm keep yes</source>
+        <translation>bestätigen behalten ja</translation>
+    </message>
+    <message>
+        <source>ignore false alarm dismiss no</source>
+        <translation>ignorieren Fehlalarm verwerfen nein</translation>
+    </message>
+    <message>
+        <source>fill gap fix interpolate spline pattern rigid body apply</source>
+        <translation>füllen Lücke beheben interpolieren Spline Starrkörper anwenden</translation>
+    </message>
+    <message>
+        <source>candidates methods alternatives</source>
+        <translation>Kandidaten Verfahren Alternativen</translation>
+    </message>
+    <message>
+        <source>reset undecide pending</source>
+        <translation>zurücksetzen offen unentschieden</translation>
+    </message>
+    <message>
+        <source>delete dismiss</source>
+        <translation>löschen verwerfen</translation>
+    </message>
+    <message>
+        <source>fill gaps fix batch all</source>
+        <translation>Lücken füllen beheben Stapel alle</translation>
+    </message>
+    <message>
+        <source>fill gaps fix all similar same</source>
+        <translation>Lücken füllen beheben alle ähnlichen gleichen</translation>
+    </message>
+    <message>
+        <source>ignore all similar same false alarms</source>
+        <translation>ignorieren alle ähnlichen gleichen Fehlalarme</translation>
+    </message>
+    <message>
+        <source>back gap problem last</source>
+        <translation>zurück Lücke Problem letztes</translation>
+    </message>
+    <message>
+        <source>forward gap problem jump</source>
+        <translation>vor Lücke Problem springen</translation>
+    </message>
+    <message>
+        <source>comment annotate remark text</source>
+        <translation>Kommentar Anmerkung Bemerkung Text</translation>
+    </message>
+    <message>
+        <source>select range region interval</source>
+        <translation>auswählen Bereich Intervall</translation>
+    </message>
+    <message>
+        <source>flag label artifact gap range</source>
+        <translation>markieren Artefakt Lücke Bereich</translation>
+    </message>
+    <message>
+        <source>fill gap fix interpolate range</source>
+        <translation>füllen Lücke beheben interpolieren Bereich</translation>
+    </message>
+    <message>
+        <source>filter butterworth spline kalman savitzky golay low-pass denoise jitter</source>
+        <translation>Filter Butterworth Spline Kalman Savitzky Golay Tiefpass entrauschen Zittern</translation>
+    </message>
+    <message>
+        <source>delete erase crop samples unlabel hide</source>
+        <translation>löschen entfernen Werte ausblenden</translation>
+    </message>
+    <message>
+        <source>exchange switch flip markers labels</source>
+        <translation>austauschen wechseln Marker Namen</translation>
+    </message>
+    <message>
+        <source>relabel assign reassign trajectory labels</source>
+        <translation>umbenennen zuordnen Trajektorie Namen</translation>
+    </message>
+    <message>
+        <source>label relabel name</source>
+        <translation>benennen beschriften Name</translation>
+    </message>
+    <message>
+        <source>join stitch combine unlabelled trajectory fragment label identify</source>
+        <translation>verbinden vereinen namenlose Trajektorie Stück zuordnen</translation>
+    </message>
+    <message>
+        <source>donor source pattern rigid body cluster</source>
+        <translation>Spender Quelle Muster Starrkörper Cluster</translation>
+    </message>
+    <message>
+        <source>divide cut</source>
+        <translation>aufteilen schneiden</translation>
+    </message>
+    <message>
+        <source>merge combine</source>
+        <translation>vereinen zusammenführen</translation>
+    </message>
+    <message>
+        <source>playback run stop video animate</source>
+        <translation>Wiedergabe starten anhalten Video</translation>
+    </message>
+    <message>
+        <source>rewind beginning first</source>
+        <translation>zurückspulen Anfang erster</translation>
+    </message>
+    <message>
+        <source>last finish</source>
+        <translation>letzter Ende Schluss</translation>
+    </message>
+    <message>
+        <source>zoom all full reset frame home</source>
+        <translation>Zoom alles ganz zurücksetzen einpassen</translation>
+    </message>
+    <message>
+        <source>original raw source compare ghost</source>
+        <translation>Original roh Quelle vergleichen Geist</translation>
+    </message>
+    <message>
+        <source>model expected body rigid</source>
+        <translation>Modell erwartet Körper starr</translation>
+    </message>
+    <message>
+        <source>heat map gaps damage residual timeline</source>
+        <translation>Wärmekarte Lücken Schäden Residuum Zeitleiste</translation>
+    </message>
+    <message>
+        <source>graph curves analog force plates emg channels speed velocity acceleration residual cameras distance events</source>
+        <translation>Graph Kurven analog Kraft Kraftmessplatten EMG Kanäle Tempo Geschwindigkeit Beschleunigung Residuum Kameras Abstand Ereignisse</translation>
+    </message>
+    <message>
+        <source>bright white appearance</source>
+        <translation>weiß Aussehen Design</translation>
+    </message>
+    <message>
+        <source>night black mode appearance</source>
+        <translation>Nacht schwarz Modus Aussehen Design</translation>
+    </message>
+    <message>
+        <source>accessibility appearance</source>
+        <translation>Barrierefreiheit Aussehen Design</translation>
+    </message>
+    <message>
+        <source>automatic appearance</source>
+        <translation>automatisch Aussehen Design</translation>
+    </message>
+    <message>
+        <source>panels docks windows default restore arrange</source>
+        <translation>Bereiche Fenster Standard wiederherstellen anordnen</translation>
+    </message>
+    <message>
+        <source>help documentation guide handbook</source>
+        <translation>Hilfe Dokumentation Anleitung</translation>
+    </message>
+    <message>
+        <source>tutorial introduction getting started guide help</source>
+        <translation>Tutorial Einführung Anfang Anleitung Hilfe</translation>
+    </message>
+    <message>
+        <source>hotkeys keys bindings cheat sheet nexus qtm motive customise preset</source>
+        <translation>Tastenkürzel Belegung Spickzettel Nexus QTM Motive anpassen Vorlage</translation>
+    </message>
+    <message>
+        <source>version licence</source>
+        <translation>Version Lizenz</translation>
+    </message>
+    <message>
         <source>Local regression</source>
         <translation>Örtliche Regression</translation>
     </message>
@@ -1968,8 +2192,20 @@
         <translation>{0} rechts</translation>
     </message>
     <message>
+        <source>Panels</source>
+        <translation>Bereiche</translation>
+    </message>
+    <message>
         <source>Plots</source>
         <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>recent take</source>
+        <translation>zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>gezeigt</translation>
     </message>
     <message>
         <source>Markers in one colour</source>
@@ -2227,8 +2463,8 @@
         <translation>{0} Reparaturen werden berechnet…</translation>
     </message>
     <message>
-        <source>One step, undone by one Ctrl+Z.</source>
-        <translation>Ein Schritt, mit einem Strg+Z rückgängig.</translation>
+        <source>One step, undone by {0}.</source>
+        <translation>Ein Schritt, den {0} zurücknimmt.</translation>
     </message>
     <message>
         <source>{0} are left as they are.</source>
@@ -2988,8 +3224,8 @@
         <translation>Sie haben {0} von {1} entschiedenen ({2} an {3}) abgelehnt. Die übrigen {4} als unsicherer einstufen, damit sie zuletzt kommen?</translation>
     </message>
     <message>
-        <source>Lower them ({0})</source>
-        <translation>Zurückstufen ({0})</translation>
+        <source>Lower them</source>
+        <translation>Zurückstufen</translation>
     </message>
 </context>
 <context>
@@ -3407,16 +3643,8 @@
         <translation>Noch nichts gefunden. {0} sucht nach Artefakten.</translation>
     </message>
     <message>
-        <source>Review: Detect artifacts</source>
-        <translation>Durchsicht: Artefakte suchen</translation>
-    </message>
-    <message>
         <source>All {0} artifacts are decided. {1} exports the repaired take.</source>
         <translation>Alle {0} Artefakte sind entschieden. {1} exportiert die reparierte Aufnahme.</translation>
-    </message>
-    <message>
-        <source>File: Export</source>
-        <translation>Datei: Exportieren</translation>
     </message>
     <message>
         <source>No artifact matches these filters.</source>
@@ -3753,8 +3981,8 @@
         <translation>{0} von {1} Aufnahmen fertig</translation>
     </message>
     <message>
-        <source>Next take ({0})</source>
-        <translation>Nächste Aufnahme ({0})</translation>
+        <source>Next take</source>
+        <translation>Nächste Aufnahme</translation>
     </message>
 </context>
 <context>

@@ -158,7 +158,7 @@ class MethodList(QWidget):
             text = self.tr("No repair: {0}").format(why)
             if self._document.preview.best:
                 goes_on = self.tr("{0} accepts the flag, leaves the samples and goes on.")
-                text += "\n" + goes_on.format(shortcuts.first("repair"))
+                text += "\n" + goes_on.format(shortcuts.way_to("repair"))
             return text
         from markermend.repairs import REPAIRS
 

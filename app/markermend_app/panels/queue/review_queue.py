@@ -108,6 +108,7 @@ class ReviewQueue(QWidget):
         document.history_changed.connect(self._explain)
         document.current_changed.connect(self._follow_current)
         theme.watcher.changed.connect(self._recolour)
+        shortcuts.watcher.changed.connect(self._explain)
         self._recolour()
         self._filter()
         self._refresh()
@@ -378,12 +379,11 @@ class ReviewQueue(QWidget):
                 text = self.tr("Nothing was found. Sweep over a curve with Shift to mark by hand.")
             else:
                 text = self.tr("Nothing found yet. {0} looks for artifacts.").format(
-                    shortcuts.first("detect") or self.tr("Review: Detect artifacts")
+                    shortcuts.way_to("detect")
                 )
         elif not session.with_status(Status.PENDING) and self.status.currentData() == _OPEN:
             text = self.tr("All {0} artifacts are decided. {1} exports the repaired take.")
-            key = shortcuts.first("export") or self.tr("File: Export")
-            text = text.format(len(session.artifacts), key)
+            text = text.format(len(session.artifacts), shortcuts.way_to("export"))
         else:
             text = self.tr("No artifact matches these filters.")
         self._hint.setText(text)

@@ -64,8 +64,8 @@ class Looks:
     ) -> None:
         """Offer everything in a menu; ``changed`` is called when something else is to be seen."""
 
-        def add(text: str, checked: bool, do: Callable[[], object]) -> None:
-            action = menu.addAction(text)
+        def add(text: str, checked: bool, do: Callable[[], object], to: QMenu = menu) -> None:
+            action = to.addAction(text)
             action.setCheckable(True)
             action.setChecked(checked)
             action.triggered.connect(lambda _=False: do())
@@ -85,9 +85,9 @@ class Looks:
             lambda: self.set_lengths(not self.lengths),
         )
         menu.addSeparator()
-        menu.addAction(tr("Axis that points up")).setEnabled(False)
+        up = menu.addMenu(tr("Axis that points up"))
         for text, axis in ((tr("As the take suggests"), None), ("X", 0), ("Y", 1), ("Z", 2)):
-            add(text, vertical == axis, partial(set_vertical, axis))
+            add(text, vertical == axis, partial(set_vertical, axis), up)
 
 
 def marker_colours(

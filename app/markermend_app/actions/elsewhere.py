@@ -1,0 +1,54 @@
+"""What the palette finds beside actions, markers and artifacts: all that stands in the panels."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+from typing import TYPE_CHECKING
+
+from PySide6.QtWidgets import QMenu
+
+from markermend_app import settings
+from markermend_app.actions.palette import Entry
+from markermend_app.style import theme
+from markermend_app.words import tr
+
+if TYPE_CHECKING:
+    from markermend_app.window import MainWindow
+
+
+def elsewhere(window: MainWindow) -> Iterator[Entry]:
+    """Panels, what the plots and the 3D view can show, and the takes opened lately."""
+    blank = theme.blank_icon()
+    view, panels = tr("View"), tr("Panels")
+    for name, dock in window.docks.items():
+        text = f"{view}: {panels}: {dock.windowTitle()}"
+        yield Entry(text, "", blank, True, partial(window.walk.go, name), "dock window show")
+    if window.document.session is not None:
+        yield from _entries(window.trajectories.menu, tr("Plots"))
+        buttons, space = window.scene.buttons, window.docks["scene"].windowTitle()
+        for button in (buttons.fit, buttons.follow, buttons.trails, buttons.labels):
+            words = f"{space}: {button.accessibleName()}"
+            yield Entry(words, "", button.icon(), True, button.click)
+        yield from _entries(buttons.menu, space)
+    for path in settings.recent():
+        open_it = partial(window.commands.open_path, path)
+        yield Entry(path.name, tr("recent take"), theme.icon("open"), True, open_it, str(path))
+
+
+def _entries(menu: QMenu, path: str) -> Iterator[Entry]:
+    """What a menu holds that is filled when it is shown, and the menus below it."""
+    menu.aboutToShow.emit()
+    yield from _leaves(menu, path)
+
+
+def _leaves(menu: QMenu, path: str) -> Iterator[Entry]:
+    """Everything in a menu and below it that does something."""
+    blank = theme.blank_icon()
+    for action in menu.actions():
+        text, below = f"{path}: {action.text()}", action.menu()
+        if isinstance(below, QMenu):
+            yield from _leaves(below, text)
+        elif not action.isSeparator():
+            shown = tr("shown") if action.isChecked() else ""
+            yield Entry(text, shown, blank, action.isEnabled(), action.trigger)
