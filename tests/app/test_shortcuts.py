@@ -7,7 +7,7 @@ from itertools import combinations
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QKeySequence
+from PySide6.QtGui import QIcon, QKeySequence
 from PySide6.QtWidgets import QMenu, QMessageBox
 
 from markermend.artifact import Status
@@ -238,6 +238,16 @@ def opened_palette(window, qtbot):
 def test_the_palette_finds_by_the_words_of_operators(window, wanted, first):
     found = [*palette.entries(window.actions_by_name, window.document), *elsewhere(window)]
     assert palette.ranked(wanted, found)[0].text == first
+
+
+def test_the_palette_lists_artifacts_as_the_queue_does(qtbot, window):
+    document = window.document
+    found = palette.entries(window.actions_by_name, document)
+    names = [entry.text for entry in palette.ranked("frames lelb", found)]
+    assert not names
+    assert palette.ranked("frame lelb", found)[0].text == "Peak on LELB, frame 251"
+    same = [palette.Entry(f"Gap on {m}", "", QIcon(), True, bool) for m in ("LONGER", "SHORT")]
+    assert palette.ranked("gap", same) == same
 
 
 def test_letters_far_apart_find_nothing():

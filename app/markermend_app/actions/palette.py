@@ -87,12 +87,10 @@ def entries(made: Mapping[str, QAction], document: Document) -> list[Entry]:
     place = {artifact_id: i for i, artifact_id in enumerate(document.queue)}
     order = sorted(session.artifacts, key=lambda a: place.get(a.id, len(place)))
     for a in order:
-        text = tr("{0} on {1}, frames {2}–{3}").format(
-            theme.kind_name(a.kind),
-            a.marker,
-            take.frame_number(a.start),
-            take.frame_number(a.stop - 1),
-        )
+        one = a.stop - a.start == 1
+        text = tr("{0} on {1}, frame {2}") if one else tr("{0} on {1}, frames {2}–{3}")
+        first, last = take.frame_number(a.start), take.frame_number(a.stop - 1)
+        text = text.format(theme.kind_name(a.kind), a.marker, first, last)
         do = partial(document.select, a.id)
         found.append(Entry(text, f"{100 * a.confidence:.0f} %", theme.icon(a.kind), True, do))
     return found
@@ -143,7 +141,8 @@ def ranked(wanted: str, found: Sequence[Entry]) -> list[Entry]:
     if not wanted.strip():
         return list(found)
     fits = [(score(wanted, entry.text, entry.also), entry) for entry in found]
-    good = [(fit + 0.4 * entry.usable, entry) for fit, entry in fits if fit is not None]
+    # Roughly, so that artifacts whose names are about as long stay in the order of the queue.
+    good = [(round(fit + 0.4 * e.usable, 1), e) for fit, e in fits if fit is not None]
     good.sort(key=lambda pair: -pair[0])
     return [entry for _, entry in good]
 

@@ -100,6 +100,10 @@
         <translation>{0} an {1}, Frames {2}–{3}</translation>
     </message>
     <message>
+        <source>{0} on {1}, frame {2}</source>
+        <translation>{0} an {1}, Frame {2}</translation>
+    </message>
+    <message>
         <source>{marker} · {kind} · frames {first}–{last} · {sure:.0%} sure · {status}</source>
         <translation>{marker} · {kind} · Frames {first}–{last} · zu {sure:.0%} sicher · {status}</translation>
     </message>
