@@ -35,6 +35,7 @@ def test_hold_walk_let_go_and_repair(window, qtbot):
     qtbot.waitUntil(lambda: bool(comparison.candidates), timeout=WAIT)
     panel = window.candidates
     assert panel.isVisible()
+    assert "F repairs" in panel.said.text()
     errors = [c.error_mm for c in comparison.candidates if c.error_mm is not None]
     assert len(errors) >= 3
     assert "±" in panel.rows[0][2].text()

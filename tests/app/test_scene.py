@@ -460,8 +460,10 @@ def test_looks_are_chosen_in_the_menu_and_remembered(scene, document, qtbot):
     qtbot.mouseClick(menu, Qt.MouseButton.LeftButton, pos=menu.actionGeometry(action).center())
     assert scene.looks.colours == "damage"
     menu.popup(QPoint(20, 20))
-    action = next(a for a in menu.actions() if a.text() == "Y")
-    qtbot.mouseClick(menu, Qt.MouseButton.LeftButton, pos=menu.actionGeometry(action).center())
+    up = next(a.menu() for a in menu.actions() if a.text() == "Axis that points up")
+    up.popup(QPoint(20, 20))
+    action = next(a for a in up.actions() if a.text() == "Y")
+    qtbot.mouseClick(up, Qt.MouseButton.LeftButton, pos=up.actionGeometry(action).center())
     assert scene.stage.up == 1
     other = Scene(document)
     qtbot.addWidget(other)

@@ -73,6 +73,8 @@ def test_high_contrast_is_high(name):
         assert _contrast(look.border, background) > 18
     for color in (*look.axes.values(), *look.markers, *look.kinds.values(), look.accent):
         assert _contrast(color, look.plot) > 4.5
+    for color in (look.bones, look.points):
+        assert _contrast(color, look.plot) > 10
 
 
 # Machado, Oliveira and Fernandes (2009), severity 1, on linear RGB.

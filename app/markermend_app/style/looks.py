@@ -24,6 +24,7 @@ class Theme:
     border : lines between things
     text, muted : what is read, and what is read second
     grid : lines within drawings
+    bones, points : segments and markers of the body that are not shown in the plots
     accent, on_accent : what is active or proposed, and text upon it
     selection : what the operator has swept over
     original : samples as they were opened
@@ -44,6 +45,8 @@ class Theme:
     text: QColor
     muted: QColor
     grid: QColor
+    bones: QColor
+    points: QColor
     accent: QColor
     on_accent: QColor
     selection: QColor
@@ -77,6 +80,8 @@ LIGHT = Theme(
     text=QColor("#1d2430"),
     muted=QColor("#5d6776"),
     grid=QColor("#dfe3e9"),
+    bones=QColor("#9ea4ad"),
+    points=QColor("#73777f"),
     accent=QColor("#4a55c9"),
     on_accent=QColor("#ffffff"),
     selection=QColor("#7a8299"),
@@ -102,6 +107,8 @@ DARK = Theme(
     text=QColor("#e4e7ec"),
     muted=QColor("#9aa3b0"),
     grid=QColor("#30363e"),
+    bones=QColor("#666d76"),
+    points=QColor("#979a9e"),
     accent=QColor("#8e98ff"),
     on_accent=QColor("#14171c"),
     selection=QColor("#98a2b8"),
@@ -125,6 +132,8 @@ CONTRAST_LIGHT = replace(
     text=QColor("#000000"),
     muted=QColor("#262626"),
     grid=QColor("#b0b0b0"),
+    bones=QColor("#404040"),
+    points=QColor("#202020"),
     accent=QColor("#0000c8"),
     selection=QColor("#303030"),
     original=QColor("#6e6e6e"),
@@ -149,6 +158,8 @@ CONTRAST_DARK = replace(
     text=QColor("#ffffff"),
     muted=QColor("#e0e0e0"),
     grid=QColor("#5a5a5a"),
+    bones=QColor("#c0c0c0"),
+    points=QColor("#e0e0e0"),
     accent=QColor("#ffe000"),
     on_accent=QColor("#000000"),
     selection=QColor("#d0d0d0"),

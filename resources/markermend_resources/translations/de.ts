@@ -2643,8 +2643,8 @@
         <translation>Kein Verfahren hat hier eine Antwort.</translation>
     </message>
     <message>
-        <source>↑ ↓ choose, F repairs. ± is judged by like stretches in sight.</source>
-        <translation>↑ ↓ wählen, F repariert. ± ist an ähnlichen gesehenen Strecken geschätzt.</translation>
+        <source>↑ ↓ choose, {0} repairs. ± is judged by like stretches in sight.</source>
+        <translation>↑ ↓ wählen, {0} repariert. ± ist an ähnlichen gesehenen Strecken geschätzt.</translation>
     </message>
     <message>
         <source>Without an answer here: {0}.</source>

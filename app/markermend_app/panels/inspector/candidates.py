@@ -11,6 +11,7 @@ from PySide6.QtGui import QColor, QPainter, QPixmap
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 
 from markermend_app import units
+from markermend_app.actions import shortcuts
 from markermend_app.items.curve import curve, wear
 from markermend_app.panels.plots.row import PlotRow, same_objects
 from markermend_app.panels.plots.trajectories import TrajectoryPanel
@@ -80,7 +81,8 @@ class Candidates(QFrame):
         elif not found:
             self.said.setText(self.tr("No method has an answer here."))
         else:
-            text = self.tr("↑ ↓ choose, F repairs. ± is judged by like stretches in sight.")
+            text = self.tr("↑ ↓ choose, {0} repairs. ± is judged by like stretches in sight.")
+            text = text.format(shortcuts.way_to("repair"))
             if c.hopeless:
                 text += " " + self.tr("Without an answer here: {0}.").format(c.hopeless)
             self.said.setText(text)

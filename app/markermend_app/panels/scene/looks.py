@@ -102,10 +102,9 @@ def marker_colours(
     mesh : groups, if they are known
     damage : (markers,) share of their frames that are damaged
     """
-    look = theme.current()
-    plain = theme.blend(look.plot, look.text, 0.62)
+    plain = theme.current().points
     if looks.colours == "group" and mesh is not None:
-        colours = [theme.blend(look.plot, look.muted, 0.6)] * markers
+        colours = [theme.current().bones] * markers
         for i, group in enumerate(mesh.groups):
             for column in group.markers:
                 colours[column] = _hue(i)

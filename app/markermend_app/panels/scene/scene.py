@@ -221,8 +221,7 @@ class Scene(QWidget):
     def _paint_body(self, sight: paint.Sight, now: FloatArray) -> None:
         """Paint the segments; those of the wrong length in red."""
         t, off = theme.current(), self.seen.off(now) & self.looks.lengths
-        plain = theme.blend(t.plot, t.muted, 0.6)
-        paint.paint_links(sight, now, self.seen.links[~off], plain, 1.6)
+        paint.paint_links(sight, now, self.seen.links[~off], t.bones, 1.6)
         paint.paint_links(sight, now, self.seen.links[off], t.axes["x"], 2.4)
 
     def _paint_other(
