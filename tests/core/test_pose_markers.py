@@ -14,8 +14,7 @@ from markermend.cli import main
 from markermend.errors import DataError
 from markermend.mesh import Group, Mesh
 from markermend.poses.from_markers import centre_of_rotation, joint_centres
-from markermend.simulation import DEFAULT_SCRIPT, simulate_clean
-from markermend.simulation.performer import perform
+from markermend.simulation import simulate_clean, simulate_motion
 from markermend.take import Take
 
 FRAMES, RATE = 300, 100.0
@@ -127,17 +126,8 @@ def test_noise_that_the_turning_cannot_carry_leaves_a_joint_out() -> None:
 
 
 def test_a_performers_joints_are_found_where_they_are() -> None:
-    seed = 2
-    take = simulate_clean(duration_s=40.0, rate=50.0, seed=seed)
-    motion = perform(
-        duration_s=40.0,
-        rate=50.0,
-        height_mm=1750.0,
-        activities=DEFAULT_SCRIPT,
-        rng=np.random.default_rng(seed).spawn(3)[0],
-    )
-    found = joint_centres(take)
-    at = motion.origins
+    found = joint_centres(simulate_clean(duration_s=40.0, rate=50.0, seed=2))
+    at = simulate_motion(duration_s=40.0, rate=50.0, seed=2).origins
     # Neck and spine bend in two joints, half in each: together they turn about the point between.
     truth = {
         "Trunk/Head": (at["neck"] + at["head"]) / 2,

@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 
 from markermend.cli.bench_blind import run_blind
+from markermend.cli.bench_centres import run_centres
 from markermend.cli.bench_constraints import run_constraints
 from markermend.cli.bench_e2 import run_e2
 from markermend.cli.bench_e3 import run_e3
@@ -81,6 +82,7 @@ def _run_e1(options: argparse.Namespace) -> int:
 
 RUN = {
     "blind": run_blind,
+    "centres": run_centres,
     "e1": _run_e1,
     "e2": run_e2,
     "e3": run_e3,

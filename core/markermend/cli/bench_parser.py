@@ -6,6 +6,8 @@ import argparse
 
 from markermend.cli.bench_blind import SUMMARY as BLIND
 from markermend.cli.bench_blind import add_blind
+from markermend.cli.bench_centres import SUMMARY as CENTRES
+from markermend.cli.bench_centres import add_centres
 from markermend.cli.bench_constraints import SUMMARY as CONSTRAINTS
 from markermend.cli.bench_constraints import add_constraints
 from markermend.cli.bench_e2 import SUMMARY as E2
@@ -31,6 +33,7 @@ from markermend.cli.numbers import add_jobs, add_seed, add_simulations, from_zer
 
 EXPERIMENTS = {
     "blind": BLIND,
+    "centres": CENTRES,
     "e1": "contaminate clean takes, detect, compare by sample and by event",
     "e2": E2,
     "e3": E3,
@@ -49,6 +52,7 @@ def add_experiments(parser: argparse.ArgumentParser) -> None:
     """Give ``bench`` a command for each experiment."""
     adders = {
         "blind": add_blind,
+        "centres": add_centres,
         "e1": _add_e1,
         "e2": add_e2,
         "e3": add_e3,

@@ -15,6 +15,7 @@ from markermend.simulation.contamination import contaminate
 from markermend.simulation.damage import Amounts, damage
 from markermend.simulation.gap_placement import place_gaps
 from markermend.simulation.script import DEFAULT_SCRIPT, Activity
+from markermend.simulation.skeleton import Motion
 from markermend.take import Take
 
 __all__ = [
@@ -26,6 +27,7 @@ __all__ = [
     "place_gaps",
     "simulate",
     "simulate_clean",
+    "simulate_motion",
 ]
 
 
@@ -64,22 +66,13 @@ def simulate_clean(
         when duration, rate or height make no sense, or for an unknown activity or marker
     """
     from markermend.simulation.markers import camera_noise, place_markers
-    from markermend.simulation.performer import perform
 
-    if not (1.0 <= duration_s <= 3600.0 and 20.0 <= rate <= 2000.0 and 0.5 <= height_m <= 2.5):
-        raise MethodError(
-            "A simulation lasts 1 s to an hour, at 20 to 2000 Hz, of a person of 0.5 to 2.5 m."
-        )
     report = part(progress, 0.0, 1.0)
-    moves, skin, cameras = np.random.default_rng(seed).spawn(3)
+    _, skin, cameras = _draws(seed)
     with threadpool_limits(1):
         report(0.0, "Performing")
-        motion = perform(
-            duration_s=duration_s,
-            rate=rate,
-            height_mm=1000.0 * height_m,
-            activities=activities,
-            rng=moves,
+        motion = simulate_motion(
+            duration_s=duration_s, rate=rate, seed=seed, height_m=height_m, activities=activities
         )
         report(0.3, "Placing markers")
         names, positions = place_markers(
@@ -90,6 +83,41 @@ def simulate_clean(
     report(1.0, "Recorded")
     info = MappingProxyType({"system": "Markermend simulation", "seed": str(seed)})
     return Take(noisy if noise else positions, names, rate, residuals=residuals, info=info)
+
+
+def simulate_motion(
+    *,
+    duration_s: float = 40.0,
+    rate: float = 100.0,
+    seed: int = 0,
+    height_m: float = 1.75,
+    activities: Sequence[Activity] = DEFAULT_SCRIPT,
+) -> Motion:
+    """Return the bones under the markers of :func:`simulate_clean` with the same arguments.
+
+    Raises
+    ------
+    MethodError
+        when duration, rate or height make no sense, or for an unknown activity
+    """
+    from markermend.simulation.performer import perform
+
+    if not (1.0 <= duration_s <= 3600.0 and 20.0 <= rate <= 2000.0 and 0.5 <= height_m <= 2.5):
+        raise MethodError(
+            "A simulation lasts 1 s to an hour, at 20 to 2000 Hz, of a person of 0.5 to 2.5 m."
+        )
+    return perform(
+        duration_s=duration_s,
+        rate=rate,
+        height_mm=1000.0 * height_m,
+        activities=activities,
+        rng=_draws(seed)[0],
+    )
+
+
+def _draws(seed: int) -> list[np.random.Generator]:
+    """For the movement, the skin and the cameras."""
+    return np.random.default_rng(seed).spawn(3)
 
 
 def simulate(
