@@ -64,6 +64,10 @@ def outcomes(
     artifacts : all that were known
     pairs : those that were tried, with their repairs
     min_confidence : below it they were not tried
+
+    Returns
+    -------
+    One for each artifact, which says repaired where it is
     """
     tried = {artifact.id: repair for artifact, repair in pairs}
     swapped = [patch for _, repair in pairs if repair.method == "swap" for patch in repair.patches]

@@ -83,7 +83,23 @@ def apply_patch(positions: FloatArray, origin: ByteArray, column: int, patch: Pa
 
 
 def patched(take: Take, patches: Iterable[Patch]) -> Take:
-    """Return a take with patches applied in order; the input is unchanged."""
+    """Apply patches in order.
+
+    Parameters
+    ----------
+    take : unchanged
+    patches : those of repairs, for example
+
+    Returns
+    -------
+    Take
+        a new one, in which replaced samples are filled (where they were missing) or edited
+
+    Raises
+    ------
+    DataError
+        when a patch is of a marker that the take does not have, or reaches beyond its end
+    """
     positions, origin = take.positions.copy(), take.origin.copy()
     for patch in patches:
         apply_patch(positions, origin, take.index(patch.marker), patch)

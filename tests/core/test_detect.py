@@ -271,8 +271,12 @@ def test_progress_runs_from_start_to_end() -> None:
 def test_unknown_methods_and_foreign_parameters_are_refused() -> None:
     with pytest.raises(MethodError, match="paper"):
         detect(body(50), method="guess")
-    with pytest.raises(MethodError, match="PaperParams"):
-        detect(body(50), method="paper", params={"slow": False})
+    with pytest.raises(MethodError, match="“paper” takes PaperParams"):
+        detect(body(50), method="paper", params=JointParams())
+    with pytest.raises(MethodError, match="no parameter “slw”; it has sensitivity, slow"):
+        detect(body(50), slw=False)
+    with pytest.raises(MethodError, match=r"“sensitivity” .*between 0 and 1, not 7"):
+        detect(body(50), sensitivity=7)
     assert DETECTORS["paper"].params is PaperParams
 
 
@@ -324,7 +328,10 @@ def test_parameters_choose_their_method() -> None:
     take = body(300)
     assert detect(take, params=SUDDEN) == detect(take, method="paper", params=SUDDEN)
     joint = JointParams(slow=False)
-    assert detect(take, params=joint) == detect(take, method="joint", params=joint)
+    found = detect(take, method="joint", params=joint)
+    assert detect(take, params=joint) == found
+    assert detect(take, slow=False) == found
+    assert detect(take, params={"slow": True}, slow=False) == found
 
 
 def test_the_demo_take_is_read_as_it_was_damaged() -> None:

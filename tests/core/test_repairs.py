@@ -341,6 +341,8 @@ def test_repair_can_be_cancelled(rigid: Take) -> None:
 def test_fill_takes_gaps_up_to_the_longest_named(rigid: Take) -> None:
     take = with_missing(with_missing(rigid, "M1", 50, 55), "M2", 100, 150)
     assert [(g.marker, g.length) for g in find_gaps(take)] == [("M1", 5), ("M2", 50)]
+    with pytest.raises(MethodError, match="whole number"):
+        fill(take, max_gap=0.2)
     short = fill(take, max_gap=20)
     assert short.present[:, 1].all()
     assert not short.present[100:150, 2].any()

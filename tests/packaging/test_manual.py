@@ -83,7 +83,7 @@ def test_keys_that_are_named_do_something(page: Path) -> None:
 @pytest.mark.parametrize("page", PAGE_FILES, ids=lambda p: p.stem)
 def test_python_examples_run(page: Path, desk: Path) -> None:
     for code in re.findall(r"```python\n(.+?)```", text_of(page), re.DOTALL):
-        exec(compile(code, page.name, "exec"), {})
+        exec(compile(code, page.name, "exec"), {"__name__": "__main__"})
 
 
 @pytest.mark.parametrize("page", PAGE_FILES, ids=lambda p: p.stem)

@@ -6,7 +6,7 @@ import hashlib
 import json
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +14,7 @@ import markermend as mm
 from markermend.detectors import DEFAULT, find_detector
 from markermend.errors import FileFormatError, MethodError
 from markermend.files.opening import not_opened
+from markermend.parameters import read_params
 from markermend.repairs import find_method
 
 NAME = "{name}"
@@ -34,7 +35,8 @@ class Recipe:
     Attributes
     ----------
     detector : name of the detection method
-    detector_params : its parameter dataclass, the defaults when None
+    detector_params : its parameters as a mapping or their dataclass, which they become; None for
+        the defaults
     method : name of the repair method for everything, or ``"auto"``
     min_confidence : in [0, 1]; below it nothing is repaired but listed for review
     format : of the repaired take: ``"c3d"``, ``"trc"``, ``"csv"``, or ``"same"`` as it was read
@@ -61,14 +63,10 @@ class Recipe:
     version: str = mm.__version__
 
     def __post_init__(self) -> None:
-        made = find_detector(self.detector).params
-        if self.detector_params is None:
-            object.__setattr__(self, "detector_params", made())
-        if not isinstance(self.detector_params, made):
-            raise MethodError(f"The detector “{self.detector}” takes {made.__name__}.")
-        if any(f.name == _NO_CHOICE for f in fields(made)):
-            params: Any = self.detector_params
-            object.__setattr__(self, "detector_params", replace(params, **{_NO_CHOICE: 1}))
+        detector = find_detector(self.detector)
+        one = any(f.name == _NO_CHOICE for f in fields(detector.params))
+        params = read_params(detector, self.detector_params, {_NO_CHOICE: 1} if one else None)
+        object.__setattr__(self, "detector_params", params)
         if self.method != "auto":
             find_method(self.method)
         if not 0.0 <= self.min_confidence <= 1.0:

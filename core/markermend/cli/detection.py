@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from dataclasses import fields, replace
+from dataclasses import fields
 from typing import Any
 
 from markermend.cli.numbers import share
@@ -81,7 +81,7 @@ def choose(options: argparse.Namespace) -> tuple[str, Any]:
     """
     from markermend.cli.settings import settings_of
     from markermend.detectors import DEFAULT, find_detector
-    from markermend.errors import MethodError
+    from markermend.parameters import read_params
     from markermend.presets import load_preset, save_preset
 
     name, params = DEFAULT, None
@@ -90,20 +90,12 @@ def choose(options: argparse.Namespace) -> tuple[str, Any]:
     if options.detector is not None and options.detector != name:
         name, params = options.detector, None
     method = find_detector(name)
-    if params is None:
-        params = method.params()
     given = settings_of(method.params, options.set)
     if options.sensitivity is not None:
         given["sensitivity"] = options.sensitivity
-    known = [f.name for f in fields(method.params)]
-    if options.no_slow and "slow" in known:
+    if options.no_slow and "slow" in {f.name for f in fields(method.params)}:
         given["slow"] = False
-    unknown = [key for key in given if key not in known]
-    if unknown:
-        raise MethodError(
-            f"Detection method “{name}” has no “{unknown[0]}”; it has {', '.join(known)}."
-        )
-    params = replace(params, **given)
+    params = read_params(method, params, given)
     if options.save_preset is not None:
         save_preset(options.save_preset, name, params)
     return name, params

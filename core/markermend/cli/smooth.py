@@ -23,8 +23,9 @@ from markermend.cli.console import (
 )
 from markermend.cli.settings import settings_of
 from markermend.errors import DataError, MethodError
+from markermend.parameters import read_params
 from markermend.smoothers import TOO_MUCH, derivatives, find_smoother, percent_sm1
-from markermend.smoothers.run import AUTO, read_settings
+from markermend.smoothers.run import AUTO
 from markermend.smoothers.table import derivatives_csv
 from markermend.take import AXES, Take
 
@@ -39,7 +40,7 @@ def run(options: argparse.Namespace) -> int:
             f"Error bands are known for the method “{AUTO}” only; leave out "
             f"--method {smoother.name} or --derivatives."
         )
-    params = read_settings(smoother, None, settings_of(smoother.params, options.set))
+    params = read_params(smoother, None, settings_of(smoother.params, options.set))
     take = read_take(options.take)
     start, stop = 0, None
     if options.frames is not None:

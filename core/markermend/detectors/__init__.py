@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from threadpoolctl import threadpool_limits
@@ -10,8 +11,8 @@ from markermend.artifact import Artifact, in_order
 from markermend.detectors.gaps import detect_gaps
 from markermend.detectors.params import PaperParams
 from markermend.detectors.registry import DETECTORS, Detector, find_detector
-from markermend.errors import MethodError
 from markermend.mesh import Mesh
+from markermend.parameters import read_params
 from markermend.progress import Progress, quiet
 from markermend.take import Take
 
@@ -24,9 +25,10 @@ def detect(
     take: Take,
     *,
     method: str | None = None,
-    params: Any = None,
+    params: Mapping[str, Any] | object | None = None,
     mesh: Mesh | None = None,
     progress: Progress | None = None,
+    **settings: Any,
 ) -> tuple[Artifact, ...]:
     """Find damaged intervals and name their class.
 
@@ -36,9 +38,10 @@ def detect(
     ----------
     take : the recording; points that are not markers are never looked at
     method : name in :data:`DETECTORS`; when None the one ``params`` belong to, or ``"joint"``
-    params : the method's own parameter dataclass, its defaults when None
+    params : the method's parameters as a mapping or its dataclass; None for the defaults
     mesh : the body's structure; inferred from the take when None and needed
     progress : told the share done; may raise :class:`markermend.errors.Cancelled`
+    settings : single parameters by name, ``sensitivity=0.7``
 
     Returns
     -------
@@ -47,15 +50,10 @@ def detect(
     Raises
     ------
     MethodError
-        when the method is unknown or ``params`` are another method's
+        when the method is unknown, or ``params`` are another method's or out of range
     """
     detector = find_detector(method or _method_of(params))
-    chosen = detector.params() if params is None else params
-    if not isinstance(chosen, detector.params):
-        raise MethodError(
-            f"Detection method “{detector.name}” takes {detector.params.__name__}, "
-            f"not {type(chosen).__name__}."
-        )
+    chosen = read_params(detector, params, settings)
     if take.frames == 0:
         return ()
     report = progress or quiet

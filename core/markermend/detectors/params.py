@@ -2,15 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, fields
-from typing import Any
+from dataclasses import dataclass
 
-from markermend.errors import MethodError
-
-
-def _tunable(default: Any, help: str, unit: str = "", low: float = 0, high: float = 1e6) -> Any:
-    """Make a field with the metadata that forms and the command line are made from."""
-    return field(default=default, metadata={"help": help, "unit": unit, "min": low, "max": high})
+from markermend.parameters import check_ranges, tunable
 
 
 @dataclass(frozen=True)
@@ -25,54 +19,47 @@ class PaperParams:
         when a value lies outside the range its field names
     """
 
-    slow: bool = _tunable(True, "Look for slow changes, which trains a small network a marker")
-    confirm: bool = _tunable(
+    slow: bool = tunable(True, "Look for slow changes, which trains a small network a marker")
+    confirm: bool = tunable(
         False,
         "Beyond the paper: keep only what a second look confirms, with thresholds of each "
         "coordinate by itself, 1.5 mm at least, 3 mm for slow changes",
     )
 
-    peak_window: int = _tunable(19, "Window of the moving median (eq. 18)", "frames", 3)
-    peak_k: float = _tunable(3.0, "threshold₁ in σ of the high-passed differential (eq. 20)")
-    peak_ratio: float = _tunable(5.0, "threshold₂ for the ratio of the moving sums (eq. 24)", "", 1)
-    peak_size: int = _tunable(5, "maxSize, longest single peak (eq. 21 to 25)", "frames", 1)
+    peak_window: int = tunable(19, "Window of the moving median (eq. 18)", "frames", 3)
+    peak_k: float = tunable(3.0, "threshold₁ in σ of the high-passed differential (eq. 20)")
+    peak_ratio: float = tunable(5.0, "threshold₂ for the ratio of the moving sums (eq. 24)", "", 1)
+    peak_size: int = tunable(5, "maxSize, longest single peak (eq. 21 to 25)", "frames", 1)
 
-    savgol_order: int = _tunable(5, "L of the Savitzky–Golay high pass (eq. 27)", "", 1, 9)
-    savgol_window: int = _tunable(13, "M of the Savitzky–Golay high pass (eq. 27)", "frames", 3)
+    savgol_order: int = tunable(5, "L of the Savitzky–Golay high pass (eq. 27)", "", 1, 9)
+    savgol_window: int = tunable(13, "M of the Savitzky–Golay high pass (eq. 27)", "frames", 3)
 
-    noise_k: float = _tunable(2.0, "Threshold for heavy noise in σ (eq. 29)")
-    noise_length: int = _tunable(20, "minLen, shortest heavy noise (eq. 28, 30)", "frames", 2)
-    noise_element: int = _tunable(
+    noise_k: float = tunable(2.0, "Threshold for heavy noise in σ (eq. 29)")
+    noise_length: int = tunable(20, "minLen, shortest heavy noise (eq. 28, 30)", "frames", 2)
+    noise_element: int = tunable(
         19, "S of the closings (eq. 28, 30); 39 as printed, 2·minLen - 1", "frames", 1
     )
 
-    step_k: float = _tunable(3.0, "Threshold for step changes in σ (section 3.4.4)")
-    step_length: int = _tunable(20, "minLen, shortest step change (section 3.4.4)", "frames", 1)
-    step_distance: int = _tunable(
+    step_k: float = tunable(3.0, "Threshold for step changes in σ (section 3.4.4)")
+    step_length: int = tunable(20, "minLen, shortest step change (section 3.4.4)", "frames", 1)
+    step_distance: int = tunable(
         200, "maxDist, how far to look for the step back (section 3.4.4)", "frames", 1
     )
 
-    slow_order: int = _tunable(7, "L of the residual's smoothing (section 3.4.5)", "", 1, 9)
-    slow_window: int = _tunable(11, "M of the residual's smoothing (section 3.4.5)", "frames", 3)
-    slow_half_window: bool = _tunable(
+    slow_order: int = tunable(7, "L of the residual's smoothing (section 3.4.5)", "", 1, 9)
+    slow_window: int = tunable(11, "M of the residual's smoothing (section 3.4.5)", "frames", 3)
+    slow_half_window: bool = tunable(
         False, "Read M of the residual's smoothing as half window, 2·M + 1 samples in all"
     )
-    slow_k_top: float = _tunable(3.0, "k_U, upper threshold in σ of the residual (section 3.4.5)")
-    slow_top_length: int = _tunable(20, "τ_U, shortest top (section 3.4.5)", "frames", 1)
-    slow_k_base: float = _tunable(0.5, "k_hv, lower threshold in σ (section 3.4.5)")
-    slow_length: int = _tunable(
+    slow_k_top: float = tunable(3.0, "k_U, upper threshold in σ of the residual (section 3.4.5)")
+    slow_top_length: int = tunable(20, "τ_U, shortest top (section 3.4.5)", "frames", 1)
+    slow_k_base: float = tunable(0.5, "k_hv, lower threshold in σ (section 3.4.5)")
+    slow_length: int = tunable(
         30, "τ_hv, shortest slow change (section 3.4.5); 50 as printed", "frames", 1
     )
 
-    seed: int = _tunable(0, "Seed of the networks")
-    jobs: int = _tunable(
-        -1, "Processes to train networks in; -1 as many as there are cores", "", -1
-    )
+    seed: int = tunable(0, "Seed of the networks")
+    jobs: int = tunable(-1, "Processes to train networks in; -1 as many as there are cores", "", -1)
 
     def __post_init__(self) -> None:
-        for f in fields(self):
-            value, low, high = getattr(self, f.name), f.metadata["min"], f.metadata["max"]
-            if not low <= value <= high:
-                raise MethodError(
-                    f"Parameter {f.name} must lie between {low:g} and {high:g}, not {value}."
-                )
+        check_ranges(self)

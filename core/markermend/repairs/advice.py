@@ -11,10 +11,11 @@ from threadpoolctl import threadpool_limits
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.artifact import Artifact, Kind, axis_columns
+from markermend.parameters import read_params
 from markermend.repairs.body_frame import rank_references
 from markermend.repairs.choice import choose
 from markermend.repairs.registry import REPAIRS, Evidence, Repair, find_method
-from markermend.repairs.result import axes_of, read_params, without_own
+from markermend.repairs.result import axes_of, without_own
 from markermend.take import Take
 
 CANDIDATES = ("local_regression", "kalman", "spline", "pchip", "makima", "linear")

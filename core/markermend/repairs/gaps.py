@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from markermend.arrays import runs
 from markermend.artifact import Artifact, Kind, in_order
+from markermend.errors import MethodError
 from markermend.mesh import Mesh
 from markermend.progress import Progress
 from markermend.repairs.proposing import AUTO
@@ -23,7 +24,14 @@ def find_gaps(take: Take, *, max_gap: int | None = None) -> tuple[Artifact, ...]
     -------
     Artifacts of kind gap, in order. Unlabelled trajectories and markers that are never seen
     have none.
+
+    Raises
+    ------
+    MethodError
+        when ``max_gap`` is no whole number
     """
+    if max_gap is not None and max_gap != int(max_gap):
+        raise MethodError(f"max_gap is a whole number of frames, not {max_gap}.")
     found = []
     for column, label in enumerate(take.labels):
         if is_unlabelled(label) or not take.present[:, column].any():
@@ -61,7 +69,7 @@ def fill(
     Raises
     ------
     MethodError
-        when there is no such method
+        when there is no such method, or ``max_gap`` is no whole number
     """
     gaps = find_gaps(take, max_gap=max_gap)
     return repair(take, gaps, method=method, mesh=mesh, progress=progress)

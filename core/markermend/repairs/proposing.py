@@ -12,6 +12,7 @@ from threadpoolctl import ThreadpoolController
 from markermend.artifact import Artifact, Kind, Status
 from markermend.errors import DataError
 from markermend.mesh import Mesh
+from markermend.parameters import read_params
 from markermend.patch import patched
 from markermend.progress import Progress
 from markermend.repairs.advice import MODELS, with_expected_error
@@ -19,7 +20,7 @@ from markermend.repairs.automatic import best_repair, counting_references, follo
 from markermend.repairs.lengths import at_usual_distances, ties_of
 from markermend.repairs.look_again import looked_at
 from markermend.repairs.registry import Evidence, Repair, find_method
-from markermend.repairs.result import read_params, refuse, without_own
+from markermend.repairs.result import refuse, without_own
 from markermend.repairs.trust import as_good_as_new, evidence_for, only_these
 from markermend.take import Take
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, fields, replace
+from dataclasses import asdict, replace
 from types import MappingProxyType
 from typing import Any
 
@@ -11,9 +11,8 @@ import numpy as np
 
 from markermend.arrays import FloatArray
 from markermend.artifact import Artifact, Kind, axis_columns
-from markermend.errors import MethodError
 from markermend.patch import Patch
-from markermend.repairs.registry import Evidence, Method, Repair
+from markermend.repairs.registry import Evidence, Repair
 from markermend.take import AXES
 
 # Mean length of a three-dimensional Gaussian vector over its root mean square.
@@ -21,41 +20,6 @@ MEAN_OVER_RMS = 0.921
 # Where these end is known to a frame or two only: a damaged sample just outside the interval would
 # drag the repair with it, so that the edges are not believed either. They are not replaced.
 WIDE, EDGE_S = (Kind.NOISE, Kind.STEP, Kind.SLOW), 0.025
-
-
-def read_params(method: Method, params: Mapping[str, Any] | object | None) -> Any:
-    """Turn what a caller gives into the method's own parameter dataclass.
-
-    Parameters
-    ----------
-    method : whose parameters they are
-    params : None for the defaults, a mapping of names to values, or the dataclass itself
-
-    Raises
-    ------
-    MethodError
-        when a name is unknown or a value lies outside the range its field declares
-    """
-    if isinstance(params, method.params):
-        made = params
-    elif params is None or isinstance(params, Mapping):
-        given = dict(params or {})
-        known = {f.name for f in fields(method.params)}
-        for name in given:
-            if name not in known:
-                raise MethodError(f"The method “{method.name}” has no parameter “{name}”.")
-        made = method.params(**given)
-    else:
-        raise MethodError(f"“{params}” are not parameters of the method “{method.name}”.")
-    for f in fields(method.params):
-        low, high = f.metadata.get("min"), f.metadata.get("max")
-        value = getattr(made, f.name)
-        if (low is not None and value < low) or (high is not None and value > high):
-            raise MethodError(
-                f"“{f.name}” of the method “{method.name}” must lie "
-                f"between {low} and {high}, not at {value}."
-            )
-    return made
 
 
 def refuse(method: str, reason: str, params: Any = None) -> Repair:

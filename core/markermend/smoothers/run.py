@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
 from threadpoolctl import threadpool_limits
 
 from markermend.arrays import FloatArray, IntArray
-from markermend.errors import DataError, MethodError
+from markermend.errors import DataError
+from markermend.parameters import read_params
 from markermend.progress import Progress, quiet
 from markermend.smoothers.adaptive import LEAST, smooth_with
 from markermend.smoothers.bands import acceleration, deviations, velocity
 from markermend.smoothers.levels import find_levels
-from markermend.smoothers.registry import Signals, Smoother, find_smoother
+from markermend.smoothers.registry import Signals, find_smoother
 from markermend.take import Origin, Take
 
 AUTO = "auto"
@@ -94,7 +95,7 @@ def smooth(
         when there is no such marker or no frame in the interval
     """
     smoother = find_smoother(method)
-    wanted = read_settings(smoother, params, settings)
+    wanted = read_params(smoother, params, settings)
     columns = _columns(take, markers)
     first, last = _interval(take, start, stop)
     positions, origin = take.positions.copy(), take.origin.copy()
@@ -194,50 +195,6 @@ def _to_end(signals: Signals) -> FloatArray:
         there = np.arange(frames.stop - frames.start)
         to_end[frames, markers] = np.minimum(there, there[::-1])[:, None, None]
     return to_end
-
-
-def read_settings(
-    smoother: Smoother, params: Mapping[str, Any] | object | None, settings: Mapping[str, Any]
-) -> Any:
-    """Turn what a caller gives into the method's own parameter dataclass.
-
-    Parameters
-    ----------
-    smoother : whose parameters they are
-    params : None for the defaults, a mapping of names to values, or the dataclass itself
-    settings : single parameters by name; they win over `params`
-
-    Raises
-    ------
-    MethodError
-        when a name is unknown or a value lies outside the range its field declares
-    """
-    known = {f.name: f for f in fields(smoother.params)}
-    made: Any = params
-    if params is None or isinstance(params, Mapping):
-        given = {**(params or {}), **settings}
-    elif isinstance(params, smoother.params):
-        given = dict(settings)
-    else:
-        raise MethodError(f"“{params}” are not parameters of the smoother “{smoother.name}”.")
-    for name in given:
-        if name not in known:
-            names = ", ".join(known) or "none"
-            raise MethodError(
-                f"The smoother “{smoother.name}” has no parameter “{name}”; it has {names}."
-            )
-    if isinstance(params, smoother.params):
-        made = replace(made, **given)
-    else:
-        made = smoother.params(**given)
-    for name, f in known.items():
-        low, high, value = f.metadata.get("min"), f.metadata.get("max"), getattr(made, name)
-        if (low is not None and not value >= low) or (high is not None and not value <= high):
-            raise MethodError(
-                f"“{name}” of the smoother “{smoother.name}” must lie between {low} and {high}, "
-                f"not at {value}."
-            )
-    return made
 
 
 def _columns(take: Take, markers: Iterable[str] | None) -> IntArray:
