@@ -56,6 +56,23 @@ def test_a_gap_is_entered_and_left_at_the_speed_beside_it() -> None:
     assert max(off[:3].max(), off[-3:].max()) < 0.12
 
 
+def test_noise_of_what_was_seen_is_not_carried_on() -> None:
+    poses, hidden = movement()
+    frames = chosen()
+    noisy = hidden + np.random.default_rng(8).normal(0.0, 0.1, hidden.shape)
+    weights = np.zeros((12, 2))
+    off = [
+        np.abs(
+            by_likeness(
+                poses, np.ones(12), weights, noisy[frames], frames, START, STOP, RATE, noise
+            )[0]
+            - hidden[START:STOP]
+        ).mean()
+        for noise in (0.0, 0.1)
+    ]
+    assert off[1] < 0.8 * off[0]
+
+
 def test_what_nothing_tells_meets_the_sides_and_is_unsure_between() -> None:
     poses, _ = movement()
     wander = np.cumsum(np.random.default_rng(5).normal(0.0, 0.1, (900, 1)), axis=0)

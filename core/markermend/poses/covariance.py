@@ -48,6 +48,13 @@ class Moments:
         within = self.within[:, both[0], both[1]]
         return Moments(self.mean[channels], self.whole[both], within, self.weight, self.counts)
 
+    def and_more(self, count: int) -> Moments:
+        """Moments with some channels more, of which nothing is known."""
+        more = (0, count)
+        within = np.pad(self.within, ((0, 0), more, more))
+        whole = np.pad(self.whole, (more, more))
+        return Moments(np.pad(self.mean, more), whole, within, self.weight, self.counts)
+
 
 def nearest_length(seconds: float) -> int:
     """Place of the nearest length in :data:`LENGTHS_S`."""

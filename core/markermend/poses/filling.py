@@ -55,6 +55,8 @@ def fill(
     rate: float,
     prior: Moments | None = None,
     *,
+    beside: FloatArray | None = None,
+    noise: float = 0.0,
     rough: bool = False,
     near: FloatArray | None = None,
 ) -> Filled:
@@ -66,6 +68,9 @@ def fill(
     known : (frames, channels) bool, true somewhere in every channel
     rate : frames per second
     prior : moments of the same channels from other recordings
+    beside : (frames, n) what else tells of them, known in every frame, of which the prior knows
+        nothing
+    noise : standard deviation of what is left of noise in the known values
     rough : to look for noise: once, and short gaps by time alone
     near : (frames, channels) what was made of an earlier result, to fill once more from it; short
         gaps keep it
@@ -79,6 +84,18 @@ def fill(
     regression on levels leaves in long gaps is told by alike moments instead
     (:func:`markermend.poses.likeness.by_likeness`).
     """
+    if beside is not None:
+        more, there = beside.shape[1], np.ones(beside.shape, dtype=bool)
+        whole = fill(
+            np.hstack([values, beside]),
+            np.hstack([known, there]),
+            rate,
+            prior.and_more(more) if prior is not None else None,
+            noise=noise,
+            rough=rough,
+            near=np.hstack([near, beside]) if near is not None else None,
+        )
+        return Filled(whole.values[:, :-more], whole.variance[:, :-more], whole.lasting)
     base = bridged(values, known)
     short = max(round(_SHORT_S * rate), 1)
     variance = _time_variance(base, known, rate)
@@ -98,7 +115,7 @@ def fill(
         better = estimate.copy()
         for gap in gaps:
             alike = last and not rough
-            filled, unsure = _fill_gap(gap, estimate, base, known, moments, rate, alike)
+            filled, unsure = _fill_gap(gap, estimate, base, known, moments, rate, alike, noise)
             better[gap.start : gap.stop, gap.channels] = filled
             if last:
                 variance[gap.start : gap.stop, gap.channels] = unsure
@@ -156,6 +173,7 @@ def _fill_gap(
     moments: Moments,
     rate: float,
     alike: bool,
+    noise: float,
 ) -> tuple[FloatArray, FloatArray]:
     """(length, channels) values of a gap and their variances; by alike moments if so wished."""
     start, stop = gap.start, gap.stop
@@ -178,7 +196,9 @@ def _fill_gap(
             trust[others], by[others] = 1.0 - hidden[others], weights
             levels = estimate[np.ix_(np.append(chosen, np.arange(start, stop)), others)] @ weights
             left = estimate[np.ix_(chosen, gap.channels)] - levels[: len(chosen)]
-            strays, variance = by_likeness(estimate, trust, by, left, chosen, start, stop, rate)
+            strays, variance = by_likeness(
+                estimate, trust, by, left, chosen, start, stop, rate, noise
+            )
             return levels[len(chosen) :] + strays, variance
     inside = estimate[start:stop][:, others] @ weights
     beside = base[ends][:, gap.channels] - estimate[ends][:, others] @ weights

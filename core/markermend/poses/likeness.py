@@ -50,6 +50,7 @@ def by_likeness(
     start: int,
     stop: int,
     rate: float,
+    noise: float = 0.0,
 ) -> tuple[FloatArray, FloatArray]:
     """Predict what was not seen by a Gaussian process over poses and time.
 
@@ -62,6 +63,7 @@ def by_likeness(
     chosen : (moments,) frames that tell
     start, stop : the gap
     rate : frames per second
+    noise : standard deviation of what targets stray by chance
 
     Returns
     -------
@@ -87,10 +89,11 @@ def by_likeness(
         across += half * _squared(here, there)
     system, across = _likeness(np.sqrt(system)), _likeness(np.sqrt(across))
     system += _PASSING * _nearness(np.abs(chosen[:, None] - chosen) / (_LASTS_S * rate))
-    system[np.diag_indices(len(chosen))] += _CHANCE
     across += _PASSING * _nearness(np.abs(inside[:, None] - chosen) / (_LASTS_S * rate))
     usual = targets.mean(axis=0)
     left = targets - usual
+    spread = max(float(np.mean(left**2)), noise**2, np.finfo(float).tiny)
+    system[np.diag_indices(len(chosen))] += _CHANCE + noise**2 / spread
     factor = cho_factor(system, lower=True, check_finite=False)
     solved = cho_solve(factor, np.hstack([left, across.T]), check_finite=False)
     count = left.shape[1]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -20,6 +21,7 @@ from markermend.poses.prior import Prior, fitting, shipped_prior
 from markermend.poses.quaternion import signed_like
 from markermend.poses.settling import settle
 from markermend.poses.smoothing import LEAST_NOISE, noise_level, smooth, smooth_again
+from markermend.poses.stance import stance
 from markermend.progress import Progress, quiet
 
 INFERRED = 0.5
@@ -124,8 +126,11 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     values, known = channels.values[:, usable], channels.known[:, usable]
     if prior is not None and not usable.all():
         prior = prior.of(usable)
+    filled_by = partial(
+        fill, known=known, rate=pose.rate, prior=prior, beside=stance(channels.normal)
+    )
     tell(0.1, "Looking for noise")
-    rough = fill(values, known, pose.rate, prior, rough=True).values
+    rough = filled_by(values, rough=True).values
     whole = np.zeros(channels.values.shape)
     whole[:, usable] = rough
     known_joints = _known_joints(channels, pose)
@@ -139,7 +144,7 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
         tell(0.3, "Smoothing")
         values = smooth(rough, noise[usable], pose.rate)
     tell(0.5, "Filling")
-    filled = fill(values, known, pose.rate, prior)
+    filled = filled_by(values, noise=_LEFT * level)
     whole[:, usable] = filled.values
     whole[:, ~usable] = np.nan
     variance = np.full(channels.values.shape, np.nan)
@@ -150,7 +155,7 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     if filled.lasting:
         tell(0.75, "Filling again")
         near = _columns(features, channels)[:, usable]
-        whole[:, usable] = fill(values, known, pose.rate, prior, near=near).values
+        whole[:, usable] = filled_by(values, noise=_LEFT * level, near=near).values
         features, bones = _agreed(whole, variance, channels, pose, known_joints, level)
     if level > _NOISY:
         tell(0.8, "Smoothing again")
