@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QCoreApplication, QTranslator
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QComboBox, QWidget
+from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QWidget
 
 from markermend.mesh import infer_mesh
 from markermend.review.file import open_session
@@ -21,6 +21,7 @@ from markermend_app import languages, settings
 from markermend_app.actions import shortcuts
 from markermend_app.actions.shortcut_sheet import ShortcutSheet
 from markermend_app.dialogs.preferences import Preferences
+from markermend_app.panels.quality_model import MARKER
 from markermend_app.style import theme
 from markermend_app.window import MainWindow
 
@@ -131,6 +132,26 @@ def test_the_window_speaks_german(german, open_window):
     assert "&Hilfe" in texts
     # Open is a verb in the toolbar, and what is not decided in the queue.
     assert window.queue.status.currentText() == "Offen"
+
+
+def test_german_has_room_in_the_quality_panel_and_the_sheet_of_keys(german, open_window, qtbot):
+    window = open_window()
+    theme.apply(QApplication.instance(), "light")
+    window.show()
+    window.show_dock("quality")
+    head = window.quality.head
+    qtbot.waitUntil(lambda: head.model().rowCount() > 0)
+    assert head.model().index(0, MARKER).data() == "Ganze Aufnahme"
+    assert head.columnWidth(MARKER) >= head.sizeHintForColumn(MARKER)
+    sheet = ShortcutSheet(window)
+    qtbot.addWidget(sheet)
+    sheet.show()
+    prompt = sheet.keys.findChild(QLineEdit)
+    words = prompt.fontMetrics().horizontalAdvance(prompt.placeholderText())
+    # The prompt is Qt's own and long; most of it is seen.
+    assert prompt.width() > 0.6 * words
+    tree, column = sheet.tree, 1
+    assert tree.viewport().width() - tree.columnWidth(0) >= tree.sizeHintForColumn(column)
 
 
 class Brackets(QTranslator):

@@ -64,6 +64,7 @@ class ShortcutSheet(QDialog):
         self.keys.setMaximumSequenceLength(1)
         self.keys.setAccessibleName(self.tr("New key"))
         self.keys.setClearButtonEnabled(True)
+        self.keys.setMinimumWidth(self.keys.fontMetrics().averageCharWidth() * 24)
         self.keys.keySequenceChanged.connect(lambda _: self._warn())
         self.set = QPushButton(self.tr("Use this key"))
         self.set.clicked.connect(self._set)
@@ -126,7 +127,7 @@ class ShortcutSheet(QDialog):
             for gesture, text in gestures:
                 self._line(section, text, gesture)
         self.tree.expandAll()
-        self.tree.setColumnWidth(0, 380)
+        self.tree.resizeColumnToContents(0)
         if here:
             self.select(here)
         self._narrow(self.filter.text())

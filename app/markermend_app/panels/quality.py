@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QPoint, Qt, QTimer
-from PySide6.QtGui import QPainter, QShowEvent
+from PySide6.QtGui import QFontMetrics, QPainter, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QApplication,
@@ -22,14 +22,22 @@ from markermend.review.standing import Standing, standings
 from markermend.take import is_unlabelled
 from markermend_app.document import Document
 from markermend_app.panels.markers.badge import hint, paint_counts
-from markermend_app.panels.quality_model import COUNTS, DECIDED, OPEN, QualityModel
+from markermend_app.panels.quality_model import (
+    COUNTS,
+    DECIDED,
+    MARKER,
+    OPEN,
+    QualityModel,
+    take_font,
+    take_name,
+)
 from markermend_app.panels.sort_menu import sort_menu
 from markermend_app.style import theme
 
 Index = QModelIndex | QPersistentModelIndex
 _SETTLED_MS = 60
 _WIDTHS = (108, 126, 72, 70, 72, 98, 98, 84)
-_ROW_PX = 26
+_ROW_PX, _PADDING = 26, 16
 
 
 class QualityPanel(QWidget):
@@ -74,6 +82,8 @@ class QualityPanel(QWidget):
         for column, width in enumerate(_WIDTHS):
             # The words of other languages may be longer.
             self.head.setColumnWidth(column, max(width, header.sectionSizeHint(column)))
+        named = QFontMetrics(take_font()).horizontalAdvance(take_name()) + _PADDING
+        self.head.setColumnWidth(MARKER, max(named, self.head.columnWidth(MARKER)))
         table = QWidget()
         rows = QVBoxLayout(table)
         rows.setContentsMargins(0, 0, 0, 0)

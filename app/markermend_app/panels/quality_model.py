@@ -113,10 +113,7 @@ class QualityModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return _alignment(column)
         if role == Qt.ItemDataRole.FontRole and not row.marker:
-            font = QFont()
-            font.setPointSize(theme.BASE_PT)
-            font.setWeight(QFont.Weight.DemiBold)
-            return font
+            return take_font()
         if role == Qt.ItemDataRole.ForegroundRole:
             t = theme.current()
             if column == NOW and row.gap_now >= 0.1:
@@ -125,10 +122,23 @@ class QualityModel(QAbstractTableModel):
         return None
 
 
+def take_font() -> QFont:
+    """How the take is written above its markers."""
+    font = QFont()
+    font.setPointSize(theme.BASE_PT)
+    font.setWeight(QFont.Weight.DemiBold)
+    return font
+
+
+def take_name() -> str:
+    """What the take is called above its markers."""
+    return tr("Whole take")
+
+
 def _text(row: Standing, column: int, names: Mapping[str, str]) -> str:
     """What a cell says; badges speak for the counts, to those who see them."""
     if column == MARKER:
-        return names[row.marker] or tr("Whole take")
+        return names[row.marker] or take_name()
     if column in (OPEN, DECIDED):
         counts = row.open if column == OPEN else row.decided
         return ", ".join(
