@@ -281,6 +281,11 @@ class Take:
 
         return to_dataframe(self, layout)
 
+    @cached_property
+    def named(self) -> tuple[int, ...]:
+        """Columns of the markers that have a name; unlabelled trajectories have none."""
+        return tuple(i for i, label in enumerate(self.labels) if not is_unlabelled(label))
+
     def subject(self, label: str) -> str:
         """Body a marker belongs to: the part before the colon, or empty."""
         return label.rpartition(":")[0]

@@ -66,6 +66,21 @@ def test_without_artifact_it_tells_about_the_take(inspector, document):
     assert not inspector.decisions.isVisible()
 
 
+def test_unlabelled_trajectories_are_counted_apart(inspector, document, tmp_path, damaged):
+    positions = damaged[0].positions[:, :3].copy()
+    positions[:200, 2] = np.nan
+    positions[:100, 0] = np.nan
+    take = Take(positions, ("CLAV", "STRN", "*7"), 100.0)
+    document.open(open_session(take, folder=tmp_path / ".."), None)
+    facts = inspector.take.facts
+    told = [facts.itemAt(i, facts.ItemRole.FieldRole).widget().text() for i in range(6)]
+    names = [facts.itemAt(i, facts.ItemRole.LabelRole).widget().text() for i in range(6)]
+    facts = dict(zip(names, told, strict=True))
+    assert (facts["Markers"], facts["Unlabelled"]) == ("2", "1")
+    share = np.isnan(positions[:, :2, 0]).mean()
+    assert facts["Missing"] == f"{100 * share:.2f} % of all samples"
+
+
 def test_it_shows_the_artifact_in_the_numbers_of_the_file(inspector, document):
     select(document, Kind.STEP)
     page = inspector.artifact

@@ -191,6 +191,17 @@ def test_info_for_people(recording: Path, capsys: pytest.CaptureFixture[str]) ->
     assert "TOP1" in out
 
 
+def test_info_counts_unlabelled_trajectories_apart(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    positions = np.ones((100, 3, 3)) * np.arange(1, 4)[None, :, None]
+    positions[:50, 1], positions[:80, 2] = np.nan, np.nan
+    mm.write(mm.Take(positions, ("A", "B", "*7"), 100.0), tmp_path / "t.c3d")
+    assert run("info", tmp_path / "t.c3d") == 0
+    told = " ".join(capsys.readouterr().out.split())
+    assert "markers 2, seen 75.0% of the time unlabelled 1" in told
+
+
 def test_detect_finds_gap_and_spike(recording: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run("detect", recording, "--no-slow", "--json", "-") == 0
     told = strict(capsys.readouterr().out)

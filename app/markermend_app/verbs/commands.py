@@ -371,7 +371,7 @@ class Commands(QObject):
             return
         take = file.session.original
         text = self.tr("{0} markers, {1} frames at {2:g} Hz.").format(
-            take.markers, take.frames, take.rate
+            len(take.named), take.frames, take.rate
         )
         if file.read_only:
             text = self.tr("Open in another window: this one is read-only.")

@@ -96,9 +96,10 @@ def _facts(take: Take) -> list[str]:
     ]
     if take.frames:
         facts.append(("frames", f"{take.first_frame} to {last}"))
-    without_name = sum(map(is_unlabelled, take.labels))
-    seen = f", seen {take.present.mean():.1%} of the time" if take.present.size else ""
-    facts.append(("markers", f"{take.markers - without_name}{seen}"))
+    without_name = take.markers - len(take.named)
+    named = take.present[:, take.named]
+    seen = f", seen {named.mean():.1%} of the time" if named.size else ""
+    facts.append(("markers", f"{len(take.named)}{seen}"))
     if without_name:
         facts.append(("unlabelled", str(without_name)))
     subjects = [s for s in take.subjects if s]

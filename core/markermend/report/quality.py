@@ -9,7 +9,7 @@ from typing import Any
 
 from markermend.artifact import Kind, Status
 from markermend.outcome import Outcome
-from markermend.take import Take, is_unlabelled
+from markermend.take import Take
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,7 @@ def quality(name: str, before: Take, after: Take, done: Sequence[Outcome]) -> Qu
         name=name,
         frames=before.frames,
         rate=before.rate,
-        markers=sum(not is_unlabelled(label) for label in before.labels),
+        markers=len(before.named),
         gap_before=gap_share(before),
         gap_after=gap_share(after),
         found={kind.value: found[kind] for kind in Kind},
@@ -75,7 +75,6 @@ def waits(outcome: Outcome) -> bool:
 
 def gap_share(take: Take) -> float:
     """Share in [0, 1] of the named markers' samples that are missing; 0 without any marker."""
-    named = [i for i, label in enumerate(take.labels) if not is_unlabelled(label)]
-    if not named or not take.frames:
+    if not take.named or not take.frames:
         return 0.0
-    return float(1.0 - take.present[:, named].mean())
+    return float(1.0 - take.present[:, take.named].mean())

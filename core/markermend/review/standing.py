@@ -11,7 +11,7 @@ import numpy as np
 from markermend.arrays import IntArray
 from markermend.artifact import Artifact, Kind, Status
 from markermend.review.edits import RepairNote
-from markermend.take import Origin, Take, is_unlabelled
+from markermend.take import Origin, Take
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ def standings(
     by_marker: dict[str, list[Artifact]] = {label: [] for label in take.labels}
     for artifact in artifacts:
         by_marker[artifact.marker].append(artifact)
-    named = np.flatnonzero([not is_unlabelled(label) for label in take.labels])
+    named = np.array(take.named, dtype=np.int64)
 
     def stands(label: str, own: list[Artifact], columns: IntArray) -> Standing:
         undecided = Counter(a.kind for a in own if a.status is Status.PENDING)

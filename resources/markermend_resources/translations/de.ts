@@ -4016,6 +4016,10 @@
         <translation>Gelenke</translation>
     </message>
     <message>
+        <source>Unlabelled</source>
+        <translation>Unbenannt</translation>
+    </message>
+    <message>
         <source>Subjects</source>
         <translation>Personen</translation>
     </message>

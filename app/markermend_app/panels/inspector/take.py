@@ -180,7 +180,8 @@ class TakePage(QWidget):
             ),
             (self.tr("Rate"), f"{take.rate:g} Hz"),
             (self.tr("Duration"), f"{take.duration_s:.2f} s"),
-            (self.tr("Joints") if take.skeleton else self.tr("Markers"), str(take.markers)),
+            (self.tr("Joints") if take.skeleton else self.tr("Markers"), str(len(take.named))),
+            (self.tr("Unlabelled"), str(take.markers - len(take.named))),
             (self.tr("Subjects"), ", ".join(named)),
             (self.tr("Other points"), "" if take.points is None else str(len(take.points.labels))),
             (self.tr("Analog"), "" if take.analog is None else str(len(take.analog.labels))),
@@ -193,7 +194,7 @@ class TakePage(QWidget):
         ):
             if value not in ("", "0"):
                 self._add(text, value)
-        if take.markers:
+        if take.named:
             self.facts.addRow(_name(self.tr("Missing")), self._gaps)
         self._refresh_gaps()
         for sentence in take.warnings:
@@ -202,8 +203,10 @@ class TakePage(QWidget):
     def _refresh_gaps(self) -> None:
         """Tell how much is missing now."""
         session = self._document.session
-        if session is not None and session.positions.size and self.isVisible():
-            origin = session.origin
+        if session is None or not self.isVisible():
+            return
+        origin = session.origin[:, session.original.named]
+        if origin.size:
             share = np.count_nonzero(origin == Origin.MISSING) / origin.size
             self._gaps.setText(self.tr("{0:.2f} % of all samples").format(100 * share))
 

@@ -33,8 +33,7 @@ class Follower:
         self._body = []
         if session is not None:
             take = session.original
-            named = [i for i, s in enumerate(take.labels) if not is_unlabelled(s)]
-            self._body = named or list(range(take.markers))
+            self._body = list(take.named or range(take.markers))
         self._centre, self.everyone = None, True
 
     def turn(self) -> bool:
@@ -47,9 +46,7 @@ class Follower:
             return False
         take = session.original
         who = take.subject(shown[0])
-        body = [
-            i for i, s in enumerate(take.labels) if take.subject(s) == who and not is_unlabelled(s)
-        ]
+        body = [i for i in take.named if take.subject(take.labels[i]) == who]
         if body == self._body:
             return False
         self._body, self._centre, self.everyone = body, None, False

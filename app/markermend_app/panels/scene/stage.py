@@ -12,7 +12,7 @@ import numpy as np
 
 from markermend.arrays import FloatArray
 from markermend.files.axes import vertical_of
-from markermend.take import AXES, Take, is_unlabelled
+from markermend.take import AXES, Take
 from markermend.vertical import vertical_axis
 from markermend_app.panels.scene.camera import FOV, Camera
 
@@ -60,9 +60,8 @@ def set_stage(take: Take, up: int | None = None) -> Stage:
     take : its samples as opened
     up : axis that points up; None takes what the file says, and guesses when it says nothing
     """
-    named = [i for i, label in enumerate(take.labels) if not is_unlabelled(label)]
     points = _sample(take.positions)
-    points = points[:, named] if named else points
+    points = points[:, take.named] if take.named else points
     if not points.size:
         points = np.full((1, 1, 3), np.nan)
     if up is None:
