@@ -35,6 +35,7 @@ _SAME = (
     "Call {0} on {1} {2}",
     "Cut {0} in {1}",
     "Move {0} to {1} in {2}",
+    "Merge {0} into {1}",
     "Smooth {0} in {1}",
     "Rename {0} to {1}",
     "Join {0} on {1}",

@@ -80,6 +80,7 @@ def test_merging_an_unlabelled_trajectory_closes_the_gap_and_the_export_is_witho
     session = Session(source)
     session.add_detected([artifact("C", start=15, stop=25, kind=Kind.GAP)], "paper")
     hand.merge(session, "*3", "C")
+    assert session.history[-1] == "Merge *3 into C"
     assert session.artifacts == ()
     assert (session.origin[15:25, 1] == Origin.EDITED).all()
     write(hand.without_emptied(session.take, session.original), tmp_path / "out.c3d")

@@ -86,8 +86,10 @@ def move(session: Session, donor: str, receiver: str, start: int, stop: int) -> 
         values = session.positions[low:high, column].copy()
         patches.append(_patch(receiver, low, values, missing=False))
         patches.append(_patch(donor, low, np.full_like(values, np.nan), missing=True))
-    label = f"Move {donor} to {receiver} in {_frames(session, start, stop)}"
-    return _perform(session, label, patches)
+    whole = (start, stop) == (0, session.original.frames)
+    where = _frames(session, start, stop)
+    label = f"Move {donor} to {receiver} in {where}"
+    return _perform(session, f"Merge {donor} into {receiver}" if whole else label, patches)
 
 
 def merge(session: Session, donor: str, receiver: str) -> Change:

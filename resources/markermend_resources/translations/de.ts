@@ -1836,6 +1836,10 @@
         <translation>{0} zu {1} verschoben, {2}</translation>
     </message>
     <message>
+        <source>Merge {0} into {1}</source>
+        <translation>{0} mit {1} vereint</translation>
+    </message>
+    <message>
         <source>Smooth {0} in {1}</source>
         <translation>{0} geglättet, {1}</translation>
     </message>
