@@ -106,6 +106,7 @@ class Quantity:
     least_at : lower end of the values, or None when there is none
     reach : frames on either side that a value depends on; -1 where a repair changes nothing
     places : decimals read out
+    whole : whether all values are to be seen, since zero is usual and the others are looked for
     """
 
     name: str
@@ -118,6 +119,7 @@ class Quantity:
     least_at: float | None = 0.0
     reach: int = 0
     places: int = 1
+    whole: bool = False
 
 
 def _axis(column: int) -> Callable[[Way], FloatArray]:
@@ -185,6 +187,7 @@ _ALL = (
         _apart(lambda w: w.source),
         least=1.0,
         places=2,
+        whole=True,
     ),
     Quantity(
         "file_residual",

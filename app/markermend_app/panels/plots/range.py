@@ -24,6 +24,7 @@ def value_range(
     *,
     least: float = LEAST_MM,
     least_at: float | None = None,
+    whole: bool = False,
 ) -> tuple[float, float] | None:
     """Range of values to show.
 
@@ -39,6 +40,7 @@ def value_range(
     top : share of the height to be kept free above, for the names of events
     least : extent shown at least
     least_at : where the range begins, for values that cannot lie below it
+    whole : show every sample, however far out
 
     Returns
     -------
@@ -51,7 +53,7 @@ def value_range(
     if known.size == 0:
         return None
     low, high = (float(v) for v in np.percentile(known, (0.5, 99.5)))
-    spread = max(high - low, least)
+    spread = np.inf if whole else max(high - low, least)
     bounds = [_clip(curves, low - spread, high + spread)]
     if special.size:
         bounds.append(_clip(important, low - 6 * spread, high + 6 * spread))
@@ -63,8 +65,8 @@ def value_range(
         middle = (low + high) / 2
         low, high = middle - least / 2, middle + least / 2
     margin = (high - low) * 0.08
-    whole = (high - low) * 1.16 / (1 - bottom - top)
-    return low - margin - whole * bottom, high + margin + whole * top
+    extent = (high - low) * 1.16 / (1 - bottom - top)
+    return low - margin - extent * bottom, high + margin + extent * top
 
 
 def time_range(start: float, stop: float, frames: int) -> tuple[float, float]:

@@ -305,7 +305,9 @@ class PlotRow(PlotFrame):
         bottom = min(0.3, self.intervals.strip_height / height)
         top = min(0.3, self.flags.height / height)
         q = self.quantity
-        return value_range(trusted, special, bottom, top, least=q.least, least_at=q.least_at)
+        return value_range(
+            trusted, special, bottom, top, least=q.least, least_at=q.least_at, whole=q.whole
+        )
 
     def restyle(self) -> None:
         """Take over the theme's colours."""
