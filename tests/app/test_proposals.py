@@ -5,15 +5,24 @@ from __future__ import annotations
 import threading
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from markermend.mesh import infer_mesh
+from markermend.patch import Patch
 from markermend.repairs.registry import Repair
 from markermend.review.edits import Change
 from markermend.review.session import Session
 from markermend_app.background.proposals import REACH_S, Proposals
 
 WAIT = 10_000
+
+
+def proposed(artifact):
+    """A repair of nothing but zeros."""
+    values = np.zeros((artifact.length, len(artifact.axes)))
+    patch = Patch(artifact.marker, artifact.axes, artifact.start, artifact.stop, values)
+    return Repair("pattern", (patch,))
 
 
 @pytest.fixture
@@ -28,7 +37,7 @@ def slow(qapp, damaged, monkeypatch):
         begun.append(artifact.marker)
         entered.set()
         assert go_on.wait(10)
-        return Repair(method, (), reason="none")
+        return proposed(artifact)
 
     monkeypatch.setattr("markermend.repairs.propose", propose)
     proposals = Proposals()
@@ -108,6 +117,19 @@ def test_a_proposal_is_made_anew_only_where_its_own_marker_moved_nearby(slow, qt
 def test_a_proposal_that_follows_markers_chosen_by_hand_rests_on_all_of_them(slow):
     proposals, _, artifacts, *_ = slow
     key = artifacts[0], "auto", ("STRN",)
-    proposals.keep({key: Repair("pattern", (), reason="none")})
+    proposals.keep({key: proposed(artifacts[0])})
     proposals.invalidate(Change(("STRN",), 390, 400), 1.0)
     assert proposals.get(*key) is None
+
+
+def test_what_was_refused_is_tried_again_once_another_of_the_same_moment_is_repaired(slow):
+    proposals, _, artifacts, *_ = slow
+    refused, good = (artifacts[0], "auto", ()), (artifacts[0], "pattern", ())
+    proposals.keep({refused: Repair("pattern", reason="none"), good: proposed(artifacts[0])})
+    rate, there = 10.0, (artifacts[0].start, artifacts[0].stop)
+    later = artifacts[0].stop + round(REACH_S * rate)
+    proposals.invalidate(Change((artifacts[1].marker,), later, later + 5), rate)
+    assert proposals.get(*refused) is not None
+    proposals.invalidate(Change((artifacts[1].marker,), *there), rate)
+    assert proposals.get(*refused) is None
+    assert proposals.get(*good) is not None

@@ -1,9 +1,10 @@
 """Repairs proposed ahead of the operator, made on a worker thread of their own.
 
 A proposal that is there holds while its artifact and the samples of its marker around it are what
-they were; changes of other markers, or far away, do not spoil it. One under way reads the working
-samples, so that a change spoils it unless it was told that these samples are not to be believed,
-which is so where an artifact that it knows of is repaired.
+they were; changes of other markers, or far away, do not spoil it. What was refused may be possible
+once others of the same moment are repaired, so that any change there spoils it. One under way reads
+the working samples, so that a change spoils it unless it was told that these samples are not to be
+believed, which is so where an artifact that it knows of is repaired.
 """
 
 from __future__ import annotations
@@ -137,7 +138,8 @@ class Proposals(QObject):
         def spoiled(key: Key) -> bool:
             # Which markers to follow was chosen by hand: all of what they do counts.
             mine = touched & {*key[0].markers, *key[2]}
-            return bool(mine) and (bool(key[2]) or key[0].overlaps(start, stop))
+            refused = key in self._known and not self._known[key].patches
+            return bool(mine or refused) and (bool(key[2]) or key[0].overlaps(start, stop))
 
         for key in [k for k in self._known if spoiled(k)]:
             del self._known[key]
