@@ -7,9 +7,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 import markermend as mm
-from markermend.bench.poses import CASES, compare
+from markermend.bench.poses import CASES, Row, compare
 from markermend.bench.poses_network import error_of
-from markermend.bench.poses_text import hidden_table, poses_csv, poses_table
+from markermend.bench.poses_text import hidden_table, movements_table, poses_csv, poses_table
 from markermend.cli import main
 from markermend.errors import DataError, FileFormatError
 from markermend.poses.learning_sets import subject_of
@@ -56,6 +56,23 @@ def test_restoring_beats_what_knows_no_bodies(clips):
     assert len(poses_csv(rows).splitlines()) == 1 + len(rows)
     with pytest.raises(DataError, match="two or more"):
         compare({"02_01": clips["02_01"]}, cases=cases)
+
+
+def test_movements_are_grouped_by_how_much_is_occluded():
+    def row(method, movements):
+        return Row("02_01", "02", "bursts", "both", method, 0.1, (), (), tuple(movements), 10)
+
+    rows = [
+        row("one", [(1.0, 0.2), (1.1, 0.4), (2.0, 0.1)]),
+        row("one", [(3.5, 0.9), (2.0, 0.3), (2.2, 0.3)]),
+        row("other", [(1.0, 0.5)]),
+    ]
+    lines = [line.split() for line in movements_table(rows)[2:]]
+    assert lines[1][-10:] == ["to", "1.5", "to", "2.0", "to", "2.5", "to", "3.0", "to", "3.5"]
+    assert lines[2][1:] == ["2", "0", "3", "0", "1"]
+    assert lines[3] == ["one", "0.3000", "–", "0.2333", "–", "0.9000"]
+    assert lines[4] == ["other", "0.5000", "–", "–", "–", "–"]
+    assert movements_table([row("short", [])]) == []
 
 
 def test_poses_are_filled_as_they_come_too(clips):

@@ -29,6 +29,9 @@ HIDDEN = (0, 1, 2, 3, 4)
 
 _MOST_HIDDEN = HIDDEN[-1]
 
+MOVEMENT_S = 5.0
+"""Length of what counts as one movement."""
+
 NEARER = ", nearer of q and -q"
 """What is added to the name of a method whose error does not depend on signs of rotations."""
 
@@ -85,6 +88,7 @@ class Row:
     by_hidden : the same for poses with as many joints occluded as :data:`HIDDEN` says; NaN where
         there is none
     poses_hidden : number of those
+    by_movement : joints occluded in a pose and error, means over each :data:`MOVEMENT_S`
     poses : number of all
     """
 
@@ -96,6 +100,7 @@ class Row:
     error: float
     by_hidden: tuple[float, ...]
     poses_hidden: tuple[int, ...]
+    by_movement: tuple[tuple[float, float], ...]
     poses: int
 
 
@@ -178,13 +183,22 @@ def _try(
     if case.kind == "occlusions" and given.seen.all(axis=1).any():
         came, after = _live(given, prior)
         results["live"] = Tried(_relative(came, normal), after, ALL)
-    hidden = np.minimum(np.count_nonzero(occluded, axis=1), _MOST_HIDDEN)
+    count = np.count_nonzero(occluded, axis=1)
+    hidden = np.minimum(count, _MOST_HIDDEN)
+    length = round(MOVEMENT_S * truth.rate)
+    movements = [slice(n, n + length) for n in range(0, len(count) - length + 1, length)]
     rows = []
     judged = [(name, tried, False) for name, tried in results.items()]
     judged.append((f"restore{NEARER}", results["restore"], True))
     for name, tried, nearer in judged:
-        off = error_of(tried.features, features, tried.columns, nearer=nearer)[tried.judged]
+        every = error_of(tried.features, features, tried.columns, nearer=nearer)
+        off = every[tried.judged]
         groups = [off[hidden[tried.judged] == n] for n in HIDDEN]
+        moved = [
+            (float(count[m].mean()), float(every[m][tried.judged[m]].mean()))
+            for m in movements
+            if tried.judged[m].any()
+        ]
         rows.append(
             Row(
                 clip,
@@ -195,6 +209,7 @@ def _try(
                 float(off.mean()) if len(off) else float("nan"),
                 tuple(float(g.mean()) if len(g) else float("nan") for g in groups),
                 tuple(len(g) for g in groups),
+                tuple(moved),
                 len(off),
             )
         )

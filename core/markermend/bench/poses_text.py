@@ -8,8 +8,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from markermend.bench.columns import aligned
-from markermend.bench.poses import HIDDEN, Row
+from markermend.bench.columns import aligned, number
+from markermend.bench.poses import HIDDEN, MOVEMENT_S, Row
+
+SCALES = 5
 
 
 def poses_table(rows: Sequence[Row]) -> list[str]:
@@ -44,6 +46,35 @@ def hidden_table(rows: Sequence[Row]) -> list[str]:
             mean = np.sum(weight * np.nan_to_num(groups), axis=0) / total
             body.append([method, *(f"{value:.4f}" for value in mean.tolist())])
         lines += ["", f"{case[0].upper()}{case[1:]}, both", *aligned([head, *body])]
+    return lines
+
+
+def movements_table(rows: Sequence[Row]) -> list[str]:
+    """The same by the scale of occlusion of a movement, as Figure 22 of goncalves2024 groups them.
+
+    Scales are equally wide from the movement with the fewest occluded joints to that with the most.
+    """
+    lines: list[str] = []
+    for case in dict.fromkeys(row.case for row in rows if row.kind == "both"):
+        here = [row for row in rows if row.case == case and row.kind == "both" and row.by_movement]
+        moved = {
+            method: np.array([m for row in here if row.method == method for m in row.by_movement])
+            for method in dict.fromkeys(row.method for row in here)
+        }
+        if not moved:
+            continue
+        every = np.concatenate(list(moved.values()))[:, 0]
+        edges = np.linspace(every.min(), every.max(), SCALES + 1)
+        scale = {m: np.digitize(pairs[:, 0], edges[1:-1]) for m, pairs in moved.items()}
+        most = max(moved, key=lambda method: len(moved[method]))
+        head = ["Scale", *(f"{n + 1}" for n in range(SCALES))]
+        body = [["joints occluded in a pose", *(f"to {edge:.1f}" for edge in edges[1:])]]
+        body.append(["movements", *(str((scale[most] == n).sum()) for n in range(SCALES))])
+        for method, pairs in moved.items():
+            groups = [pairs[scale[method] == n, 1] for n in range(SCALES)]
+            body.append([method, *(number(g.mean() if len(g) else np.nan, 4) for g in groups)])
+        title = f"{case[0].upper()}{case[1:]}, both, movements of {MOVEMENT_S:g} s"
+        lines += ["", title, *aligned([head, *body])]
     return lines
 
 

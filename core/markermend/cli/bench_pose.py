@@ -30,7 +30,11 @@ def add_pose(p: argparse.ArgumentParser) -> None:
         " set beside the published tables",
     )
     p.add_argument("--case", metavar="TEXT", nargs="+", help="only cases whose name has this text")
-    p.add_argument("--hidden", action="store_true", help="show errors by number of occluded joints")
+    p.add_argument(
+        "--hidden",
+        action="store_true",
+        help="show errors by number of occluded joints, of a pose and of a movement",
+    )
     add_seed(p, "damage", 1)
     p.add_argument(
         "--csv", metavar="FILE", help="write every error as CSV; “-” for standard output"
@@ -42,7 +46,12 @@ def run_pose(options: argparse.Namespace) -> int:
     """Restore, and show how far off the results are."""
     from markermend.bench.poses import CASES, compare
     from markermend.bench.poses_paper import paper_tables
-    from markermend.bench.poses_text import hidden_table, poses_csv, poses_table
+    from markermend.bench.poses_text import (
+        hidden_table,
+        movements_table,
+        poses_csv,
+        poses_table,
+    )
     from markermend.poses.network import Network, load_networks
 
     check_outputs([options.csv], source=None, force=options.force)
@@ -65,9 +74,7 @@ def run_pose(options: argparse.Namespace) -> int:
     if options.csv is not None:
         write_text(options.csv, poses_csv(rows))
     if options.csv != STDOUT:
-        more = (hidden_table(rows) if options.hidden else []) + (
-            paper_tables(rows) if networks else []
-        )
-        for line in poses_table(rows) + more:
+        hidden = [*hidden_table(rows), *movements_table(rows)] if options.hidden else []
+        for line in [*poses_table(rows), *hidden, *(paper_tables(rows) if networks else [])]:
             say(line)
     return 0
