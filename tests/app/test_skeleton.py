@@ -76,6 +76,15 @@ def test_what_has_joints_is_not_said_to_have_markers(opened):
     facts = [label.text() for label in opened.inspector.findChildren(QLabel)]
     assert "Joints" in facts
     assert "Markers" not in facts
+    assert opened.queue.filter.accessibleName() == "Filter by joint"
+    opened.docks["quality"].raise_()
+    opened.quality._count()
+    for header in (opened.queue.view.horizontalHeader(), opened.quality.head.horizontalHeader()):
+        named = [header.model().headerData(i, Qt.Orientation.Horizontal) for i in range(3)]
+        assert "Joint" in named
+        assert "Marker" not in named
+    opened.document.show(())
+    assert opened.trajectories.empty.accessibleName() == "No joint is shown"
 
 
 def test_a_review_by_keys_changes_what_was_repaired_only(opened, broken, qtbot, tmp_path):

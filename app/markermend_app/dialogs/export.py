@@ -71,7 +71,7 @@ class ExportDialog(QDialog):
                 "markers before their repair and no longer match: {0}."
             )
             box.addWidget(self._text(text.format(len(outputs))))
-        self._record = QCheckBox(self.tr("Write into the file what was repaired, and how"))
+        self._record = QCheckBox(self.tr("Write into a C3D file what was repaired, and how"))
         self._record.setChecked(record)
         self._mark = QCheckBox(self.tr("Name in the file the model outputs that no longer match"))
         self._mark.setChecked(bool(outputs))

@@ -154,6 +154,7 @@ class QualityPanel(QWidget):
             self.total.set_standings(())
             self.model.set_standings(())
         elif not self._stale:
+            self.total.say_joints(session.original.skeleton)
             found = standings(session.original, session.take, session.artifacts, session.notes)
             self.total.set_standings(found[:1])
             self.model.set_standings([s for s in found[1:] if _listed(s)])

@@ -45,6 +45,7 @@ class QualityModel(QAbstractTableModel):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.rows: tuple[Standing, ...] = ()
+        self._joints = False
         self._names: Mapping[str, str] = {}
         self._by, self._order = OPEN, Qt.SortOrder.DescendingOrder
 
@@ -60,6 +61,11 @@ class QualityModel(QAbstractTableModel):
             self.beginResetModel()
             self.rows = rows
             self.endResetModel()
+
+    def say_joints(self, joints: bool) -> None:
+        """Say that rows are joints of a skeleton recording, or that they are markers."""
+        self._joints = joints
+        self.headerDataChanged.emit(Qt.Orientation.Horizontal, MARKER, MARKER)
 
     def row_of(self, marker: str) -> int | None:
         """Where a marker stands, if it is listed."""
@@ -94,7 +100,8 @@ class QualityModel(QAbstractTableModel):
         if orientation != Qt.Orientation.Horizontal:
             return None
         if role == Qt.ItemDataRole.DisplayRole:
-            return _titles()[section][0]
+            joints = self._joints and section == MARKER
+            return tr("Joint") if joints else _titles()[section][0]
         if role == Qt.ItemDataRole.ToolTipRole:
             return _titles()[section][1]
         if role == Qt.ItemDataRole.TextAlignmentRole:

@@ -370,9 +370,9 @@ class Commands(QObject):
         if file is None:
             return
         take = file.session.original
-        text = self.tr("{0} markers, {1} frames at {2:g} Hz.").format(
-            len(take.named), take.frames, take.rate
-        )
+        joints = self.tr("{0} joints, {1} frames at {2:g} Hz.")
+        text = joints if take.skeleton else self.tr("{0} markers, {1} frames at {2:g} Hz.")
+        text = text.format(len(take.named), take.frames, take.rate)
         if file.read_only:
             text = self.tr("Open in another window: this one is read-only.")
         elif file.recovered and not file.session.exported:

@@ -2244,6 +2244,10 @@
         <translation>Wie es die Aufnahme nahelegt</translation>
     </message>
     <message>
+        <source>Joint</source>
+        <translation>Gelenk</translation>
+    </message>
+    <message>
         <source>Whole take</source>
         <translation>Ganze Aufnahme</translation>
     </message>
@@ -2398,6 +2402,14 @@
     <message>
         <source>This file has no markers</source>
         <translation>Diese Datei enthält keine Marker</translation>
+    </message>
+    <message>
+        <source>Check joints in the tree, or go to an artifact in the review queue.</source>
+        <translation>Gelenke im Baum ankreuzen oder zu einem Artefakt der Prüfliste gehen.</translation>
+    </message>
+    <message>
+        <source>No joint is shown</source>
+        <translation>Kein Gelenk wird gezeigt</translation>
     </message>
     <message>
         <source>Check markers in the tree, or go to an artifact in the review queue.</source>
@@ -2714,6 +2726,10 @@
         <translation>Wiederholt: {0}</translation>
     </message>
     <message>
+        <source>{0} joints, {1} frames at {2:g} Hz.</source>
+        <translation>{0} Gelenke, {1} Frames mit {2:g} Hz.</translation>
+    </message>
+    <message>
         <source>{0} markers, {1} frames at {2:g} Hz.</source>
         <translation>{0} Marker, {1} Frames mit {2:g} Hz.</translation>
     </message>
@@ -2787,8 +2803,8 @@
         <translation>Modellausgaben in dieser Datei (Winkel, Kräfte, Momente…) wurden aus den Markern vor der Reparatur berechnet und passen nicht mehr: {0}.</translation>
     </message>
     <message>
-        <source>Write into the file what was repaired, and how</source>
-        <translation>In die Datei schreiben, was repariert wurde und wie</translation>
+        <source>Write into a C3D file what was repaired, and how</source>
+        <translation>In eine C3D-Datei schreiben, was wie repariert wurde</translation>
     </message>
     <message>
         <source>Name in the file the model outputs that no longer match</source>
@@ -3558,6 +3574,10 @@
         <translation>Repariert</translation>
     </message>
     <message>
+        <source>Joint</source>
+        <translation>Gelenk</translation>
+    </message>
+    <message>
         <source>Open ones first, the worst on top: size times confidence</source>
         <translation>Offene zuerst, das Schlimmste oben: Größe mal Sicherheit</translation>
     </message>
@@ -3625,6 +3645,10 @@
     <message>
         <source>Repair, each by its best method</source>
         <translation>Reparieren, jedes mit seinem besten Verfahren</translation>
+    </message>
+    <message>
+        <source>Filter by joint</source>
+        <translation>Nach Gelenk filtern</translation>
     </message>
     <message>
         <source>{0} of {1} decided</source>

@@ -13,5 +13,8 @@ def why_empty(take: Take | None) -> tuple[str, str]:
     if not take.markers:
         text = tr("Check the channels in the tree that are to be seen.")
         return tr("This file has no markers"), text
+    if take.skeleton:
+        text = tr("Check joints in the tree, or go to an artifact in the review queue.")
+        return tr("No joint is shown"), text
     text = tr("Check markers in the tree, or go to an artifact in the review queue.")
     return tr("No marker is shown"), text

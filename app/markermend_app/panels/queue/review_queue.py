@@ -235,6 +235,9 @@ class ReviewQueue(QWidget):
             for button in self.kinds.values():
                 button.setChecked(False)
             self.status.setCurrentIndex(0)
+        session = self._document.session
+        joints = session is not None and session.original.skeleton
+        self.filter.set_text(self.tr("Filter by joint") if joints else self.tr("Filter by marker"))
         self._refresh()
 
     def _refresh(self) -> None:
