@@ -134,6 +134,30 @@ def test_tally_counts_votes_by_version(folders: Path, capsys: pytest.CaptureFixt
         "networktwo": ["2", "33", "2", "33"],
     }
     assert "3 people, 2 movements." in out
+    assert "by scale" not in out
+
+
+def test_votes_are_counted_by_how_much_is_occluded(
+    folders: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    often = recording(0.0)
+    positions = often.positions.copy()
+    positions[:30, 1] = np.nan
+    mm.write_pose(often.with_samples(positions, often.rotations), folders / NAMES[0] / "walk.csv")
+    _, key = ask(folders)
+    assert key["unseen"] == [0.1, 0.85]
+    path = answers(folders, key, "1", "networkone", "networktwo")
+    capsys.readouterr()
+    assert main(["bench", "blind", "--tally", str(folders / "key.json"), path]) == 0
+    scaled = capsys.readouterr().out.partition("by scale of occlusion")[2].splitlines()
+    rows = {Path(line.split()[0]).name: line.split()[1:] for line in scaled[2:5]}
+    empty = ["0", "–"] * 3
+    assert rows["networkone"] == ["1", "100", *empty, "1", "100"]
+    assert rows["sensor"] == ["0", "0", *empty, "0", "0"]
+    del key["unseen"]
+    (folders / "key.json").write_text(json.dumps(key), "utf-8")
+    assert main(["bench", "blind", "--tally", str(folders / "key.json"), path]) == 0
+    assert "by scale" not in capsys.readouterr().out
 
 
 def test_tally_refuses_what_does_not_fit(folders: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -23,6 +23,7 @@ import numpy as np
 from scipy.ndimage import uniform_filter1d
 
 from markermend.arrays import FloatArray
+from markermend.bench.scales import SCALES, occlusion_scales
 from markermend.errors import DataError
 from markermend.poses.pose import Pose
 from markermend.vertical import vertical_axis
@@ -50,6 +51,23 @@ class Version:
     pose: Pose
 
 
+@dataclass(frozen=True)
+class Votes:
+    """What people found.
+
+    Attributes
+    ----------
+    people : number
+    by_version : for every version its votes by question (:data:`QUESTIONS`), as Table 6 has them
+    by_scale : for every version its votes for the most natural by scale of occlusion
+        (:func:`occlusion_scales`), as Figure 22 has them; none where all movements are alike
+    """
+
+    people: int
+    by_version: dict[str, list[int]]
+    by_scale: dict[str, list[int]]
+
+
 def blind_page(movements: Sequence[Sequence[Version]], *, seed: int) -> tuple[str, dict[str, Any]]:
     """Make the page that asks, and the key to it.
 
@@ -61,7 +79,8 @@ def blind_page(movements: Sequence[Sequence[Version]], *, seed: int) -> tuple[st
     Returns
     -------
     HTML that needs no other file and names none, and the key: for every movement the version and
-    the file behind each letter
+    the file behind each letter, and how many joints are not seen in a pose of the version that has
+    most of these
 
     Raises
     ------
@@ -69,7 +88,7 @@ def blind_page(movements: Sequence[Sequence[Version]], *, seed: int) -> tuple[st
         when versions of a movement differ in joints, frames or rate, or are too few or too many
     """
     random = np.random.default_rng(seed)
-    shown, hidden = [], []
+    shown, hidden, unseen = [], [], []
     for versions in movements:
         _check(versions)
         order = [versions[i] for i in random.permutation(len(versions))]
@@ -80,26 +99,23 @@ def blind_page(movements: Sequence[Sequence[Version]], *, seed: int) -> tuple[st
                 for letter, version in zip(string.ascii_uppercase, order, strict=False)
             }
         )
+        unseen.append(max(float((~v.pose.seen).sum(axis=1).mean()) for v in versions))
     names = [version.name for version in movements[0]]
     questions = QUESTIONS[: len(names) - 1]
     study = hashlib.sha256(json.dumps(shown).encode()).hexdigest()[:12]
     content = {"study": study, "columns": COLUMNS, "questions": questions, "movements": shown}
     template = files("markermend_resources").joinpath("blind.html").read_text("utf-8")
-    key = {"study": study, "seed": seed, "versions": names, "movements": hidden}
+    key = {"study": study, "seed": seed, "versions": names, "movements": hidden, "unseen": unseen}
     return template.replace(_PLACE, json.dumps(content)), key
 
 
-def tally(key: dict[str, Any], answers: Sequence[str]) -> tuple[int, dict[str, list[int]]]:
-    """Count the votes, as Table 6 of the paper has them.
+def tally(key: dict[str, Any], answers: Sequence[str]) -> Votes:
+    """Count the votes.
 
     Parameters
     ----------
     key : of :func:`blind_page`
     answers : text of the CSV files that the page saved
-
-    Returns
-    -------
-    Number of people, and for every version its votes by question (:data:`QUESTIONS`)
 
     Raises
     ------
@@ -107,6 +123,8 @@ def tally(key: dict[str, Any], answers: Sequence[str]) -> tuple[int, dict[str, l
         when answers belong to another page, are no answers, or somebody answers twice
     """
     votes: Counter[tuple[str, str]] = Counter()
+    scaled: Counter[tuple[str, int]] = Counter()
+    scale = _scales(key)
     given: set[tuple[str, str, str]] = set()
     for text in answers:
         rows = csv.DictReader(io.StringIO(text.removeprefix("\ufeff")))
@@ -120,14 +138,29 @@ def tally(key: dict[str, Any], answers: Sequence[str]) -> tuple[int, dict[str, l
                 raise DataError(f"“{row['rater']}” answers twice; leave one of the files out.")
             given.add(who)
             try:
-                hidden = key["movements"][int(row["movement"]) - 1][row["answer"]]
+                number = int(row["movement"]) - 1
+                hidden = key["movements"][number][row["answer"]]
             except (ValueError, IndexError, KeyError):
                 raise DataError(
                     f"The page has no version {row['answer']} of movement {row['movement']}."
                 ) from None
             votes[hidden["version"], row["question"]] += 1
-    table = {name: [votes[name, question] for question in QUESTIONS] for name in key["versions"]}
-    return len({rater for rater, _, _ in given}), table
+            if scale and row["question"] == QUESTIONS[0]:
+                scaled[hidden["version"], scale[number]] += 1
+    names = key["versions"]
+    return Votes(
+        len({rater for rater, _, _ in given}),
+        {name: [votes[name, question] for question in QUESTIONS] for name in names},
+        {name: [scaled[name, n] for n in range(SCALES)] for name in names} if scale else {},
+    )
+
+
+def _scales(key: dict[str, Any]) -> list[int]:
+    """Scale of occlusion of each movement; none where they are alike or the key does not tell."""
+    unseen = np.array(key.get("unseen", []), dtype=float)
+    if len(set(unseen.tolist())) < 2 or len(unseen) != len(key["movements"]):
+        return []
+    return [int(n) for n in occlusion_scales(unseen)[0]]
 
 
 def _check(versions: Sequence[Version]) -> None:

@@ -10,8 +10,7 @@ import numpy as np
 
 from markermend.bench.columns import aligned, number
 from markermend.bench.poses import HIDDEN, MOVEMENT_S, Row
-
-SCALES = 5
+from markermend.bench.scales import SCALES, occlusion_scales
 
 
 def poses_table(rows: Sequence[Row]) -> list[str]:
@@ -50,10 +49,7 @@ def hidden_table(rows: Sequence[Row]) -> list[str]:
 
 
 def movements_table(rows: Sequence[Row]) -> list[str]:
-    """The same by the scale of occlusion of a movement, as Figure 22 of goncalves2024 groups them.
-
-    Scales are equally wide from the movement with the fewest occluded joints to that with the most.
-    """
+    """The same by the scale of occlusion of a movement (:func:`occlusion_scales`)."""
     lines: list[str] = []
     for case in dict.fromkeys(row.case for row in rows if row.kind == "both"):
         here = [row for row in rows if row.case == case and row.kind == "both" and row.by_movement]
@@ -63,12 +59,13 @@ def movements_table(rows: Sequence[Row]) -> list[str]:
         }
         if not moved:
             continue
-        every = np.concatenate(list(moved.values()))[:, 0]
-        edges = np.linspace(every.min(), every.max(), SCALES + 1)
-        scale = {m: np.digitize(pairs[:, 0], edges[1:-1]) for m, pairs in moved.items()}
+        parts = np.cumsum([len(pairs) for pairs in moved.values()])[:-1]
+        every = np.concatenate(list(moved.values()))
+        together, edges = occlusion_scales(every[:, 0])
+        scale = dict(zip(moved, np.split(together, parts), strict=True))
         most = max(moved, key=lambda method: len(moved[method]))
         head = ["Scale", *(f"{n + 1}" for n in range(SCALES))]
-        body = [["joints occluded in a pose", *(f"to {edge:.1f}" for edge in edges[1:])]]
+        body = [["joints occluded in a pose", *(f"to {edge:.1f}" for edge in edges)]]
         body.append(["movements", *(str((scale[most] == n).sum()) for n in range(SCALES))])
         for method, pairs in moved.items():
             groups = [pairs[scale[method] == n, 1] for n in range(SCALES)]

@@ -103,6 +103,7 @@ def _movements(given: list[str]) -> list[list[Path]]:
 def _tally(options: argparse.Namespace) -> int:
     """Show the votes."""
     from markermend.bench.blind import QUESTIONS, tally
+    from markermend.bench.scales import SCALES
 
     key: dict[str, Any] = read_json(options.tally)
     if not {"study", "versions", "movements"} <= set(key):
@@ -113,18 +114,27 @@ def _tally(options: argparse.Namespace) -> int:
         raise DataError(
             "Answers are CSV in UTF-8, as the page saved them; these are not."
         ) from error
-    people, votes = tally(key, texts)
-    sums = [sum(row[i] for row in votes.values()) for i in range(len(QUESTIONS))]
-    rows = [
+    votes = tally(key, texts)
+    head = ["Version", *(cell for q in QUESTIONS for cell in (q.capitalize(), "%"))]
+    for line in table(head, _shares(votes.by_version), "lrrrr"):
+        say(line)
+    if votes.by_scale:
+        say("\nMost natural, by scale of occlusion: votes and % of those in the scale")
+        head = ["Version", *(cell for n in range(SCALES) for cell in (str(n + 1), "%"))]
+        for line in table(head, _shares(votes.by_scale), "l" + "rr" * SCALES):
+            say(line)
+    who = "1 person" if votes.people == 1 else f"{votes.people} people"
+    say(f"\n{who}, {count(len(key['movements']), 'movement')}.")
+    return 0
+
+
+def _shares(votes: dict[str, list[int]]) -> list[list[str]]:
+    """A row for each version: in each column votes, and how many of all of that column."""
+    sums = [sum(column) for column in zip(*votes.values(), strict=True)]
+    return [
         [name, *(cell for n, of in zip(row, sums, strict=True) for cell in _share(n, of))]
         for name, row in votes.items()
     ]
-    head = ["Version", *(cell for q in QUESTIONS for cell in (q.capitalize(), "%"))]
-    for line in table(head, rows, "lrrrr"):
-        say(line)
-    who = "1 person" if people == 1 else f"{people} people"
-    say(f"\n{who}, {count(len(key['movements']), 'movement')}.")
-    return 0
 
 
 def _share(votes: int, of: int) -> tuple[str, str]:
