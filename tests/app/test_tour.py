@@ -13,6 +13,7 @@ from markermend.review.file import open_session
 from markermend.take import Take
 from markermend_app import settings
 from markermend_app.actions import shortcuts
+from markermend_app.looking import Selection
 from markermend_app.tour import SEEN, Tour
 from markermend_app.window import MainWindow
 
@@ -52,6 +53,19 @@ def tour(window):
     """The tour, begun from the Help menu."""
     window.actions_by_name["tour"].trigger()
     return window.findChild(Tour)
+
+
+def test_escape_in_the_plots_lets_go_what_is_swept_then_ends_the_tour(window, tour, qtbot):
+    qtbot.keyClick(window.welcome.demo, Qt.Key.Key_Space)
+    plots = window.trajectories.canvas
+    plots.setFocus()
+    window.document.sweep(Selection("LWRA", 10, 20))
+    qtbot.keyClick(plots, Qt.Key.Key_Escape)
+    assert window.document.selection is None
+    assert tour.running
+    qtbot.keyClick(plots, Qt.Key.Key_Escape)
+    assert not tour.running
+    assert not tour.card.isVisible()
 
 
 def test_the_card_is_reached_and_ended_by_keys_alone(window, tour, qtbot):

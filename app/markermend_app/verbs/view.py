@@ -16,6 +16,7 @@ from markermend_app.actions.shortcut_sheet import ShortcutSheet
 from markermend_app.actions.table import METHOD_KEYS
 from markermend_app.dialogs import ask as dialogs
 from markermend_app.document import Document
+from markermend_app.panels.tour_card import TourCard
 from markermend_app.style import theme
 
 if TYPE_CHECKING:
@@ -92,13 +93,16 @@ def _write_note(window: MainWindow) -> None:
 
 
 def _let_go(window: MainWindow) -> None:
-    """Leave what was begun, what lies on top first, and at last the panel for the plots."""
+    """Leave what was begun, what lies on top first; then the panel for the plots; then the tour."""
     if window.references.choosing:
         window.references.choose(False)
     elif window.scene.buttons.tool:
         window.scene.drop_tool()
     elif window.document.selection is not None:
         window.document.sweep(None)
+    elif window.trajectories.canvas.hasFocus():
+        for card in window.findChildren(TourCard):
+            card.end.click()
     else:
         window.walk.home()
 
