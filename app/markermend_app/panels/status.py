@@ -44,6 +44,7 @@ class StatusLine(QStatusBar):
         for widget in (self._doing, self._bar, self._cancel, self._counts):
             self.addPermanentWidget(widget)
         self._label = ""
+        self._stopping = False
         lane.started.connect(self._started)
         lane.progressed.connect(self._progressed)
         lane.finished.connect(self._finished)
@@ -61,22 +62,35 @@ class StatusLine(QStatusBar):
         self._said.setToolTip(text)
 
     def _stop(self) -> None:
+        """Ask the work to stop, which it does at its next step."""
+        self._stopping = True
+        self._cancel.setEnabled(False)
+        self._doing.setText(self.tr("Stopping…"))
         self._lane.cancel()
-        self.say(self.tr("Cancelled."))
 
     def _started(self, label: str) -> None:
         self._label = label
+        # What was stopped does not begin, so that this was asked for later.
+        self._stopping = False
+        self._cancel.setEnabled(True)
         self._doing.setText(f"{label}…")
         self._bar.setValue(0)
         self._show_work(True)
 
     def _progressed(self, share: float, doing: str) -> None:
+        if self._stopping:
+            return
         self._bar.setValue(round(share * 1000))
         self._doing.setText(f"{self._label}: {doing}")
 
     def _finished(self) -> None:
-        if not self._lane.busy:
-            self._show_work(False)
+        if self._lane.busy:
+            return
+        self._show_work(False)
+        self._cancel.setEnabled(True)
+        if self._stopping:
+            self._stopping = False
+            self.say(self.tr("Cancelled."))
 
     def _show_work(self, shown: bool) -> None:
         for widget in (self._doing, self._bar, self._cancel):

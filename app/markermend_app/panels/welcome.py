@@ -72,13 +72,17 @@ class Welcome(QWidget):
             widget = item.widget() if item is not None else None
             if widget is not None:
                 widget.deleteLater()
-        for path in settings.recent()[:SHOWN_RECENT]:
-            self._recent.addWidget(self._link(path), 0, Qt.AlignmentFlag.AlignHCenter)
+        paths = settings.recent()[:SHOWN_RECENT]
+        links = [self._link(path, paths) for path in paths]
+        for link in links:
+            link.setMinimumWidth(max(other.sizeHint().width() for other in links))
+            self._recent.addWidget(link, 0, Qt.AlignmentFlag.AlignHCenter)
         super().showEvent(event)
 
-    def _link(self, path: Path) -> QPushButton:
-        """Make a flat button that opens a recent take."""
-        button = QPushButton(path.name)
+    def _link(self, path: Path, among: list[Path]) -> QPushButton:
+        """Make a flat button that opens a recent take; its folder tells it from a namesake."""
+        alike = sum(other.name == path.name for other in among) > 1
+        button = QPushButton(f"{path.parent.name}/{path.name}" if alike else path.name)
         button.setFlat(True)
         button.setToolTip(str(path))
         button.clicked.connect(lambda: self.path_requested.emit(path))

@@ -2396,6 +2396,10 @@
         <translation>Eine Aufnahme öffnen oder auf das Fenster ziehen.</translation>
     </message>
     <message>
+        <source>There is nothing in it to be shown or mended.</source>
+        <translation>Sie enthält nichts zu zeigen oder zu reparieren.</translation>
+    </message>
+    <message>
         <source>Check the channels in the tree that are to be seen.</source>
         <translation>Im Baum die Kanäle ankreuzen, die gezeigt werden sollen.</translation>
     </message>
@@ -3980,6 +3984,10 @@
     <message>
         <source>Artifacts decided, time for each, and time spent on the take without pauses</source>
         <translation>Entschiedene Artefakte, Zeit für jedes und Zeit für die Aufnahme ohne Pausen</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>Wird angehalten …</translation>
     </message>
     <message>
         <source>Cancelled.</source>

@@ -11,7 +11,9 @@ def why_empty(take: Take | None) -> tuple[str, str]:
     if take is None:
         return tr("No take is open"), tr("Open a take, or drop one onto the window.")
     if not take.markers:
-        text = tr("Check the channels in the tree that are to be seen.")
+        text = tr("There is nothing in it to be shown or mended.")
+        if take.analog is not None or take.points is not None:
+            text = tr("Check the channels in the tree that are to be seen.")
         return tr("This file has no markers"), text
     if take.skeleton:
         text = tr("Check joints in the tree, or go to an artifact in the review queue.")
