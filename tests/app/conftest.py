@@ -11,8 +11,11 @@ from PySide6.QtCore import QCoreApplication, QEvent, QSettings
 
 import markermend as mm
 from markermend.artifact import Artifact, Kind
+from markermend.mesh import Mesh, infer_mesh
+from markermend.review.file import open_session
 from markermend.take import Take
 from markermend_app.background.garbage import YOUNG
+from markermend_app.document import Document
 
 
 @pytest.fixture(autouse=True)
@@ -83,6 +86,24 @@ def damaged():
     return damaged_box()
 
 
+@pytest.fixture
+def mesh(damaged):
+    """The body of the take in ``document``: no groups; tests of groups have their own."""
+    return Mesh(damaged[0].labels, ())
+
+
+@pytest.fixture
+def document(tmp_path, damaged, mesh, qtbot):
+    """A document with the damaged take open and its artifacts found."""
+    take, found = damaged
+    document = Document()
+    document.open(open_session(take, folder=tmp_path), mesh)
+    document.add_detected(found, "paper")
+    yield document
+    document.open(None, None)
+    document.proposals.close()
+
+
 def keep_quiet(window):
     """Let a window close without asking what becomes of unexported work."""
     if window.document.session is not None:
@@ -92,8 +113,6 @@ def keep_quiet(window):
 @pytest.fixture
 def review(qtbot, tmp_path):
     """Open the real window on a take with these artifacts, the first one under review."""
-    from markermend.mesh import infer_mesh
-    from markermend.review.file import open_session
     from markermend_app.window import MainWindow
 
     def start(take, artifacts):

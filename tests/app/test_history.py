@@ -6,21 +6,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QFont
 
-from markermend.mesh import Mesh
-from markermend.review.file import open_session
-from markermend_app.document import Document
 from markermend_app.panels.history import HistoryPanel
-
-
-@pytest.fixture
-def document(tmp_path, damaged, qtbot):
-    take, found = damaged
-    document = Document()
-    document.open(open_session(take, folder=tmp_path), Mesh(take.labels, ()))
-    document.add_detected(found, "paper")
-    yield document
-    document.open(None, None)
-    document.proposals.close()
 
 
 @pytest.fixture

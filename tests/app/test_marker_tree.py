@@ -31,14 +31,8 @@ MESH = Mesh(
 
 
 @pytest.fixture
-def document(tmp_path, damaged, qtbot):
-    take, found = damaged
-    document = Document()
-    document.open(open_session(take, folder=tmp_path), MESH)
-    document.add_detected(found, "paper")
-    yield document
-    document.open(None, None)
-    document.proposals.close()
+def mesh():
+    return MESH
 
 
 @pytest.fixture

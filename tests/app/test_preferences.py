@@ -19,7 +19,6 @@ from PySide6.QtWidgets import (
 import markermend as mm
 from markermend.artifact import Kind
 from markermend.detectors.joint import JointParams
-from markermend.mesh import infer_mesh
 from markermend.presets import save_preset
 from markermend.review.file import open_session
 from markermend_app import detection, languages, settings, units
@@ -28,7 +27,6 @@ from markermend_app.actions.shortcut_sheet import ShortcutSheet
 from markermend_app.dialogs.preferences import OFFERED, Preferences
 from markermend_app.panels.inspector.artifact import ArtifactPage
 from markermend_app.style import theme
-from markermend_app.window import MainWindow
 
 
 @pytest.fixture(autouse=True)
@@ -38,19 +36,9 @@ def light_again(qapp: QApplication):
 
 
 @pytest.fixture
-def window(qtbot, damaged, tmp_path):
+def window(review, damaged):
     """A window with a take under review."""
-    take, truth = damaged
-    made = MainWindow()
-
-    def quiet(window):
-        window.document.session.mark_exported()
-
-    qtbot.addWidget(made, before_close_func=quiet)
-    made.document.open(open_session(take, folder=tmp_path), infer_mesh(take))
-    made.document.add_detected(truth, "truth")
-    made.document.step(1)
-    return made
+    return review(*damaged)
 
 
 @pytest.fixture

@@ -9,7 +9,6 @@ import pytest
 from PySide6.QtCore import Qt
 
 from markermend.artifact import Artifact, Kind
-from markermend.mesh import Mesh
 from markermend.patch import Patch
 from markermend.repairs import Repair
 from markermend.review.file import open_session
@@ -18,17 +17,6 @@ from markermend_app import settings
 from markermend_app.document import Document
 from markermend_app.panels.quality import QualityPanel
 from markermend_app.panels.quality_model import BEFORE, DECIDED, MARKER, MEAN, MENDED, NOW, OPEN
-
-
-@pytest.fixture
-def document(tmp_path, damaged, qtbot):
-    take, found = damaged
-    document = Document()
-    document.open(open_session(take, folder=tmp_path), Mesh(take.labels, ()))
-    document.add_detected(found, "paper")
-    yield document
-    document.open(None, None)
-    document.proposals.close()
 
 
 @pytest.fixture

@@ -18,13 +18,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from markermend.mesh import infer_mesh
-from markermend.review.file import open_session
 from markermend_app.actions.shortcut_sheet import ShortcutSheet
 from markermend_app.dialogs.preferences import Preferences
 from markermend_app.style import theme
 from markermend_app.style.looks import LOOKS
-from markermend_app.window import MainWindow
 
 USED = (
     QAbstractButton,
@@ -44,22 +41,9 @@ def light_again(qapp: QApplication):
 
 
 @pytest.fixture
-def window(qtbot, damaged, tmp_path):
+def window(review, damaged):
     """A window with a take under review."""
-    take, truth = damaged
-    made = MainWindow()
-
-    def quiet(window):
-        window.document.session.mark_exported()
-
-    qtbot.addWidget(made, before_close_func=quiet)
-    made.show()
-    made.activateWindow()
-    qtbot.waitExposed(made)
-    made.document.open(open_session(take, folder=tmp_path), infer_mesh(take))
-    made.document.add_detected(truth, "truth")
-    made.document.step(1)
-    return made
+    return review(*damaged)
 
 
 def parts(top):

@@ -19,17 +19,6 @@ from markermend_app.panels.queue.review_queue import ReviewQueue
 
 
 @pytest.fixture
-def document(tmp_path, damaged, qtbot):
-    take, found = damaged
-    document = Document()
-    document.open(open_session(take, folder=tmp_path), Mesh(take.labels, ()))
-    document.add_detected(found, "paper")
-    yield document
-    document.open(None, None)
-    document.proposals.close()
-
-
-@pytest.fixture
 def queue(document, qtbot):
     queue = ReviewQueue(document)
     qtbot.addWidget(queue)

@@ -29,15 +29,9 @@ from markermend_app.style import theme
 
 
 @pytest.fixture
-def document(tmp_path, damaged, qtbot):
-    take, found = damaged
-    document = Document()
-    mesh = Mesh(take.labels, (Group("Trunk", "", (0, 1, 2, 3)),), ((0, 1), (0, 2), (0, 3)))
-    document.open(open_session(take, folder=tmp_path), mesh)
-    document.add_detected(found, "paper")
-    yield document
-    document.open(None, None)
-    document.proposals.close()
+def mesh(damaged):
+    labels = damaged[0].labels
+    return Mesh(labels, (Group("Trunk", "", (0, 1, 2, 3)),), ((0, 1), (0, 2), (0, 3)))
 
 
 @pytest.fixture

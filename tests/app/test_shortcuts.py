@@ -11,7 +11,6 @@ from PySide6.QtGui import QIcon, QKeySequence
 from PySide6.QtWidgets import QMenu, QMessageBox
 
 from markermend.artifact import Status
-from markermend.mesh import infer_mesh
 from markermend.review.file import open_session
 from markermend_app import settings
 from markermend_app.actions import palette, shortcuts
@@ -19,27 +18,12 @@ from markermend_app.actions.elsewhere import elsewhere
 from markermend_app.actions.shortcut_sheet import ShortcutSheet
 from markermend_app.actions.synonyms import SYNONYMS
 from markermend_app.actions.table import ACTIONS
-from markermend_app.window import MainWindow
 
 
 @pytest.fixture
-def window(qtbot, damaged, tmp_path):
-    """The window with a damaged take under review."""
-    take, truth = damaged
-    made = MainWindow()
-
-    def quiet(window):
-        if window.document.session is not None:
-            window.document.session.mark_exported()
-
-    qtbot.addWidget(made, before_close_func=quiet)
-    made.show()
-    made.activateWindow()
-    qtbot.waitExposed(made)
-    made.document.open(open_session(take, folder=tmp_path), infer_mesh(take))
-    made.document.add_detected(truth, "truth")
-    made.document.step(1)
-    return made
+def window(review, damaged):
+    """A window with a take under review."""
+    return review(*damaged)
 
 
 def press(qtbot, window, key, held=Qt.KeyboardModifier.NoModifier):

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from sudden import hurt, sudden
 
 import markermend as mm
 from markermend.artifact import Kind, damage_mask
@@ -28,17 +29,6 @@ REVIEWED = Path(__file__).with_name("reviewed")
 @pytest.fixture(scope="module")
 def performer():
     return simulate_clean(duration_s=10.0, rate=120.0, seed=5)
-
-
-def sudden(take, **changes):
-    found = mm.detect(take, method="joint", params=JointParams(slow=False, **changes))
-    return [a for a in found if a.kind is not Kind.GAP]
-
-
-def hurt(take, marker, axis, start, deviation):
-    positions = take.positions.copy()
-    positions[start : start + len(deviation), take.index(marker), axis] += deviation
-    return Take(positions, take.labels, take.rate)
 
 
 @pytest.mark.parametrize("rate", [100.0, 120.0, 240.0])

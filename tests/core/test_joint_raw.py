@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from sudden import hurt, sudden
 
 import markermend as mm
 from markermend.artifact import Artifact, Kind
@@ -23,17 +24,6 @@ from markermend.take import Take
 @pytest.fixture(scope="module")
 def performer():
     return simulate_clean(duration_s=10.0, rate=120.0, seed=5)
-
-
-def sudden(take, **changes):
-    found = mm.detect(take, method="joint", params=JointParams(slow=False, **changes))
-    return [a for a in found if a.kind is not Kind.GAP]
-
-
-def hurt(take, marker, axis, start, deviation):
-    positions = take.positions.copy()
-    positions[start : start + len(deviation), take.index(marker), axis] += deviation
-    return Take(positions, take.labels, take.rate)
 
 
 @pytest.mark.parametrize("rate", [60.0, 120.0, 250.0])

@@ -6,9 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from sudden import sudden
 
-import markermend as mm
-from markermend.artifact import Kind
 from markermend.detectors.joint import JointParams
 from markermend.detectors.joint.witness import LARGEST_WEIGHT, ask
 from markermend.simulation import contaminate, simulate_clean
@@ -25,10 +24,6 @@ def damaged():
 def residuals_of(take, seed):
     shape = take.positions.shape[:2]
     return np.random.default_rng(seed).uniform(0.45, 0.5, shape).astype(np.float32)
-
-
-def sudden(take):
-    return [a for a in mm.detect(take, params=PARAMS) if a.kind is not Kind.GAP]
 
 
 def with_changes(take, truth):

@@ -7,12 +7,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from gaps import gap, hide
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from recordings import read_named
 
 from markermend.arrays import FloatArray
-from markermend.artifact import Artifact, Kind
 from markermend.bench.gaps import GapRow, read_cases, replay, summarise
 from markermend.mesh import Group, Mesh
 from markermend.repairs import REPAIRS, propose
@@ -48,16 +48,6 @@ def rigid_take(frames: int = 600) -> Take:
 
 def one_group(take: Take) -> Mesh:
     return Mesh(take.labels, (Group("Body", "", tuple(range(take.markers))),))
-
-
-def hide(take: Take, label: str, start: int, stop: int) -> Take:
-    positions = take.positions.copy()
-    positions[start:stop, take.index(label)] = np.nan
-    return Take(positions, take.labels, take.rate)
-
-
-def gap(label: str, start: int, stop: int) -> Artifact:
-    return Artifact(label, "xyz", start, stop, Kind.GAP)
 
 
 def lonely(values: FloatArray) -> Take:

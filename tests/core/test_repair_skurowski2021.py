@@ -7,10 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from gaps import gap, hide
 from recordings import read_named
 
 from markermend.arrays import BoolArray, FloatArray
-from markermend.artifact import Artifact, Kind
 from markermend.bench.gaps import GapRow, read_cases, replay, summarise
 from markermend.mesh import Group, Mesh
 from markermend.repairs import evidence_for, propose
@@ -37,16 +37,6 @@ def body(frames: int = 800, markers: int = 6, seed: int = 0) -> Take:
     own = (waves(frames, 3, seed + 1) @ rng.normal(size=(3, markers * 3))) * 0.05
     positions = shared + own.reshape(frames, markers, 3)
     return Take(positions, tuple(f"M{i}" for i in range(markers)), 100.0)
-
-
-def hide(take: Take, label: str, start: int, stop: int) -> Take:
-    positions = take.positions.copy()
-    positions[start:stop, take.index(label)] = np.nan
-    return Take(positions, take.labels, take.rate)
-
-
-def gap(label: str, start: int, stop: int) -> Artifact:
-    return Artifact(label, "xyz", start, stop, Kind.GAP)
 
 
 def test_thirty_inputs_make_275_parameters() -> None:

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from gaps import gap, hide
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -62,16 +63,6 @@ def rigid_take(frames: int = 600, seed: int = 0) -> Take:
     return Take(positions, tuple(f"M{i}" for i in range(len(BODY))), RATE)
 
 
-def with_missing(take: Take, label: str, start: int, stop: int) -> Take:
-    positions = take.positions.copy()
-    positions[start:stop, take.index(label)] = np.nan
-    return Take(positions, take.labels, take.rate)
-
-
-def gap(label: str, start: int, stop: int) -> Artifact:
-    return Artifact(label, "xyz", start, stop, Kind.GAP)
-
-
 def lonely(values: FloatArray) -> Take:
     """A take of one marker only."""
     return Take(values[:, None], ("M0",), RATE)
@@ -110,7 +101,7 @@ def test_method_touches_only_its_interval_and_axes(rigid: Take, name: str, axes:
 
 @pytest.mark.parametrize("name", list(REPAIRS))
 def test_method_fills_a_gap_or_says_why(rigid: Take, name: str) -> None:
-    take = with_missing(rigid, "M1", 250, 262)
+    take = hide(rigid, "M1", 250, 262)
     done = propose(take, gap("M1", 250, 262), method=name)
     assert done.method == name
     if done.patches:
@@ -145,7 +136,7 @@ def test_method_survives_a_take_where_little_is_known(name: str) -> None:
 def test_curves_reproduce_a_straight_line(start: int, length: int, slope: float, name: str) -> None:
     t = np.arange(100.0)
     truth = np.stack([slope * t, 7.0 - slope * t, np.full(100, 3.0)], axis=1)
-    take = with_missing(lonely(truth), "M0", start, start + length)
+    take = hide(lonely(truth), "M0", start, start + length)
     done = propose(take, gap("M0", start, start + length), method=name)
     assert np.allclose(done.patches[0].values, truth[start : start + length], atol=1e-6)
 
@@ -153,7 +144,7 @@ def test_curves_reproduce_a_straight_line(start: int, length: int, slope: float,
 def test_spline_reproduces_a_cubic() -> None:
     t = np.linspace(-1, 1, 120)
     truth = np.stack([100 * t**3 - 40 * t, 30 * t**2, 5 * t**3 + t**2], axis=1)
-    take = with_missing(lonely(truth), "M0", 50, 70)
+    take = hide(lonely(truth), "M0", 50, 70)
     done = propose(take, gap("M0", 50, 70), method="spline")
     assert np.allclose(done.patches[0].values, truth[50:70], atol=1e-8)
 
@@ -173,13 +164,13 @@ def test_savgol_reproduces_a_polynomial_of_its_order_up_to_the_ends() -> None:
 def test_curves_do_not_extrapolate(
     rigid: Take, name: str, start: int, stop: int, word: str
 ) -> None:
-    done = propose(with_missing(rigid, "M1", start, stop), gap("M1", start, stop), method=name)
+    done = propose(hide(rigid, "M1", start, stop), gap("M1", start, stop), method=name)
     assert not done.patches
     assert word in done.reason
 
 
 def test_too_few_samples_are_told_as_an_operator_would(rigid: Take) -> None:
-    gone = propose(with_missing(rigid, "M1", 0, 300), gap("M1", 300, 310), method="kalman")
+    gone = propose(hide(rigid, "M1", 0, 300), gap("M1", 300, 310), method="kalman")
     assert gone.reason == "M1 has no trusted samples near the interval's beginning; needed: 4."
     assert "only one trusted sample near the interval's end" in too_few("M1", 9, 1, 2)
     assert "only 3 trusted samples near the interval's end" in too_few("M1", 9, 3, 4)
@@ -234,7 +225,7 @@ def test_swap_refuses_the_same_name_twice(rigid: Take) -> None:
 
 
 def test_swap_exchanges_a_gap_too(rigid: Take) -> None:
-    truth = with_missing(rigid, "M1", 120, 140).positions
+    truth = hide(rigid, "M1", 120, 140).positions
     mixed = truth.copy()
     mixed[100:180, [1, 2]] = mixed[100:180, [2, 1]]
     take = Take(mixed, rigid.labels, RATE)
@@ -256,7 +247,7 @@ def test_leave_empty_makes_a_gap_and_refuses_half_samples(rigid: Take) -> None:
 
 @pytest.mark.parametrize(("start", "stop"), [(0, 60), (200, 215), (250, 400), (540, 600)])
 def test_local_regression_reproduces_a_rigid_body(rigid: Take, start: int, stop: int) -> None:
-    take = with_missing(rigid, "M4", start, stop)
+    take = hide(rigid, "M4", start, stop)
     done = propose(take, gap("M4", start, stop), method="local_regression")
     error = np.linalg.norm(done.patches[0].values - rigid.positions[start:stop, 4], axis=1)
     assert error.max() < 1e-3
@@ -265,13 +256,13 @@ def test_local_regression_reproduces_a_rigid_body(rigid: Take, start: int, stop:
 
 
 def test_local_regression_works_with_a_missing_reference(rigid: Take) -> None:
-    take = with_missing(with_missing(rigid, "M4", 200, 300), "M5", 250, 320)
+    take = hide(hide(rigid, "M4", 200, 300), "M5", 250, 320)
     clean = fill(take)
     assert np.abs(clean.positions - rigid.positions).max() < 1e-3
 
 
 def test_damage_in_a_reference_is_not_believed(rigid: Take) -> None:
-    damaged = with_missing(rigid, "M4", 200, 260).positions.copy()
+    damaged = hide(rigid, "M4", 200, 260).positions.copy()
     damaged[190:270, 5] += 80.0
     take = Take(damaged, rigid.labels, RATE)
     step = Artifact("M5", "xyz", 190, 270, Kind.STEP)
@@ -289,12 +280,12 @@ def test_choice_by_kind() -> None:
 def test_auto_falls_back_and_says_why() -> None:
     t = np.arange(200) / RATE
     wave = np.stack([np.sin(t), np.cos(t), t], axis=1) * 100
-    take = with_missing(lonely(wave), "M0", 80, 90)
+    take = hide(lonely(wave), "M0", 80, 90)
     done = propose(take, gap("M0", 80, 90))
     assert done.method == "kalman"
     assert done.patches
     assert done.reason
-    long = propose(with_missing(lonely(wave), "M0", 40, 160), gap("M0", 40, 160))
+    long = propose(hide(lonely(wave), "M0", 40, 160), gap("M0", 40, 160))
     assert not long.patches
     assert long.reason
 
@@ -310,7 +301,7 @@ def test_repair_leaves_what_is_rejected_doubtful_or_done(rigid: Take) -> None:
 
 
 def test_patches_of_repair_all_give_what_repair_gives(rigid: Take) -> None:
-    damaged = with_missing(rigid, "M4", 200, 260).positions.copy()
+    damaged = hide(rigid, "M4", 200, 260).positions.copy()
     damaged[100, 4, 0] += 30.0
     damaged[300:340, 6] += 20.0
     take = Take(damaged, rigid.labels, RATE)
@@ -339,7 +330,7 @@ def test_repair_can_be_cancelled(rigid: Take) -> None:
 
 
 def test_fill_takes_gaps_up_to_the_longest_named(rigid: Take) -> None:
-    take = with_missing(with_missing(rigid, "M1", 50, 55), "M2", 100, 150)
+    take = hide(hide(rigid, "M1", 50, 55), "M2", 100, 150)
     assert [(g.marker, g.length) for g in find_gaps(take)] == [("M1", 5), ("M2", 50)]
     with pytest.raises(MethodError, match="whole number"):
         fill(take, max_gap=0.2)
@@ -370,7 +361,7 @@ def test_wrong_requests_are_errors(rigid: Take) -> None:
 
 
 def test_evidence_excludes_missing_and_flagged(rigid: Take) -> None:
-    take = with_missing(rigid, "M1", 10, 20)
+    take = hide(rigid, "M1", 10, 20)
     flags = [
         Artifact("M2", "y", 30, 60, Kind.NOISE),
         replace(Artifact("M3", "x", 30, 31, Kind.PEAK), status=Status.REPAIRED),
@@ -403,7 +394,7 @@ def test_a_missing_limb_is_worked_out_from_repairs_and_says_so(rigid: Take) -> N
 def test_what_would_be_far_off_is_left_with_its_expected_error() -> None:
     rng = np.random.default_rng(0)
     steps = rng.normal(size=(400, 5, 3)).cumsum(axis=0) * 40
-    take = with_missing(Take(steps, tuple("ABCDE"), RATE), "A", 100, 190)
+    take = hide(Take(steps, tuple("ABCDE"), RATE), "A", 100, 190)
     done = propose(take, gap("A", 100, 190))
     assert not done.patches
     assert "mm off" in done.reason
@@ -423,7 +414,7 @@ def test_what_is_named_is_not_left_for_being_far_off_and_says_how_far() -> None:
 
 
 def test_a_repaired_take_is_the_same_whether_a_model_is_measured_or_not(rigid: Take) -> None:
-    take = with_missing(rigid, "M4", 250, 350)
+    take = hide(rigid, "M4", 250, 350)
     ((_, told),) = repair_all(take, find_gaps(take), method="lpr")
     assert told.error_mm is not None
     named = repair(take, find_gaps(take), method="lpr")
@@ -434,7 +425,7 @@ def test_a_repaired_take_is_the_same_whether_a_model_is_measured_or_not(rigid: T
 def test_local_regression_does_not_follow_noise(rigid: Take, noise_mm: float) -> None:
     rng = np.random.default_rng(4)
     noisy = rigid.positions + rng.normal(0, noise_mm, rigid.positions.shape)
-    take = with_missing(Take(noisy, rigid.labels, RATE), "M4", 250, 350)
+    take = hide(Take(noisy, rigid.labels, RATE), "M4", 250, 350)
     done = propose(take, gap("M4", 250, 350))
     error = np.linalg.norm(done.patches[0].values - rigid.positions[250:350, 4], axis=1).mean()
     assert error < 1.5 * noise_mm
