@@ -141,9 +141,9 @@ class Document(Looking):
         self._propose()
 
     def step(self, by: int) -> None:
-        """Go to the next (1) or previous (-1) artifact of the queue."""
-        if not self.queue:
-            return
+        """Go to the next (1) or previous (-1) artifact of the queue; with none, to any marker."""
+        if self.session is not None and not self.queue and not self.shown:
+            self.show(self.session.original.labels[:1])
         if self._current in self.queue:
             i = self.queue.index(self._current) + by
         else:

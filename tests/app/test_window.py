@@ -278,6 +278,16 @@ def test_a_take_in_which_nothing_was_found_is_not_searched_again(qtbot, take_pat
         window.close()
 
 
+def test_where_nothing_was_found_a_marker_is_shown_all_the_same(window, qtbot, tmp_path):
+    mm.write(mm.simulate(duration_s=3, damaged=False)[0], tmp_path / "clean.c3d")
+    window.commands.open_path(tmp_path / "clean.c3d")
+    qtbot.waitUntil(lambda: window.document.session is not None, timeout=WAIT)
+    qtbot.waitUntil(lambda: bool(window.document.session.history), timeout=WAIT)
+    assert window.document.session.artifacts == ()
+    assert window.document.shown == window.document.session.original.labels[:1]
+    assert window.trajectories.canvas.isVisible()
+
+
 def test_the_window_fits_small_screens(window):
     assert window.minimumSizeHint().width() <= 1024
     assert window.minimumSizeHint().height() <= 760
