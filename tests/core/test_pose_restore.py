@@ -18,7 +18,7 @@ from markermend.poses.normal import bone_lengths
 from markermend.poses.nuitrack import to_nuitrack
 from markermend.poses.quaternion import between, turn, unit
 from markermend.poses.restore import INFERRED, denoise, restore
-from markermend.poses.smoothing import noise_level, smooth, smooth_again
+from markermend.poses.smoothing import noise_level, smooth, smooth_again, smooth_bands
 
 
 def arm(frames=400, rate=100.0):
@@ -143,6 +143,21 @@ def test_smoothing_again_takes_bias_and_gaps_out_of_the_pilot():
     assert np.std(again - clean) < 0.9 * np.std(pilot - clean)
     # It need not believe a pilot that is wrong.
     assert np.std(smooth_again(noisy, 0.8 * clean, noise, 60.0) - clean) < 0.5 * 0.02
+
+
+def test_each_pace_keeps_what_moves_together_at_it():
+    random = np.random.default_rng(6)
+    t = np.arange(1200) / 60
+    slow, quick = np.sin(2 * np.pi * 0.4 * t), np.sin(2 * np.pi * 6.0 * t)
+    together = random.normal(size=(2, 12))
+    clean = 8.0 * np.outer(slow, together[0]) + 4.0 * np.outer(quick, together[1])
+    noisy = clean + random.normal(size=clean.shape)
+    assert_allclose(smooth_bands(1e4 * clean, 1e4 * clean, 60.0), 1e4 * clean, atol=2.0)
+    found = smooth_bands(noisy, clean + 0.3 * random.normal(size=clean.shape), 60.0)
+    assert np.std(found - clean) < 0.35
+    short = smooth_bands(noisy[:9], clean[:9], 60.0)
+    assert short.shape == (9, 12)
+    assert np.isfinite(short).all()
 
 
 def test_an_elbow_between_joints_that_are_seen_settles_where_this_arm_bends():

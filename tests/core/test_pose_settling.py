@@ -6,7 +6,7 @@ import numpy as np
 from numpy.testing import assert_allclose
 
 from markermend.poses.quaternion import turn, unit
-from markermend.poses.settling import settle
+from markermend.poses.settling import settle, settle_in_time
 
 PARENTS = (-1, 0, 1, 2)
 
@@ -48,3 +48,19 @@ def test_what_is_hardly_known_follows_the_rest():
     variance[80:90, 3, :3] = 0.1
     settled = settle(features, variance, truth, PARENTS, range(4))
     assert np.abs(settled - truth)[80:90, 3].max() < 0.01
+
+
+def test_joints_smoothed_in_time_come_nearer_than_each_pose_by_itself():
+    truth = chain(400)
+    variance = np.full(truth.shape, 0.02**2)
+    noisy = truth.copy()
+    noisy[:, 1:] += np.random.default_rng(1).normal(0, 0.02, noisy[:, 1:].shape)
+    unmeasured = np.s_[100:130, 3, :3]
+    pilot = settle(noisy, variance, truth, PARENTS, range(4))
+    noisy[unmeasured] = pilot[unmeasured]
+    noisy[50:, 2, 3:] *= -1.0
+    found = settle_in_time(noisy, variance, pilot, PARENTS, range(4), 60.0)
+    assert (np.sum(found[..., 3:] * noisy[..., 3:], axis=2) > 0.9).all()
+    found[50:, 2, 3:] *= -1.0
+    assert np.abs(found - truth).mean() < 0.65 * np.abs(pilot - truth).mean()
+    assert np.abs(found - truth)[unmeasured].mean() < 0.7 * np.abs(pilot - truth)[unmeasured].mean()

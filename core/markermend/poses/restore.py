@@ -19,7 +19,7 @@ from markermend.poses.nuitrack import mirrored
 from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior, fitting, shipped_prior
 from markermend.poses.quaternion import signed_like
-from markermend.poses.settling import settle
+from markermend.poses.settling import settle, settle_in_time
 from markermend.poses.smoothing import LEAST_NOISE, noise_level, smooth, smooth_again
 from markermend.poses.stance import stance
 from markermend.progress import Progress, quiet
@@ -163,6 +163,7 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
         again = np.where(known, channels.values[:, usable], pilot)
         whole[:, usable] = smooth_again(again, pilot, noise[usable], pose.rate)
         features, bones = _agreed(whole, variance, channels, pose, known_joints, level)
+        features = _in_time(features, channels, noise, pose)
     features = _with_bones(features, known_joints, bones)
     return _finished(pose, features, channels, noise, variance)
 
@@ -210,6 +211,19 @@ def _agreed(
             settled[..., 3:][known[1]] = features[..., 3:][known[1]]
         features = settled
     return features, bones
+
+
+def _in_time(features: FloatArray, channels: Channels, noise: FloatArray, pose: Pose) -> FloatArray:
+    """(frames, joints, 7) smoothed from what was measured in the coordinates of joints."""
+    if pose.frames < _SETTLES or np.isnan(features).any():
+        return features
+    pilot = _columns(features, channels)
+    measured = features.copy()
+    values = np.where(channels.known, channels.values, pilot)
+    measured[:, channels.joints] = values.reshape(pose.frames, -1, FEATURES)
+    variance = np.ones(features.shape)
+    variance[:, channels.joints] = (noise**2).reshape(-1, FEATURES)
+    return settle_in_time(measured, variance, features, pose.parents, pose.order, pose.rate)
 
 
 def _with_bones(

@@ -23,10 +23,12 @@ _MOST = 1.5
 # Shorter recordings: blocks in which noise is looked for, how calm a block and a channel to take.
 _BLOCK, _CALM, _CALM_CHANNELS = 16, 0.1, 0.25
 # Cut-offs tried, as shares of the frame rate; the time over which they compete, and how sharply.
-_CUTOFFS = np.geomspace(0.002, 0.45, 16)
+_CUTOFFS = np.geomspace(0.004, 0.4, 7)
 _WINDOW_S, _SHARP = 0.6, 0.1
 # The same where a pilot tells the risk, which chance then has no part in.
 _PILOT_WINDOW_S, _PILOT_SHARP = 0.3, 0.2
+# Middle of the slowest band, how much wider the next one is, and the last one's share of the rate.
+_SLOWEST_HZ, _WIDER, _FASTEST = 1.0, 2.5, 0.4
 
 
 def noise_level(values: FloatArray, known: BoolArray) -> FloatArray:
@@ -199,6 +201,56 @@ def smooth_each(values: FloatArray, rate: float, pilot: FloatArray | None = None
         total = fall * total + share * out
         weight = fall * weight + share
     return total / weight
+
+
+def smooth_bands(values: FloatArray, pilot: FloatArray, rate: float) -> FloatArray:
+    """Smooth channels of unit white noise by what a pilot does at each pace.
+
+    Parameters
+    ----------
+    values : (frames, channels)
+    pilot : the same near the truth
+    rate : frames per second
+
+    Returns
+    -------
+    (frames, channels)
+
+    Notes
+    -----
+    What moves together depends on how fast it moves. So both are divided into bands of frequency
+    that overlap; in each band the principal components of the pilot are found, and each keeps the
+    share that Wiener's filter gives it from the power that the pilot has there for a short time.
+    """
+    frames = len(values)
+    line = np.linspace(pilot[0], pilot[-1], frames)
+    spectrum, guiding = _spectrum(values - line), _spectrum(pilot - line)
+    found = line
+    for pace, band in _bands(len(spectrum), rate):
+        guide, here = (
+            _from_spectrum(power * band[:, None], frames) for power in (guiding, spectrum)
+        )
+        _, axes = np.linalg.eigh(guide.T @ guide)
+        window_s = max(_PILOT_WINDOW_S, 0.5 / pace)
+        window = min(2 * round(0.5 * window_s * rate) + 1, frames)
+        power = uniform_filter1d((guide @ axes) ** 2, window, axis=0, mode="nearest")
+        found = found + (here @ axes * power / (power + np.mean(band**2))) @ axes.T
+    return np.asarray(found)
+
+
+def _bands(count: int, rate: float) -> list[tuple[float, FloatArray]]:
+    """Middles in hertz and weights (count,) of bands that add up to one."""
+    middles = _SLOWEST_HZ * _WIDER ** np.arange(
+        max(int(np.log(_FASTEST * rate / _SLOWEST_HZ) / np.log(_WIDER)), 0) + 2
+    )
+    pitch = 0.5 * rate * np.maximum(np.arange(count), 0.5) / count
+    place = np.interp(np.log(pitch), np.log(middles), np.arange(len(middles)))
+    weights = [np.clip(1.0 - np.abs(place - n), 0.0, 1.0) for n in range(len(middles))]
+    return [
+        (float(middle), np.sin(0.5 * np.pi * weight) ** 2)
+        for middle, weight in zip(middles, weights, strict=True)
+        if weight.any()
+    ]
 
 
 def _spectrum(values: FloatArray) -> FloatArray:

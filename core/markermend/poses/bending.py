@@ -1,0 +1,177 @@
+"""How a body bends: its joints in their parents' axes, and what each bend moves."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from markermend.arrays import FloatArray, IntArray
+from markermend.poses.normal import FEATURES
+from markermend.poses.quaternion import inverse, multiply, turn
+
+# Of each joint: three numbers say how it is turned in its parent's axes, three where it is.
+_LOCAL = 6
+# Directions in which a body varies less than this share of its largest are those it cannot move in.
+_LEAST = 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class Bends:
+    """Poses as coordinates along the directions that a body bends in.
+
+    Attributes
+    ----------
+    poses : (frames, joints, 7) the poses that bends were found from
+    parents : index of each joint's parent, -1 for the root
+    joints : all but the root, parents first
+    at : (frames, n) the same poses as coordinates, of mean 0 and variance 1
+    """
+
+    poses: FloatArray
+    parents: tuple[int, ...]
+    joints: tuple[int, ...]
+    at: FloatArray
+    _local: FloatArray
+    _middle: dict[int, FloatArray]
+    _mean: FloatArray
+    _directions: FloatArray
+
+    def slopes(self, frames: IntArray) -> FloatArray:
+        """(frames, joints · 7, n) how features of some frames change with coordinates."""
+        return _linear(
+            self._local[frames],
+            self.poses[frames],
+            self.parents,
+            self.joints,
+            self._middle,
+            self._directions,
+        )
+
+    def features(self, at: FloatArray, like: FloatArray) -> FloatArray:
+        """(frames, joints, 7) of coordinates; signs of rotations and the root as in ``like``."""
+        local = self._mean + at @ self._directions.T
+        return _from_local(local, like, self.parents, self.joints, self._middle)
+
+
+def find_bends(poses: FloatArray, parents: Sequence[int], order: Sequence[int]) -> Bends:
+    """Find the directions that a body bends in.
+
+    Parameters
+    ----------
+    poses : (frames, joints, 7) relative to the root, without NaN, rotations of unit length
+    parents : index of each joint's parent, -1 for the root
+    order : joints, parents first
+    """
+    joints = tuple(j for j in order if parents[j] >= 0)
+    middle = _middles(poses, parents, joints)
+    local = _to_local(poses, parents, joints, middle)
+    mean = local.mean(axis=0)
+    spread, axes = np.linalg.eigh(np.cov(local.T))
+    kept = spread > _LEAST * spread[-1]
+    scale = np.sqrt(spread[kept])
+    at = (local - mean) @ axes[:, kept] / scale
+    return Bends(poses, tuple(parents), joints, at, local, middle, mean, axes[:, kept] * scale)
+
+
+def _middles(
+    features: FloatArray, parents: Sequence[int], joints: Sequence[int]
+) -> dict[int, FloatArray]:
+    """Mean rotation of each joint in its parent's axes."""
+    return {
+        j: Rotation.from_quat(_relative(features, parents[j], j)).mean().as_quat() for j in joints
+    }
+
+
+def _relative(features: FloatArray, parent: int, joint: int) -> FloatArray:
+    """(frames, 4) rotation of a joint in its parent's axes."""
+    return multiply(inverse(features[:, parent, 3:]), features[:, joint, 3:])
+
+
+def _to_local(
+    features: FloatArray,
+    parents: Sequence[int],
+    joints: Sequence[int],
+    middle: dict[int, FloatArray],
+) -> FloatArray:
+    """(frames, joints · 6) rotation vectors about the mean rotation, and places."""
+    local = np.empty((len(features), len(joints), _LOCAL))
+    for n, joint in enumerate(joints):
+        parent = parents[joint]
+        own = multiply(inverse(middle[joint]), _relative(features, parent, joint))
+        local[:, n, :3] = Rotation.from_quat(own).as_rotvec()
+        bone = features[:, joint, :3] - features[:, parent, :3]
+        local[:, n, 3:] = turn(inverse(features[:, parent, 3:]), bone)
+    return local.reshape(len(features), -1)
+
+
+def _from_local(
+    local: FloatArray,
+    like: FloatArray,
+    parents: Sequence[int],
+    joints: Sequence[int],
+    middle: dict[int, FloatArray],
+) -> FloatArray:
+    """(frames, joints, 7); signs of rotations as in ``like``, from which the root is taken."""
+    parts = local.reshape(len(local), len(joints), _LOCAL)
+    out = like.copy()
+    for n, joint in enumerate(joints):
+        parent = parents[joint]
+        own = multiply(middle[joint], Rotation.from_rotvec(parts[:, n, :3]).as_quat())
+        turned = multiply(out[:, parent, 3:], own)
+        other = np.sum(turned * like[:, joint, 3:], axis=1, keepdims=True) < 0
+        out[:, joint, 3:] = np.where(other, -turned, turned)
+        out[:, joint, :3] = out[:, parent, :3] + turn(out[:, parent, 3:], parts[:, n, 3:])
+    return out
+
+
+def _linear(
+    local: FloatArray,
+    poses: FloatArray,
+    parents: Sequence[int],
+    joints: Sequence[int],
+    middle: dict[int, FloatArray],
+    directions: FloatArray,
+) -> FloatArray:
+    """(frames, joints · 7, directions) how poses, given also as local, change along directions."""
+    frames, columns = len(local), directions.shape[1]
+    turning, moving = np.zeros((2, poses.shape[1], frames, 3, columns))
+    slopes = np.empty((frames, len(joints), FEATURES, columns))
+    for n, joint in enumerate(joints):
+        parent, k = parents[joint], _LOCAL * n
+        axes = Rotation.from_quat(poses[:, parent, 3:]).as_matrix()
+        own = axes @ Rotation.from_quat(middle[joint]).as_matrix()
+        bends = own @ _left_jacobian(local[:, k : k + 3])
+        bone = _cross(poses[:, joint, :3] - poses[:, parent, :3])
+        turning[joint] = turning[parent] + bends @ directions[k : k + 3]
+        moving[joint] = moving[parent] - bone @ turning[parent] + axes @ directions[k + 3 : k + 6]
+        slopes[:, n, :3] = moving[joint]
+        slopes[:, n, 3:] = _by_turning(poses[:, joint, 3:]) @ turning[joint]
+    return slopes.reshape(frames, -1, columns)
+
+
+def _cross(v: FloatArray) -> FloatArray:
+    """(n, 3, 3) matrices that multiply as the vectors' cross product."""
+    x, y, z = v.T
+    zero = np.zeros_like(x)
+    return np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=1).reshape(-1, 3, 3)
+
+
+def _left_jacobian(v: FloatArray) -> FloatArray:
+    """(n, 3, 3) how the rotation turns as its rotation vector changes."""
+    angle = np.maximum(np.sqrt(np.sum(v**2, axis=1)), 1e-4)[:, None, None]
+    across = _cross(v)
+    return np.asarray(
+        np.eye(3)
+        + (1.0 - np.cos(angle)) / angle**2 * across
+        + (angle - np.sin(angle)) / angle**3 * (across @ across)
+    )
+
+
+def _by_turning(q: FloatArray) -> FloatArray:
+    """(n, 4, 3) how quaternions change as they are turned about x, y and z."""
+    x, y, z, w = q.T
+    rows = [w, z, -y, -z, w, x, y, -x, w, -x, -y, -z]
+    return 0.5 * np.stack(rows, axis=1).reshape(-1, 4, 3)
