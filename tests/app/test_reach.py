@@ -19,6 +19,9 @@ from PySide6.QtWidgets import (
 )
 
 from markermend_app.actions.shortcut_sheet import ShortcutSheet
+from markermend_app.dialogs.alike import AlikeDialog
+from markermend_app.dialogs.export import ExportDialog
+from markermend_app.dialogs.manual import Manual
 from markermend_app.dialogs.preferences import Preferences
 from markermend_app.style import theme
 from markermend_app.style.looks import LOOKS
@@ -59,17 +62,32 @@ def parts(top):
             yield widget
 
 
+def dialogs(window, qtbot):
+    """Every dialog of the app that has more in it than a question."""
+    found = window.document.session.artifacts
+    window.smoothing.smooth()
+    window.bulk.repair_alike()
+    made = (
+        window.smoothing.dialog,
+        Preferences(window),
+        ShortcutSheet(window),
+        window.findChild(AlikeDialog),
+        ExportDialog(window, found, found[:1], ("LKneeAngles",), 1, True),
+        Manual(window),
+    )
+    for dialog in made:
+        qtbot.addWidget(dialog)
+    return made
+
+
 def called(widget):
     """For an assertion's message."""
     return f"{type(widget).__name__} {widget.objectName()!r} in {type(widget.parent()).__name__}"
 
 
 def test_everything_has_a_name(window, qtbot):
-    page, sheet = Preferences(window), ShortcutSheet(window)
-    for dialog in (page, sheet):
-        qtbot.addWidget(dialog)
     without = []
-    for top in (window, page, sheet):
+    for top in (window, *dialogs(window, qtbot)):
         for widget in parts(top):
             text = widget.text() if isinstance(widget, QAbstractButton) else ""
             label = getattr(widget, "accessibleName", str)()
@@ -127,6 +145,28 @@ def test_the_focus_is_seen(window, qtbot, qapp, look):
         widget.setFocus(Qt.FocusReason.TabFocusReason)
         if window.focusWidget() is widget and widget.grab().toImage() == without:
             plain.append(called(widget))
+    assert not plain, "\n".join(plain)
+
+
+def test_the_focus_is_seen_in_dialogs_and_tab_reaches_all_of_them(window, qtbot, qapp):
+    theme.watcher.name = ""
+    theme._wear(qapp, LOOKS["contrast-light"])
+    plain, missed = [], []
+    for dialog in dialogs(window, qtbot):
+        dialog.show()
+        dialog.activateWindow()
+        qtbot.waitUntil(dialog.isActiveWindow)
+        found = reached(dialog)
+        usable = (w for w in parts(dialog) if w.isVisible() and w.isEnabled())
+        missed += [called(w) for w in usable if w not in found]
+        for widget in found:
+            widget.clearFocus()
+            without = widget.grab().toImage()
+            widget.setFocus(Qt.FocusReason.TabFocusReason)
+            if dialog.focusWidget() is widget and widget.grab().toImage() == without:
+                plain.append(called(widget))
+        dialog.hide()
+    assert not missed, "\n".join(missed)
     assert not plain, "\n".join(plain)
 
 
