@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 from collections import Counter
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -21,6 +22,7 @@ from markermend.cli import main
 from markermend.detectors import find_detector
 from markermend.errors import Cancelled, ExportError, FileFormatError, MarkermendError, MethodError
 
+Workers = Callable[[], list[multiprocessing.Process]]
 SLOWLESS = find_detector("paper").params(slow=False)
 RECIPE = Recipe(detector="paper", detector_params=SLOWLESS, min_confidence=0.95, record=True)
 
@@ -94,8 +96,15 @@ def test_review_lists_what_is_not_sure(undisturbed: tuple[Path, Heard], shoot: P
     assert unsure > 0
 
 
+@pytest.fixture
+def workers() -> Workers:
+    """Tell this test's processes; others may have left some that idle."""
+    before = multiprocessing.active_children()
+    return lambda: [p for p in multiprocessing.active_children() if p not in before]
+
+
 def test_one_process_and_its_death_change_no_byte(
-    undisturbed: tuple[Path, Heard], shoot: Path, tmp_path: Path
+    undisturbed: tuple[Path, Heard], shoot: Path, tmp_path: Path, workers: Workers
 ) -> None:
     killed: list[int] = []
 
@@ -103,7 +112,7 @@ def test_one_process_and_its_death_change_no_byte(
         def __call__(self, message: Message, take: Source, overall: float) -> None:
             super().__call__(message, take, overall)
             if message.what == "progress" and message.share >= 0.1 and not killed:
-                (worker,) = multiprocessing.active_children()
+                (worker,) = workers()
                 worker.kill()
                 killed.append(1)
 
@@ -163,13 +172,15 @@ def test_resume_does_what_is_left_or_changed(
     assert not is_done(job, sha256(out / "report.html"))
 
 
-def test_what_kills_every_worker_fails_and_the_rest_goes_on(shoot: Path, tmp_path: Path) -> None:
+def test_what_kills_every_worker_fails_and_the_rest_goes_on(
+    shoot: Path, tmp_path: Path, workers: Workers
+) -> None:
     (tmp_path / "short.c3d").write_bytes((shoot / "walk.c3d").read_bytes()[:3000])
     deaths: list[int] = []
 
     def kill(message: Message, take: Source, overall: float) -> None:
         if take.name == "run" and message.what == "started":
-            (worker,) = multiprocessing.active_children()
+            (worker,) = workers()
             worker.kill()
             deaths.append(1)
 
@@ -184,13 +195,13 @@ def test_what_kills_every_worker_fails_and_the_rest_goes_on(shoot: Path, tmp_pat
     assert "ended 2 times" in (tmp_path / "out/report.html").read_text(encoding="utf-8")
 
 
-def test_listener_can_stop_it(shoot: Path, tmp_path: Path) -> None:
+def test_listener_can_stop_it(shoot: Path, tmp_path: Path, workers: Workers) -> None:
     def stop(message: Message, take: Source, overall: float) -> None:
         raise Cancelled
 
     with pytest.raises(Cancelled):
         run_batch(find_takes([shoot]), tmp_path / "out", RECIPE, jobs=2, listener=stop)
-    assert multiprocessing.active_children() == []
+    assert workers() == []
 
 
 def test_command_line_tells_failures_and_ends_with_one(
