@@ -24,7 +24,7 @@ def table_strings() -> list[str]:
     """What is translated from tables rather than where it is written."""
     from markermend.repairs import REPAIRS
     from markermend.smoothers import SMOOTHERS
-    from markermend_app import detection, telling
+    from markermend_app import detection, report_words, telling
     from markermend_app.actions import synonyms
     from markermend_app.actions import table as actions
     from markermend_app.dialogs import params_form
@@ -45,6 +45,7 @@ def table_strings() -> list[str]:
     for quantity in plot_quantity.QUANTITIES.values():
         found += [quantity.title, quantity.meaning]
     found += [*artifact_text.STATUS_NAME.values(), *detection.DIALS, *telling.FORMS]
+    found += report_words.FORMS
     return list(dict.fromkeys(text for text in found if text))
 
 

@@ -132,12 +132,15 @@ FORMS = (*_FORMS.values(), *file_words.NAMES, *_PARTS, *_SIDES.values(), "{0} an
 
 
 @cache
+def compiled(form: str) -> re.Pattern[str]:
+    """What is written in a form, as an expression with a group for each of its parts."""
+    return re.compile(re.sub(r"\\\{\d\\\}", "(.+?)", re.escape(form)))
+
+
+@cache
 def _patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
     """Forms as expressions to match, and how each is told."""
-    return tuple(
-        (re.compile(re.sub(r"\\\{\d\\\}", "(.+?)", re.escape(form))), told)
-        for form, told in _FORMS.items()
-    )
+    return tuple((compiled(form), told) for form, told in _FORMS.items())
 
 
 def told(text: str) -> str:

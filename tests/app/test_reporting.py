@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import re
+from html import unescape
+
 import numpy as np
 from PySide6.QtGui import QDesktopServices
 
-from markermend.artifact import Status
+from markermend.artifact import Kind, Status
+from markermend_app import languages
 
 WAIT = 30_000
 
@@ -40,3 +44,40 @@ def test_a_folder_that_refuses_is_named(review, damaged, qtbot, tmp_path, monkey
     window.reporting.report_to(tmp_path / "nowhere" / "page.html")
     qtbot.waitUntil(lambda: bool(told), timeout=WAIT)
     assert "page.html could not be written" in told[0]
+
+
+def test_a_report_is_told_in_the_language_of_the_window(
+    review, damaged, qtbot, tmp_path, monkeypatch, qapp
+):
+    monkeypatch.setattr(QDesktopServices, "openUrl", lambda url: None)
+    monkeypatch.setattr(languages, "language", lambda: "de")
+    loaded = languages.install(qapp)
+    try:
+        window = review(*damaged)
+        document, target = window.document, tmp_path / "Mark {0} on tape.html"
+        gap = next(a for a in document.session.artifacts if a.kind is Kind.GAP)
+        document.select(gap.id)
+        document.do(lambda s: s.annotate(gap.id, "Repair it & see"))
+        qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+        document.repair_current()
+        document.reject([document.current.id])
+        window.reporting.report_to(target)
+        qtbot.waitUntil(lambda: target.exists(), timeout=WAIT)
+    finally:
+        for translator in loaded:
+            qapp.removeTranslator(translator)
+    page = target.read_text(encoding="utf-8")
+    read = re.sub(r"<(script|style).*?</\1>", "", page, flags=re.DOTALL)
+    words = [unescape(text).strip() for text in re.findall(r">([^<]+)<", read)]
+    assert '<html lang="de">' in page
+    assert {"Was repariert wurde", "Lücke", "Örtliche Regression", "2 von 4"} <= set(words)
+    assert "Als Fehlalarm abgelehnt." in words
+    # Names and what the operator wrote stay, and so do the values for programs.
+    assert "Mark {0} on tape" in words
+    assert any(text.startswith("✎ Repair it & see") for text in words)
+    assert '"status": "rejected"' in page
+    english = ("repaired", "gap", "Missing", "expected", "frames", "Found", "jumps", "Local")
+    given = {a.why for a in damaged[1]}
+    told = [text for text in words if "✎" not in text and text not in given]
+    assert [text for text in told if any(word in text for word in english)] == []
+    assert any("Spitze, Frame 251: belassen" in text for text in told)

@@ -157,6 +157,10 @@ def test_curves_are_valid_and_the_worst_come_first(cleaned) -> None:
     for picture in pictures:
         assert "nan" not in re.sub(r"<title>.*?</title>", "", picture).lower()
         ET.fromstring(picture)
+    # No label of a time is cut off at the right edge.
+    labels = re.findall(r'<text x="([\d.]+)" y="181" text-anchor="(\w+)">', "".join(pictures[1:]))
+    assert labels
+    assert all(float(x) + 14 * (anchor == "middle") <= 480 for x, anchor in labels)
     errors = [o.error_mm or 0.0 for o in worst(done, 99)]
     assert errors == sorted(errors, reverse=True)
 

@@ -9,10 +9,12 @@ from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from markermend.progress import Progress
+from markermend_app import languages
 from markermend_app.background.jobs import Lane
 from markermend_app.background.loading import proposed_place
 from markermend_app.dialogs import ask as dialogs
 from markermend_app.document import Document
+from markermend_app.report_words import told_report
 
 
 class Reporting(QObject):
@@ -50,14 +52,17 @@ class Reporting(QObject):
             return
         review = reviewed(session)
         title = path.name if path is not None else target.stem
+        code = languages.language()
 
         def work(progress: Progress) -> None:
             from markermend.files.atomic import write_contents
 
             progress(0.0, title)
-            page = review_report(review, name=title).encode()
+            page = review_report(review, name=title)
+            if code != "en":
+                page = told_report(page, {title, *review.before.labels}, code)
             progress(0.9, target.name)
-            write_contents(target, page)
+            write_contents(target, page.encode())
 
         def written(_: None) -> None:
             self.said.emit(self.tr("Report written to {0}.").format(target))

@@ -148,13 +148,13 @@ def _classes(done: Sequence[Outcome]) -> str:
         methods = Counter(o.method_label for o in of_kind if o.method)
         errors = [o.error_mm for o in of_kind if o.error_mm]
         unknown = _UNMEASURED if any(o.unmeasured for o in of_kind) else error(None)
-        how = ", ".join(f"{method} {n}" for method, n in methods.most_common()) or "–"
+        each = (f"<span>{escape(method)}</span> {n}" for method, n in methods.most_common())
         rows.append(
             [
                 kind.value,
                 str(len(of_kind)),
                 str(methods.total()),
-                escape(how),
+                ", ".join(each) or "–",
                 error(median(errors)) if errors else unknown,
                 error(max(errors)) if errors else unknown,
             ]

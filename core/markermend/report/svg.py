@@ -134,9 +134,10 @@ def curves(before: Take, after: Take, outcome: Outcome) -> str:
             f'<text x="{left - 5:g}" y="{y(mm) + 3:.1f}" text-anchor="end">{mm:g}</text>'
         )
     for second in ticks(float(time[0]), float(time[-1]), 5):
+        at = float(x(second))
+        anchor = "middle" if at < _CURVE_WIDTH - _MARGIN else "end"
         parts.append(
-            f'<text x="{x(second):.1f}" y="{bottom + 15:g}" text-anchor="middle">{second:g} s'
-            "</text>"
+            f'<text x="{at:.1f}" y="{bottom + 15:g}" text-anchor="{anchor}">{second:g} s</text>'
         )
     if band:
         around = time[a.start - first : a.stop - first]
@@ -219,7 +220,8 @@ def _caption(take: Take, o: Outcome) -> str:
     """What an artifact is and what was done about it, in one line."""
     a = o.artifact
     first, last = take.frame_number(a.start), take.frame_number(a.stop - 1)
+    frames = f"frame {first}" if first == last else f"frames {first}–{last}"
     done = o.method_label or "left"
     error = "" if o.error_mm is None else f", expected error {o.error_mm:.2f} mm"
     error = ", expected error not measured" if o.unmeasured else error
-    return f"{a.marker} {a.axes}, {a.kind.value}, frames {first}–{last}: {done}{error}"
+    return f"{a.marker} {a.axes}, {a.kind.value}, {frames}: {done}{error}"

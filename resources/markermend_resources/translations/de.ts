@@ -2056,6 +2056,182 @@
         <translation>Das Ergebnis läge etwa {0} mm daneben; zu weit, um es zu verwenden.</translation>
     </message>
     <message>
+        <source>{0} frames at {1} Hz ({2} s), {3} markers. {4}, Markermend {5}.</source>
+        <translation>{0} Frames mit {1} Hz ({2} s), {3} Marker. {4}, Markermend {5}.</translation>
+    </message>
+    <message>
+        <source>Detected by “{0}”</source>
+        <translation>Gefunden von „{0}“</translation>
+    </message>
+    <message>
+        <source>Searched for {0}</source>
+        <translation>Gesucht: {0}</translation>
+    </message>
+    <message>
+        <source>{0} and for {1}</source>
+        <translation>{0}; außerdem {1}</translation>
+    </message>
+    <message>
+        <source>gaps, peaks, noise and steps</source>
+        <translation>Lücken, Spitzen, Rauschen und Sprünge</translation>
+    </message>
+    <message>
+        <source>artifacts of all classes</source>
+        <translation>Artefakte aller Arten</translation>
+    </message>
+    <message>
+        <source>Missing before</source>
+        <translation>Fehlte vorher</translation>
+    </message>
+    <message>
+        <source>Missing after</source>
+        <translation>Fehlt jetzt</translation>
+    </message>
+    <message>
+        <source>Artifacts found</source>
+        <translation>Artefakte gefunden</translation>
+    </message>
+    <message>
+        <source>Repaired</source>
+        <translation>Repariert</translation>
+    </message>
+    <message>
+        <source>For review</source>
+        <translation>Noch zu prüfen</translation>
+    </message>
+    <message>
+        <source>Worst expected error</source>
+        <translation>Größter erwarteter Fehler</translation>
+    </message>
+    <message>
+        <source>An artifact</source>
+        <translation>Je Artefakt</translation>
+    </message>
+    <message>
+        <source>Time spent on it</source>
+        <translation>Zeit dafür</translation>
+    </message>
+    <message>
+        <source>{0} of {1}</source>
+        <translation>{0} von {1}</translation>
+    </message>
+    <message>
+        <source>Damage over time</source>
+        <translation>Schäden über der Zeit</translation>
+    </message>
+    <message>
+        <source>Worst repairs, before and after</source>
+        <translation>Unsicherste Reparaturen, vorher und nachher</translation>
+    </message>
+    <message>
+        <source>What was repaired</source>
+        <translation>Was repariert wurde</translation>
+    </message>
+    <message>
+        <source>What was left</source>
+        <translation>Was blieb, wie es war</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>belassen</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>after, with the expected deviation where it is known</source>
+        <translation>nachher, mit der erwarteten Abweichung, wo sie bekannt ist</translation>
+    </message>
+    <message>
+        <source>Nothing is damaged as far as can be seen.</source>
+        <translation>Soweit zu sehen ist, ist nichts beschädigt.</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Gefunden</translation>
+    </message>
+    <message>
+        <source>With</source>
+        <translation>Womit</translation>
+    </message>
+    <message>
+        <source>Median expected error</source>
+        <translation>Median des erwarteten Fehlers</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Frames</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>Sekunden</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>Expected error</source>
+        <translation>Erwarteter Fehler</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Sure</source>
+        <translation>Sicher zu</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>Anzeichen</translation>
+    </message>
+    <message>
+        <source>Left because</source>
+        <translation>Belassen, weil</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>frame {0}</source>
+        <translation>Frame {0}</translation>
+    </message>
+    <message>
+        <source>{0}, expected error {1} mm</source>
+        <translation>{0}, erwarteter Fehler {1} mm</translation>
+    </message>
+    <message>
+        <source>{0}, expected error not measured</source>
+        <translation>{0}, erwarteter Fehler nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Not decided yet.</source>
+        <translation>Noch nicht entschieden.</translation>
+    </message>
+    <message>
+        <source>Accepted: the flag is right, the samples are left.</source>
+        <translation>Angenommen: Der Befund stimmt, die Werte bleiben.</translation>
+    </message>
+    <message>
+        <source>Rejected as a false alarm.</source>
+        <translation>Als Fehlalarm abgelehnt.</translation>
+    </message>
+    <message>
+        <source>…and {0} more; the JSON names them all.</source>
+        <translation>… und {0} weitere; das JSON nennt sie alle.</translation>
+    </message>
+    <message>
         <source>{0} would leave damage.</source>
         <translation>{0} würde Schäden übrig lassen.</translation>
     </message>
@@ -2422,6 +2598,10 @@
     <message>
         <source>No marker is shown</source>
         <translation>Kein Marker wird gezeigt</translation>
+    </message>
+    <message>
+        <source> – {0} in mm</source>
+        <translation> – {0} in mm</translation>
     </message>
 </context>
 <context>
