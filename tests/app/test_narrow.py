@@ -33,6 +33,18 @@ def test_the_window_fits_half_a_screen(window):
     assert window.inspector.decisions.minimumSizeHint().width() <= window.inspector.width()
 
 
+def test_names_of_methods_are_read_whole(window):
+    buttons = list(window.inspector.artifact.methods.buttons.values())
+    for width, columns in ((1500, 2), (HALF, 1), (1500, 2)):
+        widen(window, width, 900)
+        window.resizeDocks(
+            [window.docks["scene"]], [400 * width // 1500], Qt.Orientation.Horizontal
+        )
+        widen(window, width, 900)
+        assert len({button.x() for button in buttons[1:]}) == columns
+        assert all(button.width() >= button.sizeHint().width() for button in buttons[1:])
+
+
 def test_words_and_counts_are_left_out_where_they_have_no_room(window):
     queue, button = window.queue, next(iter(window.queue.kinds.values()))
     open_button = window.toolbar._buttons[0]

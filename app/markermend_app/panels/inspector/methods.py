@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QComboBox,
@@ -41,6 +42,7 @@ class MethodList(QWidget):
         self._document = document
         self.buttons: dict[str, QRadioButton] = {}
         self._group = QButtonGroup(self)
+        self._abreast: bool | None = None
         self.more = QComboBox()
         self.more.setPlaceholderText(self.tr("More methods…"))
         self.more.setAccessibleName(self.tr("More methods"))
@@ -77,11 +79,10 @@ class MethodList(QWidget):
         tip = self.tr("The method that is expected to err least here")
         self._grid.addWidget(self._made("auto", self.tr("Best for this artifact"), tip), 0, 0, 1, 2)
         keyed = [method for method in REPAIRS.values() if method.key is not None]
-        half = (len(keyed) + 1) // 2
-        for i, method in enumerate(keyed):
+        for method in keyed:
             tip = self.tr("{0} (key {1})").format(tr(method.summary), method.key)
-            button = self._made(method.name, f"{method.key} {tr(method.label)}", tip)
-            self._grid.addWidget(button, 1 + i % half, i // half)
+            self._made(method.name, f"{method.key} {tr(method.label)}", tip)
+        self._lay_out()
         # Made late, they would be the last that Tab reaches; it takes no order from what it skips.
         before = self.more.previousInFocusChain()
         while before is not None and before.focusPolicy() == Qt.FocusPolicy.NoFocus:
@@ -94,6 +95,26 @@ class MethodList(QWidget):
         for row, method in enumerate(sorted(others, key=lambda m: tr(m.label).lower())):
             self.more.addItem(tr(method.label), method.name)
             self.more.setItemData(row, tr(method.summary), Qt.ItemDataRole.ToolTipRole)
+
+    def _lay_out(self) -> None:
+        """Put the methods with a key in two columns, or in one where two would cut off names."""
+        keyed = list(self.buttons.values())[1:]
+        half = (len(keyed) + 1) // 2
+        columns = (keyed[:half], keyed[half:])
+        widths = (max((b.sizeHint().width() for b in column), default=0) for column in columns)
+        wide = sum(widths) + self._grid.horizontalSpacing() <= self.width()
+        if wide == self._abreast:
+            return
+        self._abreast = wide
+        per_column = half if wide else len(keyed)
+        for i, button in enumerate(keyed):
+            self._grid.addWidget(button, 1 + i % per_column, i // per_column)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Fit the width."""
+        super().resizeEvent(event)
+        if self.buttons:
+            self._lay_out()
 
     def _made(self, name: str, label: str, tip: str) -> QRadioButton:
         """Make the button of a method."""
