@@ -9,7 +9,7 @@ import markermend as mm
 from markermend.artifact import Artifact, Kind
 from markermend.artifact_json import artifacts_of
 from markermend.simulation import simulate
-from markermend_resources import demo_take, demo_truth
+from markermend_resources import demo_take, demo_truth, manual_folder
 
 
 def test_the_demo_is_what_its_seed_makes() -> None:
@@ -39,3 +39,9 @@ def test_the_demo_shows_every_class_and_stays_small() -> None:
     assert {a.kind for a in told} == set(Kind)
     assert any(a.counterpart for a in told)
     assert demo_take().stat().st_size < 5_000_000
+    places = {
+        (a.start, a.stop, frozenset((a.marker, a.counterpart))) for a in told if a.counterpart
+    }
+    damaged = len(places) + sum(a.counterpart is None for a in told)
+    manual = (manual_folder() / "first-ten-minutes.md").read_text(encoding="utf-8")
+    assert f"{damaged} places that are damaged on purpose" in manual

@@ -31,18 +31,7 @@ from markermend.repairs import find_method, repair_all
 
 def run(options: argparse.Namespace) -> int:
     """Clean one take."""
-    outputs = [options.output, options.json, options.report]
-    check_outputs(outputs, source=options.take, force=options.force)
-    check_take_output(options.output, source=options.take)
-    if options.method != "auto":
-        find_method(options.method)
-    if options.artifacts is not None:
-        refuse_choice(options, "--artifacts lists what is repaired")
-    if Path(options.output).suffix.lower() != ".c3d" and (options.record or options.mark_outputs):
-        raise ExportError(
-            f"Only a C3D has room for what --record and --mark-outputs write; leave them out, or"
-            f" write “{Path(options.output).with_suffix('.c3d').name}”."
-        )
+    _check(options)
     listed = None if options.artifacts is None else read_artifacts(options.artifacts)
     chosen = choose(options)
     take = read_take(options.take)
@@ -91,3 +80,19 @@ def run(options: argparse.Namespace) -> int:
         ]:
             say(line)
     return 0
+
+
+def _check(options: argparse.Namespace) -> None:
+    """Refuse, before any work is done, what cannot be written or would have no effect."""
+    outputs = [options.output, options.json, options.report]
+    check_outputs(outputs, source=options.take, force=options.force)
+    check_take_output(options.output, source=options.take)
+    if options.method != "auto":
+        find_method(options.method)
+    if options.artifacts is not None:
+        refuse_choice(options, "--artifacts lists what is repaired")
+    if Path(options.output).suffix.lower() != ".c3d" and (options.record or options.mark_outputs):
+        raise ExportError(
+            f"Only a C3D has room for what --record and --mark-outputs write; leave them out, or"
+            f" write “{Path(options.output).with_suffix('.c3d').name}”."
+        )

@@ -26,8 +26,9 @@ from markermend.review.edits import (
     SetSamples,
     merged,
 )
+from markermend.review.repairing import describe
 from markermend.review.restoring import overwritten, taking_back
-from markermend.review.session import Session, describe
+from markermend.review.session import Session
 from markermend.review.step import artifacts_of
 from markermend.take import AXES, Origin, Take, is_unlabelled
 

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING
 
 from markermend.arrays import ByteArray, FloatArray
 from markermend.artifact import Artifact, Kind, Status, in_order, repair_in_words
-from markermend.artifact_json import rounded
 from markermend.errors import DataError
 from markermend.review.edits import (
     Change,
@@ -23,12 +22,12 @@ from markermend.review.edits import (
     SetBase,
     SetNames,
     SetNotes,
-    SetSamples,
     State,
     extent,
     merged,
 )
 from markermend.review.pace import Pace, Stopwatch, pace_of
+from markermend.review.repairing import describe, repairing
 from markermend.review.restoring import overwritten, taking_back
 from markermend.review.step import Step, decides, parts, same_finding, touched_by_hand
 from markermend.take import Take
@@ -220,7 +219,7 @@ class Session:
         chosen = [self.artifact(i) for i, _ in repairs]
         edits: list[Edit] = [*taking_back(self._state, chosen)]
         for artifact, (_, proposal) in zip(chosen, repairs, strict=True):
-            edits.extend(_repairing(artifact, proposal))
+            edits.extend(repairing(artifact, proposal))
         return self.perform(label or f"Repair {describe(chosen)}", Group(tuple(edits)))
 
     def mark(self, artifact: Artifact, proposal: Repair | None = None) -> Change:
@@ -233,7 +232,7 @@ class Session:
             edit: Edit = SetArtifacts({artifact.id: artifact})
             return self.perform(f"Mark {describe([artifact])}", edit)
         notes = SetNotes(overwritten(self._state, proposal.patches))
-        edit = Group((*_repairing(artifact, proposal), notes))
+        edit = Group((*repairing(artifact, proposal), notes))
         what = f"Repair {describe([artifact])}"
         if proposal.method == "swap":
             what = f"Swap {artifact.marker} and {artifact.counterpart}"
@@ -364,38 +363,3 @@ class Session:
         if self.on_step is not None:
             self.on_step(what, step)
         return extent(step.edit)
-
-
-def _repairing(artifact: Artifact, proposal: Repair) -> tuple[Edit, ...]:
-    """Edits that repair an artifact as proposed."""
-    if not proposal.patches:
-        why = proposal.reason or "the method has no answer here"
-        raise DataError(f"The {describe([artifact])} cannot be repaired: {why}")
-    _check_within(artifact, proposal)
-    from markermend.repairs.look_again import in_words
-
-    band = None if proposal.band_mm is None else tuple(rounded(proposal.band_mm))
-    note = RepairNote(proposal.method, proposal.error_mm, in_words(proposal.leaves or ()), band)
-    return (
-        SetSamples(proposal.patches),
-        SetNotes({artifact.id: note}),
-        SetArtifacts({artifact.id: artifact.with_status(Status.REPAIRED)}),
-    )
-
-
-def describe(artifacts: Sequence[Artifact]) -> str:
-    """Name artifacts in a history label."""
-    if len(artifacts) == 1:
-        return f"{artifacts[0].kind} on {artifacts[0].marker}"
-    return f"{len(artifacts)} artifacts"
-
-
-def _check_within(artifact: Artifact, proposal: Repair) -> None:
-    """Refuse a proposal that would touch anything its artifact does not name."""
-    for p in proposal.patches:
-        inside = artifact.start <= p.start and p.stop <= artifact.stop
-        if p.marker not in artifact.markers or not inside or not set(p.axes) <= set(artifact.axes):
-            raise DataError(
-                f"The method “{proposal.method}” reached outside the artifact on "
-                f"{artifact.marker}; nothing was changed."
-            )
