@@ -22,7 +22,15 @@ class Parametrised(Protocol):
 
 
 def tunable(default: Any, help: str, unit: str = "", low: float = 0, high: float = 1e6) -> Any:
-    """Make a field with the metadata that forms and the command line are made from."""
+    """Make a field with the metadata that forms and the command line are made from.
+
+    Parameters
+    ----------
+    default : value
+    help : what it does, for people
+    unit : of the value, empty for none
+    low, high : range in which it makes sense
+    """
     return field(default=default, metadata={"help": help, "unit": unit, "min": low, "max": high})
 
 

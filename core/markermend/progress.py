@@ -18,7 +18,17 @@ def quiet(share: float, doing: str) -> None:
 
 
 def part(progress: Progress | None, start: float, stop: float) -> Progress:
-    """Map a sub-task's own [0, 1] onto ``[start, stop]`` of the whole task."""
+    """Map a sub-task's own [0, 1] onto ``[start, stop]`` of the whole task.
+
+    Parameters
+    ----------
+    progress : of the whole task; None tells nobody
+    start, stop : shares of the whole task
+
+    Returns
+    -------
+    What the sub-task tells; it raises what ``progress`` raises
+    """
     if progress is None:
         return quiet
     whole = progress

@@ -20,7 +20,18 @@ def scaled(frames: float, rate: float) -> int:
 
 
 def scaled_odd(frames: float, rate: float, *, least: int = 3) -> int:
-    """Return an odd window of about ``frames`` at 100 Hz, at least ``least`` long."""
+    """Scale a window to the take's rate.
+
+    Parameters
+    ----------
+    frames : its length at 100 Hz
+    rate : of the take, Hz
+    least : shortest window
+
+    Returns
+    -------
+    An odd number of frames, at least ``least``
+    """
     window = 2 * int(frames * rate / 200) + 1
     return max(window, least + 1 - least % 2)
 
@@ -61,12 +72,27 @@ def median_high_pass(signal: FloatArray, window: int) -> FloatArray:
 
 
 def savgol_low_pass(signal: FloatArray, order: int, window: int) -> FloatArray:
-    """Smooth by local polynomials (skurowski2022, eq. 6); takes shorter than the window pass."""
+    """Smooth by local polynomials (skurowski2022, eq. 6).
+
+    Parameters
+    ----------
+    signal : (frames, …) float64 without NaN
+    order : of the polynomials
+    window : odd number of frames, above ``order``
+
+    Returns
+    -------
+    As large as ``signal``, which comes back as it is where it is shorter than the window
+    """
     if len(signal) < window:
         return signal.copy()
     return np.asarray(savgol_filter(signal, window, order, axis=0), dtype=np.float64)
 
 
 def savgol_high_pass(signal: FloatArray, order: int, window: int) -> FloatArray:
-    """Signal minus its local polynomial (skurowski2022, eq. 7)."""
+    """Signal minus its local polynomial (skurowski2022, eq. 7).
+
+    Parameters and result are those of :func:`savgol_low_pass`; a signal shorter than the window
+    becomes zero.
+    """
     return signal - savgol_low_pass(signal, order, window)

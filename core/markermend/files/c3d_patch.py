@@ -96,7 +96,13 @@ def copy_patched(take: Take, file: IO[bytes], progress: Progress) -> IntArray:
 
 @contextmanager
 def open_unchanged(source: Source) -> Iterator[IO[bytes]]:
-    """Open a take's source if it is still the file that was read; ExportError if not."""
+    """Open a take's source if it is still the file that was read.
+
+    Raises
+    ------
+    ExportError
+        when it cannot be opened, or has changed since
+    """
     try:
         opened = source.path.open("rb", buffering=0)
     except OSError as error:
@@ -110,7 +116,13 @@ def open_unchanged(source: Source) -> Iterator[IO[bytes]]:
 
 
 def check_unchanged(source: Source, status: os.stat_result) -> None:
-    """Raise ExportError where size or time of a source are not those it was read with."""
+    """Refuse a source whose size or time are not those it was read with.
+
+    Raises
+    ------
+    ExportError
+        when they are not
+    """
     if (status.st_size, status.st_mtime_ns) != (source.size, source.mtime_ns):
         raise ExportError(
             f"{source.path.name} has changed on disk since it was read; open it again before"
@@ -119,7 +131,13 @@ def check_unchanged(source: Source, status: os.stat_result) -> None:
 
 
 def copy_bytes(original: IO[bytes], file: IO[bytes], count: int) -> None:
-    """Copy bytes as they are, from where the original stands."""
+    """Copy bytes as they are, from where the original stands.
+
+    Raises
+    ------
+    ExportError
+        when it has fewer than ``count`` left
+    """
     while count > 0:
         part = original.read(min(count, _COPY_BYTES))
         if not part:

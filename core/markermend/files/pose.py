@@ -98,7 +98,10 @@ def write_pose(pose: Pose, path: str | PathLike[str], *, progress: Progress | No
 
 
 def pose_writer(pose: Pose, target: Path, report: Progress) -> Callable[[IO[bytes]], None]:
-    """Choose by a name's ending how a recording is written; parameters are :func:`write_pose`'s."""
+    """Choose by a name's ending how a recording is written.
+
+    Parameters and errors are those of :func:`write_pose`.
+    """
     match target.suffix.lower():
         case ".csv":
             return lambda file: write_pose_csv(pose, file, report)

@@ -187,6 +187,11 @@ def columns_of(head: list[str], name: str) -> dict[str, int]:
     ----------
     head : its cells
     name : of the file, for what is wrong with it
+
+    Raises
+    ------
+    FileFormatError
+        when a column is missing that every table of joints has
     """
     plain = [re.sub(r"[^a-z]", "", re.sub(r"[\[(].*", "", cell.lower())) for cell in head]
     at = {_OTHER_NAMES.get(cell, cell): i for i, cell in enumerate(plain)}
@@ -245,6 +250,15 @@ def parents_of(
     at : place of each known column
     joints : their names
     name : of the file, for what is wrong with it
+
+    Returns
+    -------
+    (joints,) index of the parent, -1 for a root
+
+    Raises
+    ------
+    FileFormatError
+        when there is no such column and a name is not usual, or a parent is no joint
     """
     if "parent" in at:
         above = {row[at["joint"]].strip(): row[at["parent"]].strip() for row in body}

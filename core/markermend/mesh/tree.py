@@ -60,7 +60,13 @@ def _walk(neighbours: list[list[int]], root: int) -> tuple[list[int], list[int |
 
 
 def parent_marker(cost: FloatArray, parent: list[int], child: list[int]) -> int:
-    """The marker of the parent group that is cheapest to attach the whole child group to."""
+    """The marker of the parent group that is cheapest to attach the whole child group to.
+
+    Parameters
+    ----------
+    cost : (markers, markers) float64, what it costs to attach one to another
+    parent, child : columns of the markers of the two groups
+    """
     return parent[int(cost[np.ix_(parent, child)].mean(axis=1).argmin())]
 
 
@@ -96,7 +102,14 @@ def group_links(cost: FloatArray, members: list[int]) -> set[tuple[int, int]]:
 
 
 def joint_link(cost: FloatArray, parent: int, child: list[int]) -> tuple[int, int]:
-    """Line from a parent marker to the nearest marker of the child group."""
+    """Line from a parent marker to the marker of the child group that is cheapest to attach.
+
+    Parameters
+    ----------
+    cost : (markers, markers) float64, what it costs to attach one to another
+    parent : column of the parent marker
+    child : columns of the markers of the child group
+    """
     return _pair(parent, child[int(cost[parent, child].argmin())])
 
 

@@ -24,7 +24,10 @@ if TYPE_CHECKING:
 
 
 def guard_detector(detector: Detector) -> DetectorFunction:
-    """Detect in another process; artifacts must lie within the take."""
+    """Detect in another process; artifacts must lie within the take.
+
+    What is returned raises MethodError where they do not, and where the plugin fails.
+    """
     worker = Worker(DETECTORS, detector.name)
 
     def run(take: Take, params: Any, mesh: Mesh | None, progress: Progress) -> list[Artifact]:
@@ -42,7 +45,10 @@ def guard_detector(detector: Detector) -> DetectorFunction:
 
 
 def guard_method(method: Method) -> MethodFunction:
-    """Repair in another process; only the interval and its axes may be replaced."""
+    """Repair in another process; only the interval and its axes may be replaced.
+
+    Where more is, or the plugin fails, what is returned gives a repair without patches, and why.
+    """
     from markermend.repairs.registry import Repair
 
     worker = Worker(REPAIRS, method.name)
@@ -75,7 +81,10 @@ def _fault_of(done: Any, artifact: Artifact) -> str:
 
 
 def guard_smoother(smoother: Smoother) -> SmootherFunction:
-    """Smooth in another process; no sample may be invented or lost."""
+    """Smooth in another process; no sample may be invented or lost.
+
+    What is returned raises MethodError where one is, and where the plugin fails.
+    """
     worker = Worker(SMOOTHERS, smoother.name)
 
     def run(signals: Signals, params: Any) -> FloatArray:

@@ -138,6 +138,11 @@ def register(
     """Add a method to :data:`REPAIRS`; used as a decorator.
 
     Methods with a number key come first, in that order, then the others by name.
+
+    Parameters
+    ----------
+    name, label, summary, params, source, key, crosses_blackout : of the :class:`Method`, whose
+        ``run`` is the function below the decorator
     """
 
     def add(run: MethodFunction) -> MethodFunction:

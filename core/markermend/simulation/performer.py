@@ -76,6 +76,13 @@ def wander(
 ) -> FloatArray:
     """Smooth random curves of unit variance that change over about ``scale_s``.
 
+    Parameters
+    ----------
+    frames, rate : length and Hz of the take
+    scale_s : seconds
+    rng : what is random about them
+    columns : how many curves
+
     Returns
     -------
     (frames, columns) float64

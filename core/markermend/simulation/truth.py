@@ -70,6 +70,8 @@ def swapped(take: Take, markers: Sequence[str], start: int, stop: int, why: str)
     ----------
     take : the clean recording
     markers : two or more; the samples of the last go under the first one's name
+    start, stop : half-open interval of frames
+    why : what the artifacts say of it
 
     Returns
     -------
@@ -134,6 +136,8 @@ def spread_out(lengths: IntArray, frames: int, rng: np.random.Generator) -> IntA
     Parameters
     ----------
     lengths : (k,) int64, their sum at most ``frames``
+    frames : of the take
+    rng : what is random about it
 
     Returns
     -------

@@ -111,7 +111,13 @@ SMOOTHERS = Registry("smoother", Smoother, PLUGINS, guard_smoother)
 def register(
     name: str, *, label: str, summary: str, params: type, source: str = ""
 ) -> Callable[[SmootherFunction], SmootherFunction]:
-    """Add a method to :data:`SMOOTHERS`; used as a decorator."""
+    """Add a method to :data:`SMOOTHERS`; used as a decorator.
+
+    Parameters
+    ----------
+    name, label, summary, params, source : of the :class:`Smoother`, whose ``run`` is the function
+        below the decorator
+    """
 
     def add(run: SmootherFunction) -> SmootherFunction:
         SMOOTHERS.add(Smoother(name, label, summary, params, run, source))

@@ -60,12 +60,22 @@ def _unit(vectors: FloatArray) -> FloatArray:
 
 
 def into(axes: FloatArray, origin: FloatArray, points: FloatArray) -> FloatArray:
-    """(frames, 3) lab positions in the local system (eq. 7, 8)."""
+    """Lab positions in the local system (eq. 7, 8).
+
+    Parameters
+    ----------
+    axes : (frames, 3, 3), a unit vector a column
+    origin, points : (frames, 3), mm; NaN where missing, and so is what comes of it
+
+    Returns
+    -------
+    (frames, 3), mm
+    """
     return np.asarray(np.einsum("fi,fij->fj", points - origin, axes))
 
 
 def out_of(axes: FloatArray, origin: FloatArray, points: FloatArray) -> FloatArray:
-    """(frames, 3) local positions in the lab (eq. 9, 10)."""
+    """Local positions in the lab (eq. 9, 10); parameters and result are those of :func:`into`."""
     return np.asarray(np.einsum("fj,fij->fi", points, axes) + origin)
 
 
