@@ -32,6 +32,7 @@ def richer(take: Take) -> Take:
     t = np.arange(frames * 10) / (10 * frames)
     force = np.stack([800 * np.sin(np.pi * t), np.zeros_like(t)], axis=1).astype(np.float32)
     angle = np.repeat(np.linspace(0, 60, frames)[:, None, None], 3, axis=2)
+    angle[:80] = np.nan
     return replace(
         take,
         events=(Event("Foot Strike", 2.0, "Left"), Event("Foot Off", 3.5, "Right")),
@@ -284,6 +285,8 @@ def test_channels_stand_in_rows_of_their_own(panel):
     at_200 = "30.08, 30.08, 30.08"
     assert panel.header.readout.text().endswith(f"LKneeAngles {at_200} deg")
     assert panel.canvas.beside[1]._named[0] == "Angle (deg)"
+    hover(panel, panel.canvas.beside[1], 60)
+    assert panel.header.readout.text().endswith("LKneeAngles missing")
     assert force.time.style["showValues"] is False
     assert panel.canvas.beside[-1].time.style["showValues"]
     document.show_beside(())

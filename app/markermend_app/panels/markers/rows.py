@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from markermend.artifact import Kind
 from markermend.mesh import Mesh
 from markermend.take import Take, is_unlabelled
-from markermend_app.panels.plots.beside import analog_key, point_key
+from markermend_app.panels.plots.beside import analog_key, kind_name, point_key
 from markermend_app.telling import told_group
 from markermend_app.words import tr
 
@@ -112,7 +112,7 @@ def _add_others(root: Node, take: Take) -> None:
         for i, (label, kind) in enumerate(zip(take.points.labels, take.points.kinds, strict=True)):
             if kind not in by_kind:
                 unit = take.points.units.get(kind)
-                by_kind[kind] = section.add(Node(_in_unit(kind.capitalize(), unit)))
+                by_kind[kind] = section.add(Node(_in_unit(kind_name(kind), unit)))
             note = tr("Kept as it is; not a marker")
             by_kind[kind].add(Node(label, key=point_key(i), note=note))
     if take.analog is not None and take.analog.labels:

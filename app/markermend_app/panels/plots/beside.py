@@ -19,6 +19,7 @@ from markermend_app.items.curve import curve, wear
 from markermend_app.panels.plots.frame import PlotFrame
 from markermend_app.panels.plots.range import value_range
 from markermend_app.style import theme
+from markermend_app.words import tr
 
 _STYLES = (Qt.PenStyle.SolidLine, Qt.PenStyle.DashLine, Qt.PenStyle.DotLine)
 _LEAST_SHARE = 0.02
@@ -46,6 +47,21 @@ class Channel:
     def group(self) -> tuple[str, str]:
         """Channels that share it share a row."""
         return self.kind, self.unit
+
+
+def kind_name(kind: str) -> str:
+    """What channels of a kind are called."""
+    names = {
+        "analog": tr("Analog"),
+        "angle": tr("Angle"),
+        "force": tr("Force"),
+        "moment": tr("Moment"),
+        "power": tr("Power"),
+        "scalar": tr("Scalar"),
+        "reaction": tr("Reaction"),
+        "modelled": tr("Point of the model"),
+    }
+    return names.get(kind, kind.capitalize())
 
 
 def analog_key(column: int) -> str:
@@ -109,6 +125,9 @@ class BesideRow(PlotFrame):
         for found in self.channels[:4]:
             at = min(round(frame / found.step), len(found.values) - 1)
             values = np.atleast_1d(found.values[at])
+            if np.isnan(values).all():
+                parts.append(f"{found.name} {tr('missing')}")
+                continue
             text = ", ".join("–" if np.isnan(v) else f"{v:.4g}" for v in values)
             parts.append(f"{found.name} {text} {found.unit}".rstrip())
         return " · ".join(parts)
@@ -129,7 +148,7 @@ class BesideRow(PlotFrame):
     def restyle(self) -> None:
         """Take over the theme's colours."""
         super().restyle()
-        kind = self.channels[0].kind.capitalize() if self.channels else ""
+        kind = kind_name(self.channels[0].kind) if self.channels else ""
         unit = self.channels[0].unit if self.channels else ""
         self.name_values(kind, unit, theme.current().muted)
         for item, place, line in self._curves:

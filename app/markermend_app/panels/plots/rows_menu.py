@@ -13,7 +13,7 @@ from markermend.take import Take
 from markermend_app import settings
 from markermend_app.document import Document
 from markermend_app.panels.markers.naming import short_names
-from markermend_app.panels.plots.beside import analog_key, point_key
+from markermend_app.panels.plots.beside import analog_key, kind_name, point_key
 from markermend_app.panels.plots.quantity import COORDINATES, QUANTITIES, can_show
 from markermend_app.panels.staying_menu import StayingMenu
 from markermend_app.telling import told_group
@@ -95,7 +95,7 @@ def _beside(menu: QMenu, document: Document, take: Take) -> None:
         _channels(sub, document, ((analog_key(i), label) for i, label in enumerate(analog)))
     if take.points is not None and points:
         for kind in dict.fromkeys(take.points.kinds):
-            sub = _submenu(menu, _tr("Model outputs: {0}").format(kind))
+            sub = _submenu(menu, _tr("Model outputs: {0}").format(kind_name(kind)))
             _channels(
                 sub,
                 document,
