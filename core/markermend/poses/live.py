@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import deque
+
 import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray
@@ -12,9 +14,12 @@ from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior, fitting
 from markermend.poses.quaternion import inverse, multiply, turn, unit
 
-# How the movement of a moment is taken from the prior, how long one's own moments and memory are.
-_PRIOR_S, _LAG_S, _MEMORY = 1.0, 0.125, 3000.0
-_RIDGE = 1e-3
+# How long a movement is taken from the prior, how long one's own are, and how many they count for.
+_PRIOR_S, _LAGS_S, _MEMORY = 1.0, (0.008, 0.03, 0.125, 0.5, 2.0), 3000.0
+# Movement grows with the root of time; that within this time counts as it is.
+_USUAL_S = 0.125
+# Added to variances, the second over the poses learnt from: of few, less is made.
+_RIDGE, _FEW = 1e-4, 0.1
 # A joint that goes keeps a speed of its own for about this long; speeds are averaged over this.
 _COASTS_S, _AVERAGED_S = 0.042, 0.024
 _ROUNDS = 2
@@ -62,7 +67,8 @@ class Live:
         self._speed, self._coasting = np.zeros(channels), np.zeros(channels)
         self._known = np.ones(channels, dtype=bool)
         self._weights: FloatArray = np.empty((0, 0))
-        self._past: list[FloatArray] = [self._values]
+        self._lags = sorted({max(round(lag * self._rate), 1) for lag in _LAGS_S})
+        self._past: deque[FloatArray] = deque([self._values], maxlen=self._lags[-1])
 
     def __call__(
         self, positions: FloatArray, rotations: FloatArray, seen: BoolArray
@@ -124,7 +130,7 @@ class Live:
         if len(hidden):
             if not np.array_equal(known, self._known) or self._weights.shape[1] != len(hidden):
                 among = self._covariance[np.ix_(visible, visible)]
-                among[np.diag_indices(len(visible))] += _RIDGE
+                among[np.diag_indices(len(visible))] += _RIDGE + _FEW / (1.0 + self._weight)
                 across = self._covariance[np.ix_(visible, hidden)]
                 self._weights = np.asarray(np.linalg.solve(among, across))
                 left = self._speed[hidden] - self._speed[visible] @ self._weights
@@ -139,13 +145,18 @@ class Live:
         return now
 
     def _learn(self, values: FloatArray) -> None:
-        """Add how far the pose is from that of a moment ago to the covariance."""
-        self._past.append(values)
-        if len(self._past) > max(round(_LAG_S * self._rate), 1):
-            moved = values - self._past.pop(0)
-            self._weight = min(self._weight + 1.0, _MEMORY)
-            self._covariance *= 1.0 - 1.0 / self._weight
-            self._covariance += np.outer(moved / self._weight, moved)
+        """Add how far the pose is from those of some moments ago to the covariance.
+
+        Slow movement tells how far limbs go together, quick one how they set out.
+        """
+        past = self._past
+        lags = [n for n in self._lags if n <= len(past)]
+        usual_lag = _USUAL_S * self._rate
+        moved = np.array([(values - past[-n]) * np.sqrt(usual_lag / n) for n in lags])
+        self._weight = min(self._weight + 1.0, _MEMORY)
+        self._covariance *= 1.0 - 1.0 / self._weight
+        self._covariance += moved.T @ moved / self._weight
+        past.append(values)
 
     def _absolute(self, values: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Positions (joints, 3) in mm and rotations (joints, 4), global."""
