@@ -88,7 +88,7 @@ def test_each_pose_is_judged_by_networks_that_never_saw_it():
 
 def test_published_tables_stand_beside_ours():
     def row(method, kind, error, poses=10):
-        return Row("a_1", "a", "frame by frame", kind, method, error, (), (), poses)
+        return Row("a_1", "a", "frame by frame", kind, method, error, (), (), (), poses)
 
     rows = [row("network both", "both", 0.05), row("network both", "both", 0.02, 20)]
     rows.append(row("network both, random split", "occlusions", float("nan"), 0))

@@ -51,6 +51,14 @@ def around(start: int, stop: int) -> IntArray:
     return np.asarray(np.r_[start - SIDE : start, stop : stop + SIDE])
 
 
+def known_alike(known: BoolArray) -> list[list[int]]:
+    """Channels that are known in the same frames, together; by the first of each."""
+    alike: dict[bytes, list[int]] = {}
+    for channel, column in enumerate(known.T):
+        alike.setdefault(column.tobytes(), []).append(channel)
+    return list(alike.values())
+
+
 def bridged(values: FloatArray, known: BoolArray) -> FloatArray:
     """Cross every gap of a recording, halfway between line and curve.
 
@@ -63,13 +71,10 @@ def bridged(values: FloatArray, known: BoolArray) -> FloatArray:
     -------
     (frames, channels). Before the first and after the last known value that value holds.
     """
-    frames, channels = values.shape
+    frames = len(values)
     time = np.arange(frames)
     out = np.where(known, values, 0.0)
-    alike: dict[bytes, list[int]] = {}
-    for channel in range(channels):
-        alike.setdefault(known[:, channel].tobytes(), []).append(channel)
-    for group in alike.values():
+    for group in known_alike(known):
         there = np.flatnonzero(known[:, group[0]])
         if len(there) == frames:
             continue

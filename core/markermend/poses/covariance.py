@@ -79,11 +79,17 @@ def deviations(values: FloatArray, length: int) -> FloatArray:
     starts = np.arange(SIDE, len(values) - length - SIDE + 1, step)
     sides = np.r_[-SIDE:0, length : length + SIDE]
     weights = bridge(length)[inside]
+    if not len(starts):
+        return np.empty((0, values.shape[1]))
+
+    def at(offset: int) -> FloatArray:
+        return values[starts[0] + offset : starts[-1] + offset + 1 : step]
+
     parts = []
     for weight, place in zip(weights, inside, strict=True):
-        line = sum(w * values[starts + side] for w, side in zip(weight, sides, strict=True))
-        parts.append(values[starts + place] - line)
-    return np.concatenate(parts) if len(starts) else np.empty((0, values.shape[1]))
+        line = sum(w * at(side) for w, side in zip(weight, sides, strict=True))
+        parts.append(at(place) - line)
+    return np.concatenate(parts)
 
 
 def learn(values: FloatArray, rate: float, lengths: Iterable[int] | None = None) -> Moments:

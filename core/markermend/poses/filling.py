@@ -9,7 +9,7 @@ import numpy as np
 from scipy.linalg import cho_factor, cho_solve
 
 from markermend.arrays import BoolArray, FloatArray, IntArray, runs
-from markermend.poses.bridging import SIDE, around, bridge, bridged, straight
+from markermend.poses.bridging import SIDE, around, bridge, bridged, known_alike, straight
 from markermend.poses.covariance import Moments, learn, pooled
 from markermend.poses.likeness import by_likeness, moments_to_compare
 
@@ -126,10 +126,10 @@ def fill(
 def _gaps(known: BoolArray) -> list[_Gap]:
     """All gaps, channels with the same frames together."""
     together: dict[tuple[int, int], list[int]] = {}
-    for channel in range(known.shape[1]):
-        for start, stop in runs(~known[:, channel]).tolist():
-            together.setdefault((start, stop), []).append(channel)
-    return [_Gap(*frames, np.array(columns)) for frames, columns in together.items()]
+    for channels in known_alike(known):
+        for start, stop in runs(~known[:, channels[0]]).tolist():
+            together.setdefault((start, stop), []).extend(channels)
+    return [_Gap(*frames, np.sort(columns)) for frames, columns in together.items()]
 
 
 def _cross_short(
@@ -159,7 +159,7 @@ def _cross_short(
         for n, gap in enumerate(some):
             unknown = np.flatnonzero(hidden[n])
             own = np.searchsorted(unknown, gap.channels)
-            left = np.linalg.inv(precision[np.ix_(unknown, unknown)])
+            left = np.linalg.inv(precision[unknown[:, None], unknown])
             strays = told[n][:, unknown] @ left[:, own]
             base[gap.start : gap.stop, gap.channels] = bridges[n][:, gap.channels] - strays
             variance[gap.start : gap.stop, gap.channels] = np.diag(left)[own]
@@ -179,7 +179,9 @@ def _fill_gap(
     start, stop = gap.start, gap.stop
     length, frames = stop - start, len(estimate)
     hidden = np.mean(~known[start:stop], axis=0)
-    others = np.setdiff1d(np.flatnonzero(hidden < _MOSTLY_HIDDEN), gap.channels)
+    telling = hidden < _MOSTLY_HIDDEN
+    telling[gap.channels] = False
+    others = np.flatnonzero(telling)
     doubt = _DOUBT * hidden[others]
     ends = np.array([start - 1, stop]).clip(0, frames - 1)
     whole = moments.whole
@@ -225,7 +227,8 @@ def _regress(
     covariance: FloatArray, inputs: IntArray, targets: IntArray, ridge: float, doubt: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """(inputs, targets) weights, and the variance of each target that they leave."""
-    among, across = covariance[np.ix_(inputs, inputs)], covariance[np.ix_(inputs, targets)]
+    rows = covariance[inputs]
+    among, across = rows[:, inputs], rows[:, targets]
     own = np.asarray(covariance[targets, targets])
     if not len(inputs):
         return across, own

@@ -81,8 +81,12 @@ def by_likeness(
     lag = max(round(_MOVES_S * rate), 1)
     mean = poses[chosen].mean(axis=0)
     system, across = np.zeros((len(chosen),) * 2), np.zeros((len(inside), len(chosen)))
-    for view in (np.diag(trust), weights):
-        there, here = (_moving(poses, frames, lag, mean, view) for frames in (chosen, inside))
+    # So precise as it takes to compare them.
+    views = [
+        [np.hstack([*view]).astype(np.float32) for view in (both * trust, both @ weights)]
+        for both in (_moving(poses, frames, lag, mean) for frames in (chosen, inside))
+    ]
+    for there, here in zip(*views, strict=True):
         apart = _squared(there, there)
         half = 0.5 / max(float(apart.mean()), np.finfo(float).tiny)
         system += half * apart
@@ -103,14 +107,11 @@ def by_likeness(
     return across @ solved[:, :count] + usual, variance
 
 
-def _moving(
-    poses: FloatArray, frames: IntArray, lag: int, mean: FloatArray, view: FloatArray
-) -> Float32Array:
-    """(frames, 2 · n) a view of poses and its change; so precise as it takes to compare them."""
+def _moving(poses: FloatArray, frames: IntArray, lag: int, mean: FloatArray) -> FloatArray:
+    """(2, frames, channels) poses from the mean, and how they change."""
     last = len(poses) - 1
     change = poses[np.minimum(frames + lag, last)] - poses[np.maximum(frames - lag, 0)]
-    both = np.hstack([(poses[frames] - mean) @ view, change @ view])
-    return both.astype(np.float32)
+    return np.stack([poses[frames] - mean, change])
 
 
 def _squared(a: Float32Array, b: Float32Array) -> FloatArray:
