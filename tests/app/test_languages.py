@@ -11,7 +11,7 @@ from importlib.resources import files
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QTranslator
+from PySide6.QtCore import QCoreApplication, Qt, QTranslator
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QWidget
 
@@ -152,6 +152,22 @@ def test_german_has_room_in_the_quality_panel_and_the_sheet_of_keys(german, open
     assert prompt.width() > 0.6 * words
     tree, column = sheet.tree, 1
     assert tree.viewport().width() - tree.columnWidth(0) >= tree.sizeHintForColumn(column)
+
+
+def test_german_keeps_the_words_of_what_is_used_most_in_the_toolbar(german, open_window, qtbot):
+    window = open_window()
+    theme.apply(QApplication.instance(), "light")
+    window.resize(1500, 900)
+    window.show()
+    style = Qt.ToolButtonStyle
+
+    def of(name):
+        return window.toolbar.widgetForAction(window.actions_by_name[name]).toolButtonStyle()
+
+    assert of("repair") == of("accept") == of("open") == style.ToolButtonTextBesideIcon
+    assert window.toolbar.sizeHint().width() <= window.toolbar.width()
+    window.resize(960, 900)
+    qtbot.waitUntil(lambda: of("repair") == style.ToolButtonIconOnly)
 
 
 class Brackets(QTranslator):

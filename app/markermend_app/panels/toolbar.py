@@ -1,8 +1,8 @@
-"""The toolbar: words beside the icons where they have room."""
+"""The toolbar: words beside the icons as far as they have room."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QResizeEvent
@@ -11,10 +11,13 @@ from PySide6.QtWidgets import QToolBar, QToolButton, QWidget
 from markermend_app.actions.menus import fill_toolbar
 
 _ICONS = ("undo", "redo", "previous", "next")
+_SELDOM = ("repair_accepted", "before_after", "prediction")
+_WORDS = Qt.ToolButtonStyle.ToolButtonTextBesideIcon
+_ALONE = Qt.ToolButtonStyle.ToolButtonIconOnly
 
 
 class Toolbar(QToolBar):
-    """Icons alone once the words would hide some of them.
+    """Icons alone once the words would hide some of them, those seldom used first.
 
     Parameters
     ----------
@@ -38,18 +41,22 @@ class Toolbar(QToolBar):
             if action.objectName() not in _ICONS
             and isinstance(button := self.widgetForAction(action), QToolButton)
         ]
-        self._wear(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        seldom = [self.widgetForAction(made[name]) for name in _SELDOM]
+        self._seldom = [button for button in self._buttons if button in seldom]
+        self._wear(())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Use words if all of them fit."""
+        """Use as many words as fit."""
         super().resizeEvent(event)
-        self._wear(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        if self.sizeHint().width() > self.width():
-            self._wear(Qt.ToolButtonStyle.ToolButtonIconOnly)
+        for alone in ((), self._seldom, self._buttons):
+            self._wear(alone)
+            if self.sizeHint().width() <= self.width():
+                break
 
-    def _wear(self, style: Qt.ToolButtonStyle) -> None:
+    def _wear(self, alone: Sequence[QToolButton]) -> None:
+        """Leave the words out beside some icons."""
         for button in self._buttons:
-            button.setToolButtonStyle(style)
+            button.setToolButtonStyle(_ALONE if button in alone else _WORDS)
         layout = self.layout()
         assert layout is not None
         layout.invalidate()

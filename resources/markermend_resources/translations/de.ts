@@ -2461,7 +2461,7 @@
     </message>
     <message>
         <source>Mended</source>
-        <translation>Ausgebessert</translation>
+        <translation>Repariert</translation>
     </message>
     <message>
         <source>Share of frames that were filled or edited</source>
