@@ -11,6 +11,7 @@ from PySide6.QtTest import QTest
 from markermend.review import hand
 from markermend.smoothers import percent_sm1, smooth
 from markermend.take import Origin, Take
+from markermend_app.panels.markers.marker_menu import point_at
 
 WAIT = 20_000
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -67,6 +68,17 @@ def changed_frames(window, marker):
     column = session.original.index(marker)
     now, was = (p[:, column] for p in (session.positions, session.original.positions))
     return np.flatnonzero((now != was).any(axis=1) & ~np.isnan(was[:, 0]))
+
+
+def test_a_marker_pointed_at_beside_a_swept_range_is_meant(window, qtbot):
+    document = window.document
+    Bench(window.trajectories, document).drag(30, 90, keys=SHIFT)
+    point_at(document, "LSHO")
+    dialog = preview(window, qtbot)
+    assert dialog.looked_at == "LSHO"
+    last = dialog.scope.count() - 1
+    assert dialog.scope.itemText(last) == "Frames 131–191 of T10"
+    dialog.reject()
 
 
 def test_a_swept_range_is_previewed_then_smoothed_as_one_step(window, qtbot):

@@ -46,14 +46,17 @@ class Smoothing(QObject):
     def smooth(self) -> None:
         """Ask what to smooth and how, with a preview."""
         session, swept = self._document.session, self._document.selection
-        if session is None or not (swept or self._document.shown):
+        shown = self._document.shown
+        if session is None or not (swept or shown):
             return
-        marker = swept.marker if swept else self._document.shown[0]
+        # Where another marker was pointed at beside the one that is swept, it is meant.
+        marker = swept.marker if swept and swept.marker not in shown[1:] else shown[0]
         where = scopes(self._document, marker)
         if swept:
             first, last = (session.original.frame_number(i) for i in (swept.start, swept.stop - 1))
-            text = self.tr("Frames {0}–{1} of {2}").format(first, last, marker)
-            where = (Scope(text, frozenset({marker}), swept.start, swept.stop), *where)
+            text = self.tr("Frames {0}–{1} of {2}").format(first, last, swept.marker)
+            own = Scope(text, frozenset({swept.marker}), swept.start, swept.stop)
+            where = (own, *where) if swept.marker == marker else (*where, own)
         # No copy, which takes long: what changes under the dialog is noticed, and nothing done.
         take, self._stale = session.take, False
         dialog = SmoothDialog(take, where, marker, self._document.frame, *self._last, self._window)
