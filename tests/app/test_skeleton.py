@@ -176,9 +176,14 @@ def test_no_name_is_proposed_that_cannot_be_written(
 ):
     asked = []
     monkeypatch.setattr(
-        QFileDialog, "getSaveFileName", lambda _, title, name, kinds: asked.append(name) or ("", "")
+        QFileDialog,
+        "getSaveFileName",
+        lambda _, title, name, kinds: asked.append((name, kinds)) or ("", ""),
     )
     source = property(lambda _: tmp_path / f"01{ending}")
     monkeypatch.setattr(type(opened.document), "path", source)
     opened.commands._exporter._ask_target(opened.document.session.original)
-    assert [Path(name).name for name in asked] == [proposed]
+    ((name, kinds),) = asked
+    assert Path(name).name == proposed
+    # The files listed are of the kind proposed.
+    assert kinds.partition("(*")[2].startswith(Path(proposed).suffix)

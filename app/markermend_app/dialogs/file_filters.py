@@ -16,8 +16,9 @@ def open_filter() -> str:
     return f"{takes} ({patterns});;{everything} (*)"
 
 
-def export_filter(take: Take) -> str:
-    """Files a take can be written as, one filter each, in Qt's notation."""
+def export_filter(take: Take, proposed: str = "") -> str:
+    """Files a take can be written as, one filter each, in Qt's notation; the proposed one first."""
     from markermend.plugins.formats import writable
 
-    return ";;".join(f"{e[1:].upper()} (*{e})" for e in writable(skeleton=take.skeleton))
+    endings = sorted(writable(skeleton=take.skeleton), key=lambda e: e != proposed.lower())
+    return ";;".join(f"{e[1:].upper()} (*{e})" for e in endings)

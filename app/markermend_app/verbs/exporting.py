@@ -175,8 +175,9 @@ class Exporter(QObject):
             kept = path.suffix.lower() in writable(skeleton=True)
             ending = f"_clean{path.suffix if kept else '.csv'}"
         proposal = str(proposed_place(path, ending)) if path else "take_clean.c3d"
+        kinds = export_filter(take, Path(proposal).suffix)
         name, chosen = QFileDialog.getSaveFileName(
-            self._window, self.tr("Export repaired take"), proposal, export_filter(take)
+            self._window, self.tr("Export repaired take"), proposal, kinds
         )
         if not name:
             return None
