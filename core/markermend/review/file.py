@@ -53,9 +53,11 @@ class SessionFile:
     session : the review, with every step that was saved or journalled
     path : the session file beside the take (or in the user's data folder where that is
         read-only)
+    hash : SHA-256 of the take's file, by which a review is found again
     read_only : another window has this take open; nothing is written
     recovered : steps that came from the journal of a crashed or killed process
     warning : one sentence when the stored review could not be used as it is, or empty
+    generation : how often the session file was written; a journal continues one generation
     """
 
     session: Session
