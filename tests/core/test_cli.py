@@ -304,6 +304,22 @@ def test_fill_leaves_longer_gaps(
     assert "Longer than asked for and left: 1 gap." in capsys.readouterr().out
 
 
+def test_fill_sets_parameters_of_the_method_it_is_told(
+    recording: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    words = ("fill", recording, "--method", "spline", "-o")
+    assert run(*words, tmp_path / "far.c3d") == 0
+    assert run(*words, tmp_path / "near.c3d", "--set", "context=4") == 0
+    assert (tmp_path / "far.c3d").read_bytes() != (tmp_path / "near.c3d").read_bytes()
+    capsys.readouterr()
+    for more, said in (
+        (["--set", "contxt=4"], "has no parameter “contxt”"),
+        (["--set", "context=4", "--method", "auto"], "name it by --method"),
+    ):
+        assert run(*words, tmp_path / "x.c3d", *more) == 1
+        assert said in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(("method", "known"), [("pma", True), ("ffnn_lin", False)])
 def test_a_model_named_by_hand_says_how_far_off_it_is_or_that_this_is_not_measured(
     recording: Path,

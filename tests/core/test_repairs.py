@@ -334,10 +334,16 @@ def test_fill_takes_gaps_up_to_the_longest_named(rigid: Take) -> None:
     assert [(g.marker, g.length) for g in find_gaps(take)] == [("M1", 5), ("M2", 50)]
     with pytest.raises(MethodError, match="whole number"):
         fill(take, max_gap=0.2)
+    with pytest.raises(MethodError, match="no parameter “windw”"):
+        fill(take, method="savgol", windw=3)
+    with pytest.raises(MethodError, match="“auto” has no parameters"):
+        fill(take, context=3)
     short = fill(take, max_gap=20)
     assert short.present[:, 1].all()
     assert not short.present[100:150, 2].any()
     assert fill(take, method="linear").present.all()
+    near, far = (fill(take, method="spline", context=n).positions for n in (4, 200))
+    assert np.abs(near - far)[100:150, 2].max() > 0.01
 
 
 def test_unlabelled_and_never_seen_markers_are_no_gaps() -> None:

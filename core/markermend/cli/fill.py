@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from typing import Any
 
 import markermend as mm
 from markermend.cli.console import (
@@ -15,7 +16,10 @@ from markermend.cli.console import (
     written,
 )
 from markermend.cli.repairing import left_over, listing, seen_again, summary_table
+from markermend.cli.settings import settings_of
+from markermend.errors import MethodError
 from markermend.outcome import outcomes
+from markermend.parameters import read_params
 from markermend.patch import patched
 from markermend.repairs import find_gaps, find_method, repair_all
 
@@ -24,15 +28,19 @@ def run(options: argparse.Namespace) -> int:
     """Fill the gaps of one take."""
     check_outputs([options.output], source=options.take, force=options.force)
     check_take_output(options.output, source=options.take)
-    if options.method != "auto":
-        find_method(options.method)
+    params = _params(options)
     take = read_take(options.take)
     gaps = find_gaps(take)
     longest = take.frames if options.max_gap is None else options.max_gap.frames(take.rate)
     short = [gap for gap in gaps if gap.length <= longest]
     with Bar() as bar:
         pairs = repair_all(
-            take, short, method=options.method, mesh=mm.infer_mesh(take), progress=bar
+            take,
+            short,
+            method=options.method,
+            mesh=mm.infer_mesh(take),
+            params=params,
+            progress=bar,
         )
     filled = patched(take, (patch for _, repair in pairs for patch in repair.patches))
     export = mm.write(filled, options.output, as_float=options.float)
@@ -46,3 +54,14 @@ def run(options: argparse.Namespace) -> int:
     for line in written(export):
         say(line)
     return 0
+
+
+def _params(options: argparse.Namespace) -> Any:
+    """Parameters of the method named, None where nothing is set."""
+    if options.method != "auto":
+        method = find_method(options.method)
+        given = settings_of(method.params, options.set)
+        return read_params(method, None, given) if given else None
+    if options.set:
+        raise MethodError("--set needs the method whose parameter it is; name it by --method.")
+    return None

@@ -167,6 +167,13 @@ def _add_fill(p: argparse.ArgumentParser) -> None:
         type=Span,
         help="leave longer gaps alone: frames (20), seconds (0.2s) or milliseconds (200ms)",
     )
+    p.add_argument(
+        "--set",
+        metavar="NAME=VALUE",
+        action="append",
+        default=[],
+        help="a parameter of the method; “markermend methods NAME” lists them",
+    )
     p.add_argument("--list", action="store_true", help="show every single gap")
     _force(p)
 

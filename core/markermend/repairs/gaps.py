@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
 from markermend.arrays import runs
 from markermend.artifact import Artifact, Kind, in_order
 from markermend.errors import MethodError
@@ -49,7 +52,9 @@ def fill(
     method: str = AUTO,
     max_gap: int | None = None,
     mesh: Mesh | None = None,
+    params: Mapping[str, Any] | object | None = None,
     progress: Progress | None = None,
+    **settings: Any,
 ) -> Take:
     """Fill the gaps of a take and change nothing else.
 
@@ -59,7 +64,9 @@ def fill(
     method : name in the registry, or ``"auto"``
     max_gap : longest gap to fill, in frames; None for all
     mesh : the body's structure, if it was worked out before
+    params : of a named method, as a mapping or its dataclass; None for the defaults
     progress : told the share of gaps done; may raise ``Cancelled``
+    settings : single parameters by name, ``context=50``
 
     Returns
     -------
@@ -69,7 +76,10 @@ def fill(
     Raises
     ------
     MethodError
-        when there is no such method, or ``max_gap`` is no whole number
+        when there is no such method, a parameter is unknown or out of range, or ``max_gap`` is no
+        whole number
     """
     gaps = find_gaps(take, max_gap=max_gap)
-    return repair(take, gaps, method=method, mesh=mesh, progress=progress)
+    return repair(
+        take, gaps, method=method, mesh=mesh, params=params, progress=progress, **settings
+    )

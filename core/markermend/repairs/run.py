@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from typing import Any
 
 from markermend.artifact import Artifact, Status, in_order
+from markermend.errors import MethodError
 from markermend.mesh import Mesh
+from markermend.parameters import read_params
 from markermend.patch import Patch, patched
 from markermend.progress import Progress, quiet
 from markermend.repairs.automatic import counting_references, follow_one, if_good
@@ -39,7 +42,9 @@ def repair_all(
     method: str = AUTO,
     min_confidence: float = 0.5,
     mesh: Mesh | None = None,
+    params: Mapping[str, Any] | object | None = None,
     progress: Progress | None = None,
+    **settings: Any,
 ) -> tuple[tuple[Artifact, Repair], ...]:
     """Propose a repair for every artifact that is sure enough and was not rejected.
 
@@ -64,7 +69,8 @@ def repair_all(
     are measured as in :func:`propose`; where there are more than a hundred artifacts on fewer
     known stretches each, on one at least.
     """
-    return tuple(_run(take, artifacts, method, min_confidence, mesh, progress, others)[1])
+    given = _params_of(method, params, settings)
+    return tuple(_run(take, artifacts, method, given, min_confidence, mesh, progress, others)[1])
 
 
 def repair(
@@ -74,7 +80,9 @@ def repair(
     method: str = AUTO,
     min_confidence: float = 0.5,
     mesh: Mesh | None = None,
+    params: Mapping[str, Any] | object | None = None,
     progress: Progress | None = None,
+    **settings: Any,
 ) -> Take:
     """Repair a take: every artifact that is sure enough and was not rejected.
 
@@ -88,7 +96,9 @@ def repair(
     method : for all of them, ``"auto"`` chooses for each
     min_confidence : below it an artifact is left, though still not used as evidence
     mesh : the body's structure, if it was worked out before
+    params : of a named method, as a mapping or its dataclass; None for the defaults
     progress : told the share of artifacts done; may raise ``Cancelled``
+    settings : single parameters by name, ``context=50``
 
     Returns
     -------
@@ -99,18 +109,30 @@ def repair(
     Raises
     ------
     MethodError
-        when there is no such method
+        when there is no such method, or a parameter is unknown or out of range
     DataError
         when an artifact is of another take: no such marker, or an interval beyond its end
     """
     # A take says nothing of expected errors: a named model is not measured for it.
-    return _run(take, artifacts, method, min_confidence, mesh, progress, measure=False)[0]
+    given = _params_of(method, params, settings)
+    return _run(take, artifacts, method, given, min_confidence, mesh, progress, measure=False)[0]
+
+
+def _params_of(method: str, params: Any, settings: Mapping[str, Any]) -> Any:
+    """Parameters of a named method, None where none are given; ``auto`` has none."""
+    named = None if method == AUTO else find_method(method)
+    if params is None and not settings:
+        return None
+    if named is None:
+        raise MethodError(f"“{AUTO}” has no parameters; name the method that they belong to.")
+    return read_params(named, params, settings)
 
 
 def _run(
     take: Take,
     artifacts: Iterable[Artifact],
     method: str,
+    params: Any,
     min_confidence: float,
     mesh: Mesh | None,
     progress: Progress | None,
@@ -120,8 +142,6 @@ def _run(
 ) -> tuple[Take, list[tuple[Artifact, Repair]]]:
     """Repair stage by stage; returns the repaired take and each artifact with its repair."""
     report = progress or quiet
-    if method != AUTO:
-        find_method(method)
     chosen = in_order(artifacts)
     ids = {a.id for a in chosen}
     known = [*chosen, *(a for a in others if a.id not in ids)]
@@ -147,7 +167,7 @@ def _run(
             if twin is not None and method in (AUTO, "swap"):
                 done = refuse("swap", swapped_with(twin))
             else:
-                done = measured(evidence, artifact, method, trials=trials)
+                done = measured(evidence, artifact, method, params, trials)
             pairs.append((artifact, done))
             if done.patches or twin is not None:
                 patches.extend(done.patches)
@@ -160,7 +180,7 @@ def _run(
     errors = {a: r.error_mm or 0.0 for a, r in pairs if r.patches}
     again = [p for p in pairs if states[p[0].id].status is not Status.REPAIRED]
     for artifact, refused in again:
-        done = measured(evidence, artifact, method, trials=trials)
+        done = measured(evidence, artifact, method, params, trials)
         done = counting_references(evidence, artifact, done, errors)
         done = if_good(done) if method == AUTO else done
         if done.patches:
