@@ -77,7 +77,7 @@ def test_rows_follow_the_body():
     rows = arrange(4, mesh)
     assert rows.columns == (3, 1, 0, 2)
     assert rows.row_of == (2, 1, 3, 0)
-    assert rows.groups == (("B", 0, 2), ("A", 2, 3))
+    assert rows.groups == (("B", 0, 2), ("A", 2, 3), ("Others", 3, 4))
     assert arrange(3, None).columns == (0, 1, 2)
 
 

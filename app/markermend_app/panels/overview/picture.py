@@ -17,6 +17,7 @@ from markermend.artifact import Artifact, Kind, Status
 from markermend.mesh import Mesh
 from markermend_app.style import theme
 from markermend_app.telling import told_group
+from markermend_app.words import tr
 
 MODES = ("damage", "gaps", "residual")
 MOST_MM = 20.0
@@ -49,8 +50,10 @@ def arrange(markers: int, mesh: Mesh | None) -> Rows:
     for group in () if mesh is None else mesh.groups:
         groups.append((told_group(group.name), len(columns), len(columns) + len(group.markers)))
         columns += group.markers
-    placed = set(columns)
-    columns += [m for m in range(markers) if m not in placed]
+    rest = sorted(set(range(markers)) - set(columns))
+    if groups and rest:
+        groups.append((tr("Others"), len(columns), markers))
+    columns += rest
     row_of = np.empty(markers, dtype=np.int64)
     row_of[columns] = np.arange(markers)
     return Rows(tuple(columns), tuple(row_of.tolist()), tuple(groups))
