@@ -147,6 +147,18 @@ def test_a_preset_kept_under_a_name_is_offered_and_used(qtbot, window):
     assert not page.dial.isEnabled()
 
 
+def test_a_dial_that_does_nothing_beside_a_preset_looks_so(qtbot, window):
+    save_preset("my lab", "joint", JointParams())
+    page = Preferences(window)
+    qtbot.addWidget(page)
+    choose(page.theme, "light")
+    theme.apply(QApplication.instance(), "light")
+    page.show()
+    usable = page.dial.grab().toImage()
+    choose(page.preset, "my lab")
+    assert page.dial.grab().toImage() != usable
+
+
 def test_a_preset_that_is_gone_is_told_in_a_sentence(page):
     settings.remember(detection.PRESET, "lost")
     with pytest.raises(mm.MarkermendError, match="lost"):

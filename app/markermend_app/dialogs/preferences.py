@@ -174,7 +174,7 @@ class Preferences(QDialog):
         row.addWidget(self.dial_value)
         self.dial.setAccessibleName(self.tr("Sensitivity"))
         self._form.addRow(self.tr("Sensitivity"), row)
-        self._hint(self.tr("Higher finds more and raises more false alarms."))
+        self._hint(self.tr("Higher finds more, and more false alarms, from the next search on."))
         self.dial.valueChanged.connect(self._dialled)
 
     def _work(self) -> None:

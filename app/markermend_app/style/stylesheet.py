@@ -196,6 +196,8 @@ QSlider::groove:horizontal { height: 4px; border-radius: 2px; background: $track
 QSlider::sub-page:horizontal { height: 4px; border-radius: 2px; background: $accent; }
 QSlider::handle:horizontal { width: 12px; height: 12px; margin: -4px 0; border-radius: 6px;
     background: $accent; }
+QSlider::sub-page:horizontal:disabled, QSlider::handle:horizontal:disabled {
+    background: $dimmed; }
 QSlider:focus { border: 1px solid $accent; border-radius: 4px; }
 
 QProgressBar { background: $track; border: none; border-radius: 4px; min-height: 8px;

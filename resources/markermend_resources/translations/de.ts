@@ -3644,8 +3644,8 @@
         <translation>Empfindlichkeit</translation>
     </message>
     <message>
-        <source>Higher finds more and raises more false alarms.</source>
-        <translation>Höher findet mehr und schlägt öfter falschen Alarm.</translation>
+        <source>Higher finds more, and more false alarms, from the next search on.</source>
+        <translation>Höher findet ab der nächsten Suche mehr und schlägt öfter falschen Alarm.</translation>
     </message>
     <message>
         <source>Work</source>
