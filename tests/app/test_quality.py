@@ -7,6 +7,7 @@ import time
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QMenu
 
 from markermend.artifact import Artifact, Kind
 from markermend.patch import Patch
@@ -65,6 +66,14 @@ def test_a_decision_is_counted_once_it_has_settled(qtbot, panel, document):
     document.undo()
     qtbot.waitUntil(lambda: row(panel, "CLAV")[NOW] == "7.5 %", timeout=2000)
     assert row(panel, "CLAV")[MEAN] == "–"
+
+
+def test_the_menu_says_that_it_sorts(panel):
+    panel.view.customContextMenuRequested.emit(panel.view.rect().center())
+    (menu,) = panel.findChildren(QMenu)
+    title, first, *_ = menu.actions()
+    assert (title.text(), title.isEnabled(), first.text()) == ("Sort by", False, "Marker")
+    menu.close()
 
 
 def test_click_on_a_column_sorts_by_it(qtbot, panel):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QPoint, Qt, QTimer
-from PySide6.QtGui import QFontMetrics, QPainter, QShowEvent
+from PySide6.QtGui import QAction, QFontMetrics, QPainter, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QApplication,
@@ -169,6 +169,10 @@ class QualityPanel(QWidget):
         """Offer to sort, which the head does at a click only."""
         menu = sort_menu(self.head.horizontalHeader(), self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        # By itself a menu shows its title nowhere, and names of columns alone say nothing.
+        title = QAction(menu.title(), menu)
+        title.setEnabled(False)
+        menu.insertAction(menu.actions()[0], title)
         menu.popup(self.view.viewport().mapToGlobal(at))
 
     def _follow_shown(self) -> None:
