@@ -98,6 +98,22 @@ def test_single_frames_are_filled_from_what_moves_with_them():
     assert (filled.values[known] == values[known]).all()
 
 
+def test_long_gaps_follow_quick_movement_that_slow_changes_hide():
+    random = np.random.default_rng(10)
+    t = np.arange(1800) / 60
+    paces = [
+        np.sin(2 * np.pi * hertz * t + np.cumsum(random.normal(0, 0.2, 1800)))
+        for hertz in (1.3, 0.9)
+    ]
+    slow = np.cumsum(np.cumsum(random.normal(0, 0.0005, (1800, 6)), axis=0), axis=0)
+    values = 0.3 * np.transpose(paces) @ random.normal(size=(2, 6)) + slow
+    known = np.ones(values.shape, dtype=bool)
+    for start in range(200, 1700, 300):
+        known[start : start + 50, start // 300 % 6] = False
+    off = np.abs(fill(values, known, 60.0).values - values)[~known]
+    assert off.mean() < 0.11
+
+
 def test_filling_again_starts_from_what_was_made_of_the_others():
     random = np.random.default_rng(5)
     sources = np.cumsum(random.normal(size=(900, 2)), axis=0)

@@ -22,6 +22,8 @@ _BRIEF_S, _BRIEF, _LONG = 0.3, 0.85, 0.5
 _RIDGE, _LEVEL_RIDGE, _DOUBT = 1e-4, 1e-3, 0.1
 _SHORT_RIDGE = 1e-6
 _MOSTLY_HIDDEN = 0.999
+# How much movement within a gap counts beside whole poses where levels are regressed.
+_PASSING = 1.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -184,7 +186,7 @@ def _fill_gap(
     others = np.flatnonzero(telling)
     doubt = _DOUBT * hidden[others]
     ends = np.array([start - 1, stop]).clip(0, frames - 1)
-    whole = moments.whole
+    whole = moments.whole + _PASSING * moments.within_s(length / rate)
     ridge = _LEVEL_RIDGE * np.trace(whole) / len(whole)
     weights, left = _regress(whole, others, gap.channels, ridge, doubt)
     if alike and length >= _BRIEF_S * rate:
