@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import importlib.util
 import re
 from pathlib import Path
@@ -40,6 +41,13 @@ def test_every_public_name_is_in_the_reference() -> None:
     # Errors are there as one module.
     named |= {name for name in dir(errors) if name[0].isupper()}
     assert set(mm.__all__) - named == set()
+
+
+def test_every_name_in_the_reference_is_there() -> None:
+    text = (ROOT / "docs" / "sphinx" / "api.md").read_text(encoding="utf-8")
+    for name in re.findall(r"auto(?:function|class):: (\S+)", text):
+        room, _, thing = name.rpartition(".")
+        assert getattr(importlib.import_module(room), thing).__doc__, name
 
 
 def headings(page: Path) -> set[str]:

@@ -149,58 +149,20 @@ def _records(
     notes: Mapping[str, Sequence[str]],
 ) -> list[bytes]:
     """Encode the parameters."""
-
-    def one(group: int, name: str, kind: int, value: float) -> bytes:
-        return scalar_record(group, name, kind, value, _INTEL)
-
-    def texts(group: int, name: str, values: tuple[str, ...], length: int = 0) -> list[bytes]:
-        return text_records(group, name, values, _INTEL, length)
-
-    def numbers(group: int, name: str, kind: int, values: list[float]) -> list[bytes]:
-        return number_records(group, name, kind, values, _INTEL)
-
     last = take.first_frame + take.frames - 1
     records = [
-        group_record(1, "POINT", "", _INTEL),
-        one(1, "USED", INTEGER, len(labels)),
-        one(1, "FRAMES", INTEGER, min(take.frames, _MOST)),
-        one(1, "DATA_START", INTEGER, data_block),
-        one(1, "SCALE", FLOAT, -residual_scale),
-        one(1, "RATE", FLOAT, take.rate),
-        *texts(1, "UNITS", ("mm",)),
-        *texts(1, "LABELS", labels, 4),
-        *texts(1, "DESCRIPTIONS", ("",) * len(labels), 1),
-    ]
-    if take.frames > _MOST:
-        records.append(one(1, "LONG_FRAMES", FLOAT, take.frames))
-    for key, name in (("x_screen", "X_SCREEN"), ("y_screen", "Y_SCREEN")):
-        if key in take.info:
-            records += texts(1, name, (take.info[key],))
-    for name, listed in _type_lists(take).items():
-        records += texts(1, name, listed)
-    records += [
-        group_record(2, "ANALOG", "", _INTEL),
-        one(2, "USED", INTEGER, channels),
-        one(2, "RATE", FLOAT, take.rate * each),
-        one(2, "GEN_SCALE", FLOAT, 1.0),
-        *numbers(2, "SCALE", FLOAT, [1.0] * channels),
-        *numbers(2, "OFFSET", INTEGER, [0] * channels),
-    ]
-    if take.analog is not None and channels:
-        records += texts(2, "LABELS", take.analog.labels)
-        records += texts(2, "DESCRIPTIONS", ("",) * channels, 1)
-        records += texts(2, "UNITS", take.analog.units, 1)
-    records += [
+        *_point_records(take, labels, residual_scale, data_block),
+        *_analog_records(take, channels, each),
         group_record(3, "FORCE_PLATFORM", "", _INTEL),
-        one(3, "USED", INTEGER, 0),
+        _one(3, "USED", INTEGER, 0),
         group_record(4, "TRIAL", "", _INTEL),
-        *numbers(4, "ACTUAL_START_FIELD", INTEGER, [take.first_frame, take.first_frame >> 16]),
-        *numbers(4, "ACTUAL_END_FIELD", INTEGER, [last, last >> 16]),
-        one(4, "CAMERA_RATE", FLOAT, take.rate),
+        *_numbers(4, "ACTUAL_START_FIELD", INTEGER, [take.first_frame, take.first_frame >> 16]),
+        *_numbers(4, "ACTUAL_END_FIELD", INTEGER, [last, last >> 16]),
+        _one(4, "CAMERA_RATE", FLOAT, take.rate),
         group_record(5, "MANUFACTURER", "", _INTEL),
-        *texts(5, "COMPANY", ("Markermend",)),
-        *texts(5, "SOFTWARE", ("Markermend",)),
-        *texts(5, "VERSION_LABEL", (markermend.__version__,)),
+        *_texts(5, "COMPANY", ("Markermend",)),
+        *_texts(5, "SOFTWARE", ("Markermend",)),
+        *_texts(5, "VERSION_LABEL", (markermend.__version__,)),
     ]
     if take.events:
         records.append(group_record(6, "EVENT", "", _INTEL))
@@ -208,8 +170,65 @@ def _records(
     if notes:
         records.append(group_record(7, GROUP, "", _INTEL))
         for name, lines in notes.items():
-            records += texts(7, name, tuple(lines))
+            records += _texts(7, name, tuple(lines))
     return records
+
+
+def _point_records(
+    take: Take, labels: tuple[str, ...], residual_scale: float, data_block: int
+) -> list[bytes]:
+    """Encode the parameters of points."""
+    records = [
+        group_record(1, "POINT", "", _INTEL),
+        _one(1, "USED", INTEGER, len(labels)),
+        _one(1, "FRAMES", INTEGER, min(take.frames, _MOST)),
+        _one(1, "DATA_START", INTEGER, data_block),
+        _one(1, "SCALE", FLOAT, -residual_scale),
+        _one(1, "RATE", FLOAT, take.rate),
+        *_texts(1, "UNITS", ("mm",)),
+        *_texts(1, "LABELS", labels, 4),
+        *_texts(1, "DESCRIPTIONS", ("",) * len(labels), 1),
+    ]
+    if take.frames > _MOST:
+        records.append(_one(1, "LONG_FRAMES", FLOAT, take.frames))
+    for key, name in (("x_screen", "X_SCREEN"), ("y_screen", "Y_SCREEN")):
+        if key in take.info:
+            records += _texts(1, name, (take.info[key],))
+    for name, listed in _type_lists(take).items():
+        records += _texts(1, name, listed)
+    return records
+
+
+def _analog_records(take: Take, channels: int, each: int) -> list[bytes]:
+    """Encode the parameters of analog channels."""
+    records = [
+        group_record(2, "ANALOG", "", _INTEL),
+        _one(2, "USED", INTEGER, channels),
+        _one(2, "RATE", FLOAT, take.rate * each),
+        _one(2, "GEN_SCALE", FLOAT, 1.0),
+        *_numbers(2, "SCALE", FLOAT, [1.0] * channels),
+        *_numbers(2, "OFFSET", INTEGER, [0] * channels),
+    ]
+    if take.analog is not None and channels:
+        records += _texts(2, "LABELS", take.analog.labels)
+        records += _texts(2, "DESCRIPTIONS", ("",) * channels, 1)
+        records += _texts(2, "UNITS", take.analog.units, 1)
+    return records
+
+
+def _one(group: int, name: str, kind: int, value: float) -> bytes:
+    """Encode a single number."""
+    return scalar_record(group, name, kind, value, _INTEL)
+
+
+def _texts(group: int, name: str, values: tuple[str, ...], length: int = 0) -> list[bytes]:
+    """Encode texts."""
+    return text_records(group, name, values, _INTEL, length)
+
+
+def _numbers(group: int, name: str, kind: int, values: list[float]) -> list[bytes]:
+    """Encode numbers."""
+    return number_records(group, name, kind, values, _INTEL)
 
 
 def _type_lists(take: Take) -> dict[str, tuple[str, ...]]:
