@@ -58,6 +58,15 @@ def test_restoring_beats_what_knows_no_bodies(clips):
         compare({"02_01": clips["02_01"]}, cases=cases)
 
 
+def test_who_is_occluded_throughout_is_named(clips):
+    short = {
+        name: mm.Pose(p.positions[:60], p.rotations[:60], p.joints, p.parents, p.rate)
+        for name, p in clips.items()
+    }
+    with pytest.raises(DataError, match="recording 02_01 is too short for “bursts of 1 s, 30 Hz”"):
+        compare(short, cases=[CASES[6]])
+
+
 def test_movements_are_grouped_by_how_much_is_occluded():
     def row(method, movements):
         return Row("02_01", "02", "bursts", "both", method, 0.1, (), (), tuple(movements), 10)

@@ -12,6 +12,7 @@ import numpy as np
 from markermend.arrays import BoolArray, FloatArray
 from markermend.bench.columns import aligned, csv_cell, number
 from markermend.bench.poses import Case, recorded, unseen
+from markermend.errors import DataError
 from markermend.poses.breaking import KINDS, Broken, break_pose
 from markermend.poses.faults import Fault
 from markermend.poses.noise import corrupt_pose
@@ -94,7 +95,10 @@ def find_faults(
             truth = recorded(pose, case)
             noisy = corrupt_pose(truth, case.noise(truth.rate), seed=seeds[name])
             each = max(int(truth.frames / truth.rate / EVERY_S / len(KINDS)), 1)
-            given, broken = break_pose(noisy, each=each, seed=seeds[name])
+            try:
+                given, broken = break_pose(noisy, each=each, seed=seeds[name])
+            except DataError as error:
+                raise DataError(f"{name}, {case.name}: {error}") from None
             wrong = _marked(broken, truth)
             told = given.with_samples(given.positions, given.rotations, np.where(wrong, 0.0, 1.0))
             restored = restore(given, prior=prior)

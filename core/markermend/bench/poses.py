@@ -126,7 +126,7 @@ def compare(
     Raises
     ------
     DataError
-        when all clips show one subject
+        when all clips show one subject, or one is so short that it is occluded throughout
     """
     rows: list[Row] = []
     steps, done = len(clips) * len(cases), 0
@@ -174,6 +174,11 @@ def _try(
     damaged, occluded = corrupt(features, truth.parents, case.noise(truth.rate), seed=seed)
     damaged[..., 3:] = upright(unit(damaged[..., 3:]))
     known = _known(occluded, truth.parents)
+    if not known.any(axis=0).all():
+        raise DataError(
+            f"The recording {clip} is too short for “{case.name}”: a joint is never seen in it."
+            " Leave it out, or choose other cases."
+        )
     everywhere = np.ones(len(features), dtype=bool)
     results = {name: Tried(run(damaged, known), everywhere, ALL) for name, run in SIMPLE.items()}
     results |= by_networks(networks, clip, damaged, known, pose.frames)

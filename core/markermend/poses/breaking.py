@@ -71,7 +71,8 @@ def break_pose(pose: Pose, *, each: int, seed: int) -> tuple[Pose, tuple[Broken,
     if np.diff(slots).min() < _ROOM:
         raise DataError(
             f"The recording is too short to be broken {each * len(KINDS)} times: it has"
-            f" {pose.frames} poses, and that takes {_ROOM * each * len(KINDS) + 4} or more."
+            f" {pose.frames} poses, and that takes {_ROOM * each * len(KINDS) + 4} or more;"
+            " leave it out."
         )
     kinds, done = tuple(KINDS), []
     for slot, n in enumerate(random.permutation(each * len(KINDS)).tolist()):
