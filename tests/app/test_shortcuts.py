@@ -230,6 +230,8 @@ def test_the_palette_lists_artifacts_as_the_queue_does(qtbot, window):
     names = [entry.text for entry in palette.ranked("frames lelb", found)]
     assert not names
     assert palette.ranked("frame lelb", found)[0].text == "Peak on LELB, frame 251"
+    # A gap is what is looked for, rather than what would make one of the artifact under review.
+    assert palette.ranked("gap", found)[0].text == "Gap on CLAV, frames 161–190"
     same = [palette.Entry(f"Gap on {m}", "", QIcon(), True, bool) for m in ("LONGER", "SHORT")]
     assert palette.ranked("gap", same) == same
 

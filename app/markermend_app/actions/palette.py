@@ -33,7 +33,7 @@ Index = QModelIndex | QPersistentModelIndex
 _ENTRY = Qt.ItemDataRole.UserRole
 _LINE = Qt.AlignmentFlag.AlignVCenter | Qt.TextFlag.TextSingleLine
 _WIDTH, _HEIGHT = 560, 420
-_HEAD, _WITHIN, _OTHER_WORD = 3.0, 2.0, 1.5
+_START, _HEAD, _WITHIN, _OTHER_WORD = 3.5, 3.0, 2.0, 1.5
 """How well a word fits; as scattered letters at most 1."""
 _SCATTERED = 0.3
 """Letters further apart than that stand in any long text."""
@@ -99,9 +99,9 @@ def entries(made: Mapping[str, QAction], document: Document) -> list[Entry]:
 def score(wanted: str, text: str, also: str = "") -> float | None:
     """How well a search fits a text, higher is better; None when it does not.
 
-    Every word of the search has to be found, in any order: best where it begins a word of the
-    text, else within one, else where it begins one of the other words, else as letters in this
-    order. Short texts go before long ones.
+    Every word of the search has to be found, in any order: best where it begins the text, else a
+    word of it, else within one, else where it begins one of the other words, else as letters in
+    this order. Short texts go before long ones.
     """
     text, others = text.casefold(), re.findall(r"[\w-]+", also.casefold())
     total = -0.01 * len(text)
@@ -120,7 +120,7 @@ def _fit(word: str, text: str) -> float | None:
     place = text.find(word)
     if place >= 0:
         heads = any(h == 0 or not text[h - 1].isalnum() for h in _places(word, text))
-        return _HEAD if heads else _WITHIN
+        return _START if place == 0 else _HEAD if heads else _WITHIN
     at = first = -1
     for letter in word:
         at = text.find(letter, at + 1)
