@@ -11,9 +11,8 @@ class _Guard(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Keep the wheel from the field."""
-        if event.type() != QEvent.Type.Wheel or (
-            isinstance(watched, QWidget) and watched.hasFocus()
-        ):
+        held = isinstance(watched, QWidget) and watched.hasFocus()
+        if held or event.type() != QEvent.Type.Wheel:
             return False
         event.ignore()
         return True

@@ -78,6 +78,7 @@ def test_an_action_restored_hands_back_the_key_it_had_taken(qapp):
     shortcuts.change("accept", ("R",))
     shortcuts.restore("accept")
     assert shortcuts.table() == before
+    assert not shortcuts.own()
 
 
 def test_hints_name_the_keys_that_hold_and_the_menu_where_there_is_none(window, damaged, tmp_path):

@@ -141,6 +141,7 @@ def restore(name: str) -> None:
     for other, had in chosen.items():
         back = freed - set(had)
         chosen[other] = (*(k for k in _of_preset(other) if k in back), *had)
+    chosen = {other: had for other, had in chosen.items() if had != _of_preset(other)}
     settings.remember(_OWN, json.dumps(chosen))
     if table()[name] != standard or any(len(holders(k, table())) > 1 for k in standard):
         change(name, standard)
