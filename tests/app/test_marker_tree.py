@@ -212,6 +212,21 @@ def test_channels_are_checked_into_rows_of_their_own(tmp_path, damaged, qtbot):
     assert model.data(channel, Qt.ItemDataRole.CheckStateRole) == Qt.CheckState.Checked
     model.setData(channel, Qt.CheckState.Unchecked.value, Qt.ItemDataRole.CheckStateRole)
     assert document.beside == ()
+    tree.resize(300, 400)
+    tree.show()
+    tree.filter.setText("EMG")
+    view, box = tree.view, QStyle.SubElement.SE_ItemViewItemCheckIndicator
+    row = tree._proxy.mapFromSource(channel)
+    option = QStyleOptionViewItem()
+    view.initViewItemOption(option)
+    option.rect = view.visualRect(row)
+    option.features |= QStyleOptionViewItem.ViewItemFeature.HasCheckIndicator
+    # Its name means it as much as its check mark does.
+    for at in (view.style().subElementRect(box, option, view).center(), option.rect.center()):
+        for shown_now in (("analog 1",), ()):
+            qtbot.mouseClick(view.viewport(), Qt.MouseButton.LeftButton, pos=at)
+            assert document.beside == shown_now
+    assert document.shown == shown
     document.open(None, None)
     document.proposals.close()
 

@@ -11,43 +11,34 @@ from PySide6.QtCore import (
     QPersistentModelIndex,
     QPoint,
     QSize,
-    QSortFilterProxyModel,
     Qt,
     Signal,
 )
-from PySide6.QtGui import QKeyEvent, QPainter, QResizeEvent
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QApplication,
     QDockWidget,
     QHBoxLayout,
     QHeaderView,
     QMenu,
     QStackedWidget,
-    QStyle,
-    QStyledItemDelegate,
-    QStyleOptionViewItem,
     QToolButton,
-    QTreeView,
     QVBoxLayout,
     QWidget,
 )
 
 from markermend.review.edits import Change
 from markermend_app.document import Document
-from markermend_app.panels.markers.badge import counts_width, hint, paint_counts
+from markermend_app.panels.markers.badge import counts_width, hint
 from markermend_app.panels.markers.marker_menu import add_marker_verbs, point_at
 from markermend_app.panels.markers.marker_model import (
-    COUNTS,
-    LABEL,
     MISSING,
     NAME,
     OPEN,
-    OWN,
-    SORT,
     MarkerModel,
 )
 from markermend_app.panels.markers.rows import flatten, grow
+from markermend_app.panels.markers.tree_view import CountsDelegate, Filter, TreeView
 from markermend_app.panels.own_ends import OwnEnds
 from markermend_app.panels.queue.filter_line import FilterLine
 from markermend_app.style import theme
@@ -78,11 +69,11 @@ class MarkerTree(QWidget):
         self.setMinimumWidth(230)
         self._syncing = self._choosing = False
         self._model = MarkerModel(document.show, document.show_beside, self)
-        self._proxy = _Filter(self)
+        self._proxy = Filter(self)
         self._proxy.setSourceModel(self._model)
 
         self.pick: Callable[[str], bool] = lambda marker: False
-        self.view = _View()
+        self.view = TreeView()
         OwnEnds(self.view)
         self.view.returned.connect(self._check)
         self.filter = FilterLine(self.tr("Filter markers"), self.view)
@@ -103,7 +94,7 @@ class MarkerTree(QWidget):
         self.view.setIconSize(QSize(12, 12))
         # Markers of one segment often differ in their last letter only.
         self.view.setTextElideMode(Qt.TextElideMode.ElideMiddle)
-        self.view.setItemDelegateForColumn(OPEN, _CountsDelegate(self.view))
+        self.view.setItemDelegateForColumn(OPEN, CountsDelegate(self.view))
         header = self.view.header()
         header.setStretchLastSection(False)
         header.setMinimumSectionSize(40)
@@ -338,62 +329,3 @@ class MarkerTree(QWidget):
     def _recolour(self) -> None:
         self.worst_first.setIcon(theme.icon("sort"))
         self._model.recolour()
-
-
-class _View(QTreeView):
-    """A tree in which Return means a row's check mark: the space bar plays.
-
-    Signals
-    -------
-    returned(QModelIndex) : Return was pressed on a row
-    """
-
-    returned = Signal(QModelIndex)
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Tell of Return."""
-        index = self.currentIndex()
-        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and index.isValid():
-            self.returned.emit(index)
-        else:
-            super().keyPressEvent(event)
-
-
-class _Filter(QSortFilterProxyModel):
-    """Matches markers and groups; a group that matches keeps its markers."""
-
-    def __init__(self, parent: QWidget) -> None:
-        super().__init__(parent)
-        self.setRecursiveFilteringEnabled(True)
-        self.setAutoAcceptChildRows(True)
-        self.setFilterCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
-
-    def lessThan(self, left: Index, right: Index) -> bool:
-        """By open artifacts, then by share missing; the name decides ties."""
-        a, b = left.data(SORT), right.data(SORT)
-        if a == b:
-            return bool(left.data(LABEL) > right.data(LABEL))
-        return bool(a < b)
-
-
-class _CountsDelegate(QStyledItemDelegate):
-    """Paints counts as class badges; rows that hold others show those beneath while closed."""
-
-    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
-        """Background as ever, then badges."""
-        self.initStyleOption(option, index)
-        style = option.widget.style() if option.widget else QApplication.style()
-        style.drawPrimitive(
-            QStyle.PrimitiveElement.PE_PanelItemViewItem, option, painter, option.widget
-        )
-        first = index.sibling(index.row(), NAME)
-        view = option.widget
-        holds = first.model().hasChildren(first)
-        # A joint holds others, and may be damaged itself.
-        opened = isinstance(view, QTreeView) and holds and view.isExpanded(first)
-        counts = index.data(OWN if opened else COUNTS) or {}
-        paint_counts(painter, option.rect, counts, option.font, faint=holds and not opened)
-
-    def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
-        """As high as every row; the column's width is set apart, and this is asked often."""
-        return QSize(0, 24)
