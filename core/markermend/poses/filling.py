@@ -13,8 +13,9 @@ from markermend.poses.bridging import SIDE, around, bridge, bridged, known_alike
 from markermend.poses.covariance import Moments, learn, pooled
 from markermend.poses.likeness import by_likeness, moments_to_compare
 
-# Gaps up to this long are many and alike, and are crossed all at once.
-_SHORT_S = 0.02
+# Gaps up to this long are many and alike, and are crossed all at once; a rough result crosses gaps
+# up to this long by time alone.
+_SHORT_S, _ROUGH_S = 0.02, 0.1
 _PASSES = 2
 # Share of the deviations' estimate beside the levels', in gaps shorter and longer than this.
 _BRIEF_S, _BRIEF, _LONG = 0.3, 0.85, 0.5
@@ -99,7 +100,7 @@ def fill(
         )
         return Filled(whole.values[:, :-more], whole.variance[:, :-more], whole.lasting)
     base = bridged(values, known)
-    short = max(round(_SHORT_S * rate), 1)
+    short = max(round((_ROUGH_S if rough else _SHORT_S) * rate), 1)
     variance = _time_variance(base, known, rate)
     gaps = _gaps(known)
     if not rough and near is None:

@@ -11,7 +11,7 @@ from markermend.poses.bending import Bends, find_bends
 from markermend.poses.smoothing import smooth_bands
 
 # Frames that share their slopes; groups of them that are solved at once.
-_ALIKE, _AT_ONCE = 4, 128
+_ALIKE, _AT_ONCE = 6, 128
 
 
 def settle(
