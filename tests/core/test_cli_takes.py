@@ -13,6 +13,9 @@ import pytest
 from command_line import FRAMES, GAP, RATE, run, strict, write_swing
 
 import markermend as mm
+from markermend.artifact import Artifact, Kind
+from markermend.cli.repairing import left_over
+from markermend.outcome import Outcome
 
 
 @pytest.fixture(scope="module")
@@ -244,3 +247,14 @@ def test_diff_names_what_fill_did(
     assert told["parameters"] == []
     assert run("diff", recording, recording) == 0
     assert "the same, byte for byte" in capsys.readouterr().out
+
+
+def test_reasons_that_differ_in_size_only_are_told_in_one_line() -> None:
+    gap = Artifact("A", "xyz", 0, 9, Kind.GAP)
+    reasons = ["It is 73 mm off; too far.", "No 3 markers.", "It is 54 mm off; too far."]
+    left = [Outcome(gap, None, None, reason) for reason in reasons]
+    assert left_over(left)[2:] == [
+        "     2 × It is 54 to 73 mm off; too far.",
+        "     1 × No 3 markers.",
+    ]
+    assert left_over([]) == []

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Sequence
 from statistics import median
@@ -11,6 +12,8 @@ from markermend.cli.console import count, table
 from markermend.cli.detect import when
 from markermend.outcome import Outcome
 from markermend.take import Take
+
+_SIZE = re.compile(r"\d+(?= mm off)")
 
 
 def summary_table(done: Sequence[Outcome]) -> list[str]:
@@ -64,9 +67,18 @@ def seen_again(done: Sequence[Outcome]) -> list[str]:
 
 
 def left_over(done: Sequence[Outcome]) -> list[str]:
-    """Why some were left, a line for each reason."""
-    reasons = Counter(o.reason for o in done if o.method is None)
-    if not reasons:
+    """Why some were left, a line for each reason; reasons that differ in size only are one."""
+    left = [o.reason for o in done if o.method is None]
+    if not left:
         return []
-    lines = [f"  {n:>4} × {reason}" for reason, n in reasons.most_common()]
-    return ["", f"Left as they were, {count(reasons.total(), 'artifact')}:", *lines]
+    alike: dict[tuple[str, ...], list[int]] = {}
+    for reason in left:
+        size = _SIZE.search(reason)
+        words = tuple(_SIZE.split(reason, maxsplit=1))
+        alike.setdefault(words, []).append(0 if size is None else int(size[0]))
+    lines = []
+    for words, found in sorted(alike.items(), key=lambda item: -len(item[1])):
+        low, high = min(found), max(found)
+        between = f"{low}" if low == high else f"{low} to {high}"
+        lines.append(f"  {len(found):>4} × {between.join(words)}")
+    return ["", f"Left as they were, {count(len(left), 'artifact')}:", *lines]
