@@ -275,6 +275,7 @@ def test_a_take_in_which_nothing_was_found_is_not_searched_again(qtbot, take_pat
             lambda w=window: w.document.mesh is not None and not w.lane.busy, timeout=20_000
         )
         assert len(window.document.session.history) == 1
+        assert window.document.shown == take.labels[:1]
         window.close()
 
 

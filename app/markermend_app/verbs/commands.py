@@ -102,7 +102,7 @@ class Commands(QObject):
         self._lane.submit(label, work, done, failed, dropped)
 
     def _look_at_first(self, file: SessionFile, label: str) -> None:
-        """Put the first artifact under review, once the methods that are listed are loaded."""
+        """Look at the first artifact or, with none, marker; once the methods listed are loaded."""
 
         def done() -> None:
             if self._document.file is file and self._document.current is None:
@@ -141,7 +141,7 @@ class Commands(QObject):
             if new and settings.flag("detect_on_open", True):
                 self.detect()
             else:
-                self._load_methods(label)
+                self._look_at_first(file, label)
 
         label = self.tr("Looking at the body")
         self._lane.submit(label, work, done, self.show_problem)
