@@ -42,3 +42,28 @@ ODDITIES = (
     "The header counts {0} frames; {1} were read.",
 )
 """What is odd about a file, as far as operators meet it often."""
+
+PROBLEMS = (
+    "{0} is empty; look for another copy of it.",
+    "{0} is not a C3D file; its first bytes are not a C3D header.",
+    "{0} is of an unknown kind; C3D, TRC, CSV, AMC, ASF and BVH can be read.",
+    "{0} is damaged: its header puts the parameters at byte {1}, where there are none; look for "
+    "another copy of it.",
+    "{0} is damaged: its frames would begin beyond its end, at byte {1} of {2}; look for another "
+    "copy of it.",
+    "{0} holds no frame: by its header it ends before it begins.",
+    "There is no file “{0}”; check its name and folder.",
+    "There is no take at “{0}”; check its name and folder.",
+    "“{0}” is a folder; name a file in it.",
+    "“{0}” may not be read; check its permissions.",
+    "“{0}” cannot be opened: {1}.",
+    "{0} could not be written: {1}; nothing was changed, choose another place or free some space.",
+)
+"""Why a file cannot be opened or written."""
+
+REVIEWS = (
+    "The review made of this take at “{0}” goes on here.",
+    "The take has changed since it was reviewed: what was decided on the {0} markers that are the "
+    "same was kept, on {1} it was not; the old review stays in “{2}”.",
+)
+"""What is said of a review that was there before."""

@@ -116,10 +116,14 @@ _OF_METHODS = (
     "{0} may be about {1} mm off.",
     "{0} would leave damage.",
 )
+_FILES = (
+    *(*file_words.ODDITIES, *file_words.VALUES),
+    *(*file_words.PROBLEMS, *file_words.REVIEWS),
+)
 _FORMS: Mapping[str, str] = {
     "Detect (sudden)": "Find gaps, peaks, noise and steps",
     "Detect (all kinds)": "Find artifacts of all classes",
-    **{form: form for form in (*file_words.ODDITIES, *file_words.VALUES, *_OF_METHODS, *_SAME)},
+    **{form: form for form in (*_FILES, *_OF_METHODS, *_SAME)},
 }
 """Forms as the engine writes them, and as they are told."""
 _PARTS = (

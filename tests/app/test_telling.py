@@ -137,6 +137,18 @@ def test_why_there_is_no_repair_is_told(damaged, brackets):
     assert told(left) == ("⟦The detector still finds damage there: a ⟦peak⟧ of 7.3 mm and 1 more.⟧")
 
 
+def test_why_a_file_cannot_be_opened_is_told(brackets, tmp_path):
+    (tmp_path / "empty.c3d").touch()
+    (tmp_path / "text.c3d").write_text("hello world" * 100)
+    (tmp_path / "dir.c3d").mkdir()
+    for name in ("empty.c3d", "text.c3d", "dir.c3d", "none.c3d"):
+        with pytest.raises(mm.MarkermendError) as caught:
+            mm.read(tmp_path / name)
+        said = told(str(caught.value))
+        assert said.startswith("⟦"), said
+        assert name in said
+
+
 def test_what_is_odd_about_a_file_keeps_its_values(brackets, tmp_path):
     path = tmp_path / "odd.csv"
     path.write_text("time,A_X,A_Y,A_Z\n0.00,1,2,3\n0.01,0,0,0\n0.02,x,2,3\n")

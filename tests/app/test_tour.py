@@ -68,6 +68,17 @@ def test_escape_in_the_plots_lets_go_what_is_swept_then_ends_the_tour(window, to
     assert not tour.card.isVisible()
 
 
+def test_a_long_title_is_seen_whole_on_the_card(window, tour, qtbot):
+    card = tour.card
+    title = "Vergleichen oder exportieren, was davon lieber ist"
+    card.say(title, "Etwas.", "5 von 5", last=False)
+    card.point_at(None)
+    wide = card.title.fontMetrics().horizontalAdvance(title)
+    lines = -(-wide // card.title.width())
+    assert lines > 1
+    qtbot.waitUntil(lambda: card.title.height() >= lines * card.title.fontMetrics().height())
+
+
 def test_the_card_is_reached_and_ended_by_keys_alone(window, tour, qtbot):
     qtbot.keyClick(window.welcome.demo, Qt.Key.Key_Space)
     window.trajectories.canvas.setFocus()

@@ -34,7 +34,7 @@ def show_problem(parent: QWidget, error: Exception) -> None:
     box.setIcon(QMessageBox.Icon.Warning)
     box.setWindowTitle(_tr("Markermend"))
     if isinstance(error, MarkermendError):
-        box.setText(str(error))
+        box.setText(told(str(error)))
         if error.__cause__ is not None:
             box.setDetailedText(f"{type(error.__cause__).__name__}: {error.__cause__}")
     else:

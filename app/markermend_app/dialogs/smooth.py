@@ -31,6 +31,7 @@ from markermend_app.dialogs.params_form import ParamsForm
 from markermend_app.dialogs.smooth_pictures import SmoothPictures
 from markermend_app.scope import Scope
 from markermend_app.style import theme
+from markermend_app.telling import told
 from markermend_app.words import tr
 
 _PATIENCE_MS = 150
@@ -297,7 +298,7 @@ class SmoothDialog(QDialog):
         self.bar.hide()
         self._draw()
         self.percent.clear()
-        self.warning.setText(str(error))
+        self.warning.setText(told(str(error)))
 
     def _draw(self) -> None:
         """Draw marker and axis that are looked at, and say how much of the way goes."""

@@ -32,6 +32,7 @@ from markermend_app.panels.markers.badge import dot_icon, paint_share
 from markermend_app.panels.own_ends import OwnEnds
 from markermend_app.panels.queue.view import PlainDelegate
 from markermend_app.style import theme
+from markermend_app.telling import told
 from markermend_app.words import tr
 
 if TYPE_CHECKING:
@@ -171,7 +172,7 @@ class TakeList(QWidget):
             Row(
                 item,
                 batch.glances.get(item.path),
-                batch.problems.get(item.path, ""),
+                told(batch.problems.get(item.path, "")),
                 batch.ready(item),
                 item is current,
             )

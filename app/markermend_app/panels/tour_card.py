@@ -42,7 +42,9 @@ class TourCard(QWidget):
         self.title, self.text, self.count = QLabel(), QLabel(), QLabel()
         self.title.setProperty("role", "heading")
         self.count.setProperty("role", "small")
-        self.text.setWordWrap(True)
+        # In other languages a title may need two lines.
+        for label in (self.title, self.text):
+            label.setWordWrap(True)
         self.skip = QPushButton(self.tr("Skip this step"))
         self.end = QPushButton()
         for button in (self.skip, self.end):

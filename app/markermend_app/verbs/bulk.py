@@ -17,6 +17,7 @@ from markermend_app.background.jobs import Lane
 from markermend_app.dialogs.alike import AlikeDialog
 from markermend_app.document import Document
 from markermend_app.scope import scopes
+from markermend_app.telling import told
 
 
 class Bulk(QObject):
@@ -127,7 +128,7 @@ class Bulk(QObject):
             dialog.tell({a.id: repair for a, repair in pairs})
 
         def failed(error: Exception) -> None:
-            self.said.emit(str(error))
+            self.said.emit(told(str(error)))
             dialog.close()
 
         self._lane.cancel()

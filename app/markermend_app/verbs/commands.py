@@ -198,7 +198,7 @@ class Commands(QObject):
             try:
                 document.file.save()
             except MarkermendError as error:
-                self.said.emit(str(error))
+                self.said.emit(told(str(error)))
 
     def _save(self, file: SessionFile) -> bool:
         """Save the review; when that is not possible say why."""
@@ -360,7 +360,7 @@ class Commands(QObject):
     def _tell_refused(self, error: Exception) -> None:
         """Say aside what the take does not allow, so that the review goes on; else ask to look."""
         if isinstance(error, DataError):
-            self.said.emit(str(error))
+            self.said.emit(told(str(error)))
         else:
             self.show_problem(error)
 
@@ -381,7 +381,7 @@ class Commands(QObject):
                 told(file.session.history[-1]) if file.session.history else self.tr("opened")
             )
         elif file.warning:
-            text = file.warning
+            text = told(file.warning)
         elif take.warnings:
             text = told(take.warnings[0])
         self.said.emit(text)

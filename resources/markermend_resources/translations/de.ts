@@ -1760,6 +1760,62 @@
         <translation>(0, 0, 0) mit gültigem Residuum ({0} Werte)</translation>
     </message>
     <message>
+        <source>{0} is empty; look for another copy of it.</source>
+        <translation>{0} ist leer; suchen Sie eine andere Kopie.</translation>
+    </message>
+    <message>
+        <source>{0} is not a C3D file; its first bytes are not a C3D header.</source>
+        <translation>{0} ist keine C3D-Datei; die ersten Bytes sind kein C3D-Kopf.</translation>
+    </message>
+    <message>
+        <source>{0} is of an unknown kind; C3D, TRC, CSV, AMC, ASF and BVH can be read.</source>
+        <translation>{0} ist von unbekannter Art; gelesen werden C3D, TRC, CSV, AMC, ASF und BVH.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: its header puts the parameters at byte {1}, where there are none; look for another copy of it.</source>
+        <translation>{0} ist beschädigt: Nach dem Dateikopf stehen die Parameter bei Byte {1}, wo keine sind; suchen Sie eine andere Kopie.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: its frames would begin beyond its end, at byte {1} of {2}; look for another copy of it.</source>
+        <translation>{0} ist beschädigt: Die Frames würden hinter dem Ende beginnen, bei Byte {1} von {2}; suchen Sie eine andere Kopie.</translation>
+    </message>
+    <message>
+        <source>{0} holds no frame: by its header it ends before it begins.</source>
+        <translation>{0} enthält keinen Frame: Nach dem Dateikopf endet die Aufnahme vor ihrem Anfang.</translation>
+    </message>
+    <message>
+        <source>There is no file “{0}”; check its name and folder.</source>
+        <translation>Es gibt keine Datei „{0}“; prüfen Sie Namen und Ordner.</translation>
+    </message>
+    <message>
+        <source>There is no take at “{0}”; check its name and folder.</source>
+        <translation>Bei „{0}“ gibt es keine Aufnahme; prüfen Sie Namen und Ordner.</translation>
+    </message>
+    <message>
+        <source>“{0}” is a folder; name a file in it.</source>
+        <translation>„{0}“ ist ein Ordner; nennen Sie eine Datei darin.</translation>
+    </message>
+    <message>
+        <source>“{0}” may not be read; check its permissions.</source>
+        <translation>„{0}“ darf nicht gelesen werden; prüfen Sie die Zugriffsrechte.</translation>
+    </message>
+    <message>
+        <source>“{0}” cannot be opened: {1}.</source>
+        <translation>„{0}“ lässt sich nicht öffnen: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} could not be written: {1}; nothing was changed, choose another place or free some space.</source>
+        <translation>{0} konnte nicht geschrieben werden: {1}; nichts wurde geändert. Wählen Sie einen anderen Ort oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>The review made of this take at “{0}” goes on here.</source>
+        <translation>Die Durchsicht dieser Aufnahme von „{0}“ geht hier weiter.</translation>
+    </message>
+    <message>
+        <source>The take has changed since it was reviewed: what was decided on the {0} markers that are the same was kept, on {1} it was not; the old review stays in “{2}”.</source>
+        <translation>Die Aufnahme hat sich seit der Durchsicht geändert: Was an den {0} gleichen Markern entschieden wurde, bleibt, an {1} nicht; die alte Durchsicht steht weiter in „{2}“.</translation>
+    </message>
+    <message>
         <source>{0} is not used: {1}</source>
         <translation>{0} wird nicht verwendet: {1}</translation>
     </message>
