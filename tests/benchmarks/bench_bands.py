@@ -1,4 +1,4 @@
-"""Do bands hold that were measured on known stretches, of methods that say nothing of their error.
+"""Do bands hold: of the usual repair, and of methods whose error is measured on known stretches.
 
 python tests/benchmarks/bench_bands.py TAKE.c3d ... (recordings with little missing)
 """
@@ -15,7 +15,11 @@ from markermend.artifact import Artifact, Kind
 from markermend.bench.gaps import BAND_90
 from markermend.repairs import propose
 
-METHODS = ("spline", "pchip", "makima", "linear", "li", "lpr", "lgrnn", "glr", "pca", "pma")
+CURVES, MODELS = (
+    ("spline", "pchip", "makima", "linear"),
+    ("li", "lpr", "lgrnn", "glr", "pca", "pma"),
+)
+METHODS = ("auto", *CURVES, *MODELS)
 SECONDS, GAPS, SEED, BESIDE = (0.05, 0.1, 0.2, 0.5, 1.0), 6, 7, 5
 
 

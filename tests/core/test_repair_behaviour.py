@@ -172,6 +172,18 @@ def test_the_band_holds_where_the_take_begins_or_ends(walk: Take) -> None:
     assert 0.8 < np.mean(inside) < 0.97
 
 
+def test_the_band_holds_in_short_gaps_where_most_of_the_error_is_noise(walk: Take) -> None:
+    inside = []
+    for n, marker in enumerate(walk.labels):
+        start, length = 60 + 13 * n, 8 + n % 20
+        take, ((_, repair),) = filled(walk, [(marker, start, start + length)])
+        rows, column = slice(start, start + length), walk.index(marker)
+        apart = np.linalg.norm(take.positions[rows, column] - walk.positions[rows, column], axis=1)
+        assert repair.band_mm is not None
+        inside.append(np.mean(apart <= BAND_90 * repair.band_mm))
+    assert 0.8 < np.mean(inside) < 0.97
+
+
 def test_the_band_holds_where_most_of_the_take_is_missing_and_one_side_is_short(walk: Take) -> None:
     rows, inside = slice(10, 730), []
     for marker in walk.labels[::3]:

@@ -147,6 +147,9 @@ def repair_local_regression(evidence: Evidence, artifact: Artifact, params: Any)
     values, deviation, learnt = condition(frames, take.rate, views, noise, hidden, beside[known])
     if artifact.length <= OWN_COURSE_S * take.rate:
         values, deviation = _with_own_course(evidence, artifact, values, deviation)
+        # Both say how sure the place is; what a camera would have seen there trembles, too, and
+        # where a body hardly moves that is most of it.
+        deviation = np.hypot(deviation, noise)
     else:
         longer = max(1.0, artifact.length / take.rate / LONG_S)
         deviation = LONG_DOUBT * longer**LONG_POWER * deviation
