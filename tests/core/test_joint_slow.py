@@ -14,6 +14,7 @@ from markermend.detectors.joint.drift import scan
 from markermend.detectors.joint.explained import explained
 from markermend.detectors.joint.judge import Judge, evidence, load_judge, quiet_levels
 from markermend.detectors.joint.measures import FEATURES, measure, stack
+from markermend.detectors.joint.refilled import Spot, unevenness
 from markermend.detectors.joint.slow import prepare, shipped_judge
 from markermend.detectors.joint.slow_training import examples_of
 from markermend.detectors.joint.trees import from_scikit
@@ -163,16 +164,19 @@ def test_trees_agree_with_scikit_learn(tmp_path):
     mean = np.mean([model.decision_function(rows) for model in models], axis=0)
     trees = from_scikit(models)
     assert np.allclose(trees.log_odds(rows), mean)
-    Judge(trees, np.arange(6.0)).save(tmp_path / "judge.npz")
+    Judge(trees, np.arange(8.0)).save(tmp_path / "judge.npz")
     stored = load_judge(tmp_path / "judge.npz")
     assert np.allclose(stored.trees.log_odds(rows), mean, atol=1e-4)
-    assert (stored.weights == np.arange(6.0)).all()
+    assert (stored.weights == np.arange(8.0)).all()
 
 
 def test_the_shipped_judge_fits_the_features():
     judge = shipped_judge()
     assert judge.trees.feature.max() < len(FEATURES)
-    assert len(judge.weights) == 1 + evidence(np.zeros(1), np.ones(1, bool), np.zeros(2)).shape[1]
+    one = evidence(np.zeros(1), np.ones(1, dtype=bool), np.zeros(2), np.zeros(1))
+    assert len(judge.weights) == 1 + one.shape[1]
+    assert judge.weights[-2] < 0.0
+    assert judge.weights[-2] + judge.weights[-1] < 0.0
     assert np.isfinite(judge.trees.log_odds(np.ones((3, len(FEATURES))))).all()
 
 
@@ -183,9 +187,10 @@ def test_candidates_are_believed_less_where_the_take_has_many_as_clear():
     sharp = np.ones(401, dtype=bool)
 
     def weighed(values):
-        return (evidence(values, sharp, quiet_levels(values, 20.0)) @ judge.weights[1:])[0]
+        levels, uneven = quiet_levels(values, 20.0), np.full(401, -2.0)
+        return judge.confidence(evidence(values, sharp, levels, uneven))[0]
 
-    assert weighed(odds) > weighed(rougher) + 0.5
+    assert weighed(odds) > weighed(rougher)
     assert quiet_levels(odds, 20.0)[0] == np.sort(odds)[-41]
     assert (quiet_levels(np.zeros(0), 20.0) == 0.0).all()
 
@@ -204,6 +209,21 @@ def test_what_is_truly_a_drift_leaves_quiet_behind():
         quieter.append(float(gain[0]))
         assert score[0] > 0
     assert quieter[0] > quieter[1] + 0.5
+
+
+def test_a_drift_is_even_beside_its_filling_and_a_hill_is_not(performer):
+    spot = Spot(performer.index("LBHD"), 2, 700, 750, "rounded 9")
+    seen, shape, wave = performer.present, shape_of("rounded 9", 50), np.sin(np.arange(50) / 3.0)
+    drift, hill, tremble = (performer.positions.copy() for _ in range(3))
+    drift[700:750, spot.marker, 2] += 10.0 * shape
+    hill[700:750, spot.marker, 2] += 10.0 * wave
+    tremble[700:750, spot.marker] += 6.0 * wave[:, None] + 10.0 * shape[:, None] * np.eye(3)[2]
+    even, hilly, trembling = (unevenness(x, seen, 120.0, spot) for x in (drift, hill, tremble))
+    assert even < -2.0
+    assert min(hilly, trembling) > even + 1.0
+    seen = seen.copy()
+    seen[:, np.arange(performer.markers) != spot.marker] = False
+    assert unevenness(drift, seen, 120.0, spot) == 0.0
 
 
 @pytest.mark.parametrize(("kind", "length"), [("sharp", 50), ("hann", 50)])
@@ -261,6 +281,11 @@ def test_examples_are_seeded_and_of_both_sorts():
     assert first.features.shape == (len(first.real), len(FEATURES))
     assert 0 < first.real.sum() < len(first.real)
     assert first.drift.max() < len(first.drawn)
+    assert len(first.spots) == len(first.copy) == len(first.real)
+    spot = first.spots[int(np.flatnonzero(first.real)[0])]
+    track = first.tracks[first.copy[first.real][0]]
+    off = np.abs(track - first.ground.positions[:, spot.marker]).max(axis=1)
+    assert (off[spot.start : spot.stop] > 0.5).mean() > 0.4
 
 
 def test_a_marker_without_a_body_has_no_candidates():

@@ -3,7 +3,8 @@
 Trees say what a drift looks like, on the takes they learned from. How far hills of the body look
 like drifts differs from take to take, and the take itself tells: nearly all its candidates are
 hills. So log odds are read against those that a few candidates a minute reach on the same take, an
-empirical null (Efron, 2004).
+empirical null (Efron, 2004), and beside how unlike a drift a candidate is once its frames are
+filled from the body.
 """
 
 from __future__ import annotations
@@ -21,6 +22,9 @@ from markermend.files.npz import read_arrays, write_arrays
 RATES = (2.0, 10.0)
 """Candidates a marker and minute whose log odds tell how the take's hills look: so many that
 drifts hardly move them, so few that they lie in the tail."""
+LIKELY = -1.0
+"""Log odds of the trees from which on a candidate is filled and judged. What lies below is never
+believed, and so plentiful that filling it would take longer than the search."""
 KIND = FEATURES.index("kind")
 
 
@@ -31,23 +35,15 @@ class Judge:
     Attributes
     ----------
     trees : log odds of a candidate by itself
-    weights : (6,) of 1 and of the columns of :func:`evidence`, for the log odds on its take
+    weights : (8,) of 1 and of the columns of :func:`evidence`, for the log odds on its take
     """
 
     trees: Trees
     weights: FloatArray
 
-    def confidence(self, features: FloatArray, minutes: float) -> FloatArray:
-        """Probability that each candidate of a take is a drift.
-
-        Parameters
-        ----------
-        features : (n, k) all candidates of the take
-        minutes : marker minutes they come from
-        """
-        odds = self.trees.log_odds(features)
-        columns = evidence(odds, is_sharp(features), quiet_levels(odds, minutes))
-        return np.asarray(1.0 / (1.0 + np.exp(-(self.weights[0] + columns @ self.weights[1:]))))
+    def confidence(self, evidence: FloatArray) -> FloatArray:
+        """Probability that each candidate is a drift, (n,), from :func:`evidence`."""
+        return np.asarray(1.0 / (1.0 + np.exp(-(self.weights[0] + evidence @ self.weights[1:]))))
 
     def save(self, path: Path) -> None:
         """Write the arrays as one ``.npz``."""
@@ -73,7 +69,21 @@ def quiet_levels(odds: FloatArray, minutes: float) -> FloatArray:
     return np.asarray([ranked[min(int(rate * minutes), len(odds) - 1)] for rate in RATES])
 
 
-def evidence(odds: FloatArray, sharp: BoolArray, levels: FloatArray) -> FloatArray:
-    """What confidence follows from, (n, 5): log odds, sharpness, both together, the levels."""
+def evidence(
+    odds: FloatArray, sharp: BoolArray, levels: FloatArray, uneven: FloatArray
+) -> FloatArray:
+    """Gather what confidence follows from.
+
+    Parameters
+    ----------
+    odds : (n,) of the trees
+    sharp : (n,) from :func:`is_sharp`
+    levels : (2,) from :func:`quiet_levels`, of all candidates of the take
+    uneven : (n,) from :func:`markermend.detectors.joint.refilled.unevenness`
+
+    Returns
+    -------
+    (n, 7) log odds, sharpness, both together, the levels, unevenness, and that of the sharp
+    """
     beside = np.broadcast_to(levels, (len(odds), len(levels)))
-    return np.column_stack([odds, sharp, sharp * odds, beside])
+    return np.column_stack([odds, sharp, sharp * odds, beside, uneven, sharp * uneven])

@@ -11,10 +11,19 @@ import numpy as np
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.artifact import Artifact, Kind, axis_columns
 from markermend.detectors.finding import how_long, in_mm, overlap
-from markermend.detectors.joint.bank import LONGEST
+from markermend.detectors.joint.bank import KINDS, LONGEST
 from markermend.detectors.joint.drift import Candidates, scan
-from markermend.detectors.joint.judge import Judge, load_judge
+from markermend.detectors.joint.judge import (
+    KIND,
+    LIKELY,
+    Judge,
+    evidence,
+    is_sharp,
+    load_judge,
+    quiet_levels,
+)
 from markermend.detectors.joint.measures import CROWDS, FEATURES
+from markermend.detectors.joint.refilled import Spot, unevenness
 from markermend.detectors.joint.shapes import fit_of
 from markermend.predictors.bridging import bridge
 from markermend.predictors.cross_fit import distance_spreads
@@ -31,6 +40,8 @@ PARALLEL_FROM = 60_000
 SHORT_S = 0.1
 """Holes of this length a spline bridges as well as if the marker had been seen."""
 REACH = 6
+SCANNING = 0.9
+"""Share of the time that looking for candidates takes; the rest goes to filling them."""
 _LOUDNESS = FEATURES.index("reweighted")
 
 
@@ -133,7 +144,7 @@ def scan_all(ground: Ground, jobs: int, progress: Progress) -> list[Candidates]:
     scans = []
     with in_processes(scan, each, many) as results:
         for m, one in enumerate(results):
-            progress((m + 1) / markers, "slow changes")
+            progress(SCANNING * (m + 1) / markers, "slow changes")
             scans.append(one)
     return scans
 
@@ -210,20 +221,34 @@ def find_drifts(
     crowd = crowd_of(scans, ground)
     scans = [crowd.fill_in(one, marker) for marker, one in enumerate(scans)]
     features = np.concatenate([one.features for one in scans])
-    sure = judge.confidence(features, crowd.minutes * len(scans))
-    found: list[Drift] = []
-    first = 0
-    for marker, one in enumerate(scans):
-        for n in np.flatnonzero(sure[first : first + len(one)] >= least):
-            start, stop = (int(v[n]) * ground.thin for v in (one.start, one.stop))
-            size, confidence = float(abs(one.size_mm[n])), float(sure[first + n])
-            found.append(Drift(marker, int(one.axis[n]), start, stop, size, confidence))
-        first += len(one)
+    odds = judge.trees.log_odds(features)
+    levels = quiet_levels(odds, crowd.minutes * len(scans))
+    likely = odds > LIKELY
+    spots = [s for m, one in enumerate(scans) for s in spots_of(one, m)]
+    spots = [spots[n] for n in np.flatnonzero(likely)]
+    uneven = np.zeros(len(spots))
+    for n, spot in enumerate(spots):
+        uneven[n] = unevenness(ground.positions, ground.trusted, RATE, spot)
+        progress(SCANNING + (1.0 - SCANNING) * (n + 1) / len(spots), "slow changes, filled")
+    sure = judge.confidence(evidence(odds[likely], is_sharp(features[likely]), levels, uneven))
+    sizes = np.abs(np.concatenate([one.size_mm for one in scans]))[likely]
+    found = [
+        Drift(s.marker, s.axis, s.start * ground.thin, s.stop * ground.thin, float(mm), float(p))
+        for s, mm, p in zip(spots, sizes, sure, strict=True)
+        if p >= least
+    ]
     kept: list[Drift] = []
     for d in sorted(found, key=lambda d: (-d.confidence, d.marker, d.start)):
         if not any(_hidden(d, k, neighbours) for k in kept):
             kept.append(d)
     return kept
+
+
+def spots_of(candidates: Candidates, marker: int) -> list[Spot]:
+    """Where the candidates of a marker are."""
+    kinds = [tuple(KINDS)[int(kind)] for kind in candidates.features[:, KIND]]
+    places = zip(candidates.axis, candidates.start, candidates.stop, kinds, strict=True)
+    return [Spot(marker, int(a), int(start), int(stop), k) for a, start, stop, k in places]
 
 
 def _hidden(drift: Drift, surer: Drift, neighbours: IntArray) -> bool:

@@ -16,10 +16,19 @@ from markermend.detectors.finding import overlap
 from markermend.detectors.joint.bank import KINDS, LONGEST, SHORTEST, shape_of
 from markermend.detectors.joint.detect import detect_joint
 from markermend.detectors.joint.drift import Candidates, scan
-from markermend.detectors.joint.judge import Judge, evidence, is_sharp, quiet_levels
+from markermend.detectors.joint.judge import LIKELY, Judge, evidence, is_sharp, quiet_levels
 from markermend.detectors.joint.measures import FEATURES
 from markermend.detectors.joint.params import JointParams
-from markermend.detectors.joint.slow import Crowd, Ground, crowd_of, prepare, scan_all
+from markermend.detectors.joint.refilled import Spot, unevenness
+from markermend.detectors.joint.slow import (
+    RATE,
+    Crowd,
+    Ground,
+    crowd_of,
+    prepare,
+    scan_all,
+    spots_of,
+)
 from markermend.detectors.joint.trees import Trees, from_scikit
 from markermend.files.pose import read_pose
 from markermend.predictors.cross_fit import distance_spreads
@@ -33,9 +42,6 @@ DENSITY = 0.2
 RAISED = 20.0
 """Drifts count so many times as often in learning; their odds are set right afterwards."""
 FOLDS, MODELS, TREES = 4, 3, 120
-TAIL = -1.0
-"""Log odds of the trees from which on their reading is learned: what lies below is never believed,
-and so plentiful that it would rule."""
 RISING = (
     *("score", "reweighted", "raw score", "without a part", "without a band"),
     *("weakest view", "t gain", "over spread", "explained", "quieter"),
@@ -63,6 +69,10 @@ class Examples:
     drift : (n,) int64 number of the drift it touches; −1 on the clean take
     drawn : (drifts, 3) each drift's mean amplitude in mm, its own, and its kind's number
     minutes : marker minutes of clean take looked at
+    ground : the clean take
+    tracks : (copies, frames, 3) mm, the damaged marker of each copy
+    spots : where each candidate is
+    copy : (n,) int64 the copy it is on; −1 for the clean take
     """
 
     features: FloatArray
@@ -70,6 +80,10 @@ class Examples:
     drift: IntArray
     drawn: FloatArray
     minutes: float
+    ground: Ground
+    tracks: FloatArray
+    spots: tuple[Spot, ...]
+    copy: IntArray
 
 
 def examples_of(
@@ -99,17 +113,28 @@ def examples_of(
             delayed(_damaged)(ground, m % len(markers), spreads, crowd, s)
             for m, s in enumerate(seeds)
         )
-    parts = [
-        (f.features, np.zeros(len(f), dtype=bool), np.full(len(f), -1))
-        for f in (crowd.fill_in(one, m) for m, one in enumerate(clean))
-    ]
+    shown = [crowd.fill_in(one, m) for m, one in enumerate(clean)]
+    parts = [(f.features, np.zeros(len(f), dtype=bool), np.full(len(f), -1)) for f in shown]
+    spots = [spot for m, one in enumerate(shown) for spot in spots_of(one, m)]
+    copy = [np.full(len(spots), -1)]
     drawn: list[FloatArray] = []
-    for features, real, drift, sizes in damaged:
-        parts.append((features, real, drift + sum(len(d) for d in drawn)))
-        drawn.append(sizes)
+    for number, one in enumerate(damaged):
+        parts.append((one.features, one.real, one.drift + sum(len(d) for d in drawn)))
+        drawn.append(one.drawn)
+        spots += one.spots
+        copy.append(np.full(len(one.spots), number))
     features, real, drift = (np.concatenate(p) for p in zip(*parts, strict=True))
-    minutes = crowd.minutes * len(markers)
-    return Examples(features, real, drift, np.concatenate(drawn), minutes)
+    return Examples(
+        features,
+        real,
+        drift,
+        np.concatenate(drawn),
+        crowd.minutes * len(markers),
+        ground,
+        np.stack([one.track for one in damaged]),
+        tuple(spots),
+        np.concatenate(copy),
+    )
 
 
 def suddenly_damaged(take: Take, seed: int) -> tuple[Take, list[Artifact]]:
@@ -122,10 +147,22 @@ def suddenly_damaged(take: Take, seed: int) -> tuple[Take, list[Artifact]]:
         return damaged, detect_joint(damaged, JointParams(slow=False), None, quiet)
 
 
+@dataclass(frozen=True, eq=False)
+class _Copy:
+    """Candidates that touch drifts put into one marker; fields as in :class:`Examples`."""
+
+    features: FloatArray
+    real: BoolArray
+    drift: IntArray
+    drawn: FloatArray
+    track: FloatArray
+    spots: list[Spot]
+
+
 def _damaged(
     ground: Ground, marker: int, spreads: FloatArray, crowd: Crowd, seed: np.random.SeedSequence
-) -> tuple[FloatArray, BoolArray, IntArray, FloatArray]:
-    """Candidates that touch drifts put into one marker."""
+) -> _Copy:
+    """Put drifts into one marker."""
     rng = np.random.default_rng(seed)
     positions, drifts, drawn = ground.positions.copy(), [], []
     kinds = list(KINDS)
@@ -150,7 +187,14 @@ def _damaged(
     judged = crowd.fill_in(one, marker, among=False)
     real, drift = _hits(judged, drifts)
     touched = drift >= 0
-    return judged.features[touched], real[touched], drift[touched], np.array(drawn).reshape(-1, 6)
+    return _Copy(
+        judged.features[touched],
+        real[touched],
+        drift[touched],
+        np.array(drawn).reshape(-1, 6),
+        positions[:, marker].copy(),
+        [spot for spot, touches in zip(spots_of(judged, marker), touched, strict=True) if touches],
+    )
 
 
 def _hits(
@@ -255,12 +299,27 @@ def fit_slow(takes: Sequence[Examples], *, seed: int = 0) -> Judge:
         for take in takes[fold::FOLDS]:
             odds = trees.log_odds(take.features)
             levels = quiet_levels(odds[take.drift < 0], take.minutes)
-            tail = odds > TAIL
-            read.append(evidence(odds, is_sharp(take.features), levels)[tail])
-            truth.append(take.real[tail])
-            weight.append(_weights(take)[tail])
+            likely = np.flatnonzero(odds > LIKELY)
+            sharp, uneven = is_sharp(take.features[likely]), _unevenness(take, likely)
+            read.append(evidence(odds[likely], sharp, levels, uneven))
+            truth.append(take.real[likely])
+            weight.append(_weights(take)[likely])
     weights = _reading(np.concatenate(read), np.concatenate(truth), np.concatenate(weight))
     return Judge(_boosted(takes, seed), weights)
+
+
+def _unevenness(examples: Examples, rows: IntArray) -> FloatArray:
+    """How unlike drifts some candidates are, beside their frames as filled, (n,)."""
+    ground, uneven = examples.ground, np.zeros(len(rows))
+    positions, last = ground.positions, -1
+    with threadpool_limits(1):
+        for n, row in enumerate(rows):
+            spot, copy = examples.spots[row], int(examples.copy[row])
+            if copy != last:
+                positions, last = ground.positions.copy(), copy
+                positions[:, spot.marker] = examples.tracks[copy]
+            uneven[n] = unevenness(positions, ground.trusted, RATE, spot)
+    return uneven
 
 
 def _boosted(takes: Sequence[Examples], seed: int) -> Trees:
