@@ -4452,11 +4452,11 @@
     <name>Welcome</name>
     <message>
         <source>Open a take to mend</source>
-        <translation>Eine Aufnahme zum Ausbessern öffnen</translation>
+        <translation>Eine Aufnahme zum Reparieren öffnen</translation>
     </message>
     <message>
         <source>Drop a C3D, TRC, CSV, AMC or BVH file here, or begin with the demo take.</source>
-        <translation>Eine C3D-, TRC-, CSV-, AMC- oder BVH-Datei hierher ziehen oder mit der Demo-Aufnahme beginnen.</translation>
+        <translation>Eine C3D-, TRC-, CSV-, AMC- oder BVH-Datei hierher ziehen oder mit der Beispielaufnahme beginnen.</translation>
     </message>
     <message>
         <source>Open take…</source>
