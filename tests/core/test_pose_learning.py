@@ -120,7 +120,7 @@ def test_command_trains_stops_and_goes_on(shared_data, tmp_path, capsys, monkeyp
     clip = str(shared_data / "poses" / "02_03.amc")
     whole, parted = tmp_path / "whole.npz", tmp_path / "parted.npz"
     asked = ["train", "pose", clip, "--fold", "3", "--noise", "both", "--epochs", "3"]
-    asked += ["--parts", "rotations"]
+    asked += ["--parts", "rotations", "--batch", "40"]
     assert main([*asked, "-o", str(whole)]) == 0
     said = capsys.readouterr().out
     assert "Trained: fold3of10-both+rotations, mean absolute error 0." in said

@@ -116,6 +116,13 @@ def _add_pose(p: argparse.ArgumentParser) -> None:
     )
     p.add_argument("--epochs", metavar="N", type=from_one, default=100, help="default: 100")
     p.add_argument(
+        "--batch",
+        metavar="N",
+        type=from_one,
+        default=512,
+        help="poses a step (default: 512); with fewer more is learnt in as many epochs",
+    )
+    p.add_argument(
         "--resume",
         action="store_true",
         help="keep each network's state beside the model, and go on from one that is there",

@@ -66,7 +66,7 @@ def run_networks(options: argparse.Namespace) -> int:
         folds=tuple(options.fold or ()),
         added=added,
     )
-    training = Training(epochs=options.epochs, seed=options.seed)
+    training = Training(epochs=options.epochs, batch=options.batch, seed=options.seed)
     networks, target = {}, Path(options.output)
     errors: dict[str, list[float]] = {kind: [] for kind in options.noise}
     for learnt in sets:
