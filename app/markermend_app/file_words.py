@@ -25,7 +25,9 @@ ODDITIES = (
     "{0} cells that are no numbers were read as missing.",
     "Labels that occur more than once were numbered: {0}.",
     "Of columns that stand more than once the first was read: {0}.",
-    "Rows are missing (places: {0}); those that are there were read one after the other.",
+    "{0} rows are missing; their frames were read as gaps.",
+    "Rows are out of order, or very many are missing (after row {0}, for one); those that are there"
+    " were read one after the other.",
     "The file marks every sample as invalid, yet has coordinates; they were read as valid.",
     "The file tells no unit of length; by the size of things metres were assumed.",
     "The file tells no unit of length; by the size of things millimetres were assumed.",

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import ast
 import re
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -19,6 +21,7 @@ from markermend.review import hand
 from markermend.review.restoring import OVERWRITTEN, SMOOTHED
 from markermend.review.session import Session
 from markermend.take import Take
+from markermend_app import file_words
 from markermend_app.telling import _PARTS, told, told_group
 
 
@@ -158,3 +161,17 @@ def test_what_is_odd_about_a_file_keeps_its_values(brackets, tmp_path):
         said = told(sentence)
         assert said.startswith("⟦"), sentence
         assert re.findall(r"\d+", said) == re.findall(r"\d+", sentence)
+
+
+def test_the_engine_tells_of_files_in_the_forms_that_are_translated():
+    told_there = []
+    for path in Path(mm.__file__).parent.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            parts = node.values if isinstance(node, ast.JoinedStr) else [node]
+            words = [getattr(part, "value", None) for part in parts]
+            if sum(len(w) for w in words if isinstance(w, str)) > 20:
+                told_there.append(
+                    "".join(re.escape(w) if isinstance(w, str) else ".+" for w in words)
+                )
+    for form in file_words.ODDITIES:
+        assert any(re.fullmatch(words, form) for words in told_there), form

@@ -1664,10 +1664,6 @@
         <translation>Von Spalten, die mehrmals vorkommen, wurde die erste gelesen: {0}.</translation>
     </message>
     <message>
-        <source>Rows are missing (places: {0}); those that are there were read one after the other.</source>
-        <translation>Zeilen fehlen (Stellen: {0}); die vorhandenen wurden eine nach der anderen gelesen.</translation>
-    </message>
-    <message>
         <source>The file marks every sample as invalid, yet has coordinates; they were read as valid.</source>
         <translation>Die Datei nennt jeden Wert ungültig, hat aber Koordinaten; sie wurden als gültig gelesen.</translation>
     </message>
@@ -2290,6 +2286,14 @@
     <message>
         <source>{0} would leave damage.</source>
         <translation>{0} würde Schäden übrig lassen.</translation>
+    </message>
+    <message>
+        <source>{0} rows are missing; their frames were read as gaps.</source>
+        <translation>{0} Zeilen fehlen; ihre Frames wurden als Lücken gelesen.</translation>
+    </message>
+    <message>
+        <source>Rows are out of order, or very many are missing (after row {0}, for one); those that are there were read one after the other.</source>
+        <translation>Zeilen stehen nicht in ihrer Reihenfolge, oder sehr viele fehlen (etwa nach Zeile {0}); die vorhandenen wurden eine nach der anderen gelesen.</translation>
     </message>
     <message>
         <source>Worked out from other repairs; look at it closely. Without them: {0}</source>
