@@ -63,11 +63,15 @@ def count_missing(origin: ByteArray) -> IntArray:
 def _count_missing(origin: ByteArray, first: IntArray, last: IntArray) -> IntArray:
     """(blocks, markers) int64 missing samples of blocks of frames, [first, last) each.
 
-    One block after the other: arrays as long as the take take longer to come by than to fill.
+    Some blocks after the other: arrays as long as the take take longer to come by than to fill.
+    A block ends where the next one begins, or is of one frame.
     """
     counts = np.empty((len(first), origin.shape[1]), dtype=np.int64)
-    for row, (start, stop) in enumerate(zip(first.tolist(), last.tolist(), strict=True)):
-        counts[row] = np.add.reduce(origin[start:stop] == Origin.MISSING, axis=0, dtype=np.uint32)
+    step = max(1, _BLOCK * len(first) // max(1, origin.size))
+    for i in range(0, len(first), step):
+        part = first[i : i + step]
+        lost = origin[part[0] : last[min(i + step, len(first)) - 1]] == Origin.MISSING
+        counts[i : i + step] = np.add.reduceat(lost, part - part[0], axis=0, dtype=np.uint32)
     return counts
 
 

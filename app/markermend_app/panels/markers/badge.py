@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
 
 from PySide6.QtCore import QByteArray, QPointF, QRect, QRectF, QSize, Qt
@@ -34,9 +34,9 @@ def ground_of(kind: Kind, faint: bool = False) -> QColor:
     return theme.blend(look.panel, color, 0.3) if faint else color
 
 
-def badge_width(text: str, font: QFont) -> int:
+def badge_width(text: str, metrics: QFontMetrics) -> int:
     """Width of a badge with this text."""
-    return QFontMetrics(font).horizontalAdvance(text) + 2 * PAD
+    return metrics.horizontalAdvance(text) + 2 * PAD
 
 
 def paint_badge(painter: QPainter, rect: QRectF, text: str, color: QColor) -> None:
@@ -77,12 +77,13 @@ def paint_counts(
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setClipRect(rect)
     painter.setFont(font)
-    look, height = theme.current(), QFontMetrics(font).height() + 2
+    look, metrics = theme.current(), QFontMetrics(font)
+    height = metrics.height() + 2
     x = rect.left() + PAD
     texts = count_texts(counts)
-    dots = QFontMetrics(font).horizontalAdvance("…")
+    dots = metrics.horizontalAdvance("…")
     for i, (text, kind) in enumerate(texts):
-        width = badge_width(text, font)
+        width = badge_width(text, metrics)
         needed = width if i == len(texts) - 1 else width + 3 + dots
         if x + needed > rect.right():
             painter.setPen(look.muted)
@@ -96,10 +97,12 @@ def paint_counts(
     painter.restore()
 
 
-def counts_width(counts: Mapping[Kind, int], font: QFont) -> int:
-    """Width the badges of these counts need."""
-    font = badge_font(font)
-    return 2 * PAD + sum(badge_width(text, font) + 3 for text, _ in count_texts(counts))
+def counts_width(rows: Iterable[Mapping[Kind, int]], font: QFont) -> int:
+    """Width the badges of these rows need at most."""
+    metrics = QFontMetrics(badge_font(font))
+    texts = {tuple(text for text, _ in count_texts(counts)) for counts in rows}
+    widths = (sum(badge_width(text, metrics) + 3 for text in row) for row in texts)
+    return 2 * PAD + max(widths, default=0)
 
 
 def count_texts(counts: Mapping[Kind, int]) -> Sequence[tuple[str, Kind]]:

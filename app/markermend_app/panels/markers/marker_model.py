@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable
 from itertools import zip_longest
 from typing import Any
@@ -68,13 +68,14 @@ class MarkerModel(QAbstractItemModel):
 
     def set_counts(self, artifacts: Iterable[Artifact]) -> None:
         """Count open artifacts, for markers and for everything above them."""
-        counts: dict[str, Counter[Kind]] = {}
+        counts: dict[str, Counter[Kind]] = defaultdict(Counter)
         for a in artifacts:
             if a.status is Status.PENDING:
-                counts.setdefault(a.marker, Counter())[a.kind] += 1
+                counts[a.marker][a.kind] += 1
         changed: dict[int, Node] = {}
+        nothing: Counter[Kind] = Counter()
         for label, node in self._by_label.items():
-            before, now = node.own, counts.get(label, Counter())
+            before, now = node.own, counts.get(label, nothing)
             if now == before:
                 continue
             node.own, row = now, node

@@ -216,8 +216,7 @@ class MarkerTree(QWidget):
         session = self._document.session
         if session is None:
             return
-        font = self.view.font()
-        widest = max([54, *(counts_width(counts, font) for counts in self._model.open_counts())])
+        widest = max(54, counts_width(self._model.open_counts(), self.view.font()))
         header = self.view.header()
         width = min(widest, _COUNTS_WIDEST, max(54, self.width() // 3))
         if header.sectionSize(OPEN) != width:
