@@ -7,7 +7,7 @@ import pytest
 
 import markermend as mm
 from markermend.artifact import Artifact, Kind
-from markermend.detectors.joint import JointParams
+from markermend.detectors.joint import JointParams, slow
 from markermend.detectors.joint.bands import clipped, filters, split
 from markermend.detectors.joint.bank import KINDS, bank, scores, shape_of
 from markermend.detectors.joint.drift import scan
@@ -20,6 +20,7 @@ from markermend.detectors.joint.slow_training import examples_of
 from markermend.detectors.joint.trees import from_scikit
 from markermend.detectors.joint.views import BODY, VIEWS, Seen, Views, see
 from markermend.detectors.joint.whiten import whiten
+from markermend.errors import Cancelled
 from markermend.predictors.cross_fit import distance_spreads
 from markermend.simulation import simulate_clean
 from markermend.take import Take
@@ -241,6 +242,46 @@ def test_a_drift_is_found_and_named(performer, kind, length):
 def test_a_clean_performance_does_not_drift(performer):
     found = mm.detect(performer, method="joint", params=JointParams(jobs=1))
     assert [a for a in found if a.kind is Kind.SLOW] == []
+
+
+def test_several_processes_find_what_one_does(performer, monkeypatch):
+    monkeypatch.setattr(slow, "PARALLEL_FROM", 0)
+    ramp = 20.0 * shape_of("sharp", 50)
+    damaged = drifted(drifted(performer, "LBHD", 2, 700, ramp), "RFHD", 1, 300, ramp)
+    columns = [damaged.index(label) for label in LABELS]
+    chosen = Take(damaged.positions[:, columns], LABELS, damaged.rate)
+    told: list[list[tuple[float, str]]] = [[], []]
+
+    def find(jobs):
+        def note(share, doing):
+            told[jobs - 1].append((share, doing))
+
+        params = JointParams(jobs=jobs, sensitivity=0.9)
+        return mm.detect(chosen, method="joint", params=params, progress=note)
+
+    one, several = find(1), find(2)
+    assert one == several
+    assert {a.marker for a in one if a.kind is Kind.SLOW} == {"LBHD", "RFHD"}
+    assert told[0] == told[1]
+    assert told[0][-1][0] == pytest.approx(1.0)
+    assert sum(doing == "slow changes, filled" for _, doing in told[0]) >= 2
+
+
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_filling_can_be_stopped(performer, monkeypatch, jobs):
+    monkeypatch.setattr(slow, "PARALLEL_FROM", 0)
+    ground = prepare(performer, range(performer.markers), [])
+    spots = [Spot(8, 2, start, start + 40, "sharp") for start in range(100, 1300, 100)]
+    done = []
+
+    def stop(share, doing):
+        done.append(share)
+        if len(done) == 2:
+            raise Cancelled
+
+    with pytest.raises(Cancelled):
+        slow.fill_all(ground, spots, jobs, stop)
+    assert len(done) == 2
 
 
 def test_mending_undoes_steps_and_swaps(performer):

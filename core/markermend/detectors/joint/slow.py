@@ -136,17 +136,33 @@ def scan_all(ground: Ground, jobs: int, progress: Progress) -> list[Candidates]:
     frames, markers = ground.positions.shape[:2]
     if frames < 3 * LONGEST or markers < 4:
         return []
-    many = jobs if frames * markers >= PARALLEL_FROM else 1
     spreads = distance_spreads(ground.positions, ground.trusted)
     each = (
         (ground.positions, m, ground.known[:, m], ground.trusted, spreads) for m in range(markers)
     )
     scans = []
-    with in_processes(scan, each, many) as results:
+    with in_processes(scan, each, _processes(ground, jobs)) as results:
         for m, one in enumerate(results):
             progress(SCANNING * (m + 1) / markers, "slow changes")
             scans.append(one)
     return scans
+
+
+def fill_all(ground: Ground, spots: Sequence[Spot], jobs: int, progress: Progress) -> FloatArray:
+    """How unlike drifts candidates are once filled, (n,), in several processes where that pays."""
+    uneven = np.zeros(len(spots))
+    each = ((ground.positions, ground.trusted, RATE, spot) for spot in spots)
+    with in_processes(unevenness, each, _processes(ground, jobs)) as results:
+        for n, one in enumerate(results):
+            progress(SCANNING + (1.0 - SCANNING) * (n + 1) / len(spots), "slow changes, filled")
+            uneven[n] = one
+    return uneven
+
+
+def _processes(ground: Ground, jobs: int) -> int:
+    """How many processes to take: on a small take one is done before others have begun."""
+    frames, markers = ground.positions.shape[:2]
+    return jobs if frames * markers >= PARALLEL_FROM else 1
 
 
 @dataclass(frozen=True, eq=False)
@@ -226,10 +242,7 @@ def find_drifts(
     likely = odds > LIKELY
     spots = [s for m, one in enumerate(scans) for s in spots_of(one, m)]
     spots = [spots[n] for n in np.flatnonzero(likely)]
-    uneven = np.zeros(len(spots))
-    for n, spot in enumerate(spots):
-        uneven[n] = unevenness(ground.positions, ground.trusted, RATE, spot)
-        progress(SCANNING + (1.0 - SCANNING) * (n + 1) / len(spots), "slow changes, filled")
+    uneven = fill_all(ground, spots, jobs, progress)
     sure = judge.confidence(evidence(odds[likely], is_sharp(features[likely]), levels, uneven))
     sizes = np.abs(np.concatenate([one.size_mm for one in scans]))[likely]
     found = [
