@@ -6,6 +6,7 @@ itself and the stretches beside it; closed form, from Gram matrices added up by 
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
@@ -78,33 +79,51 @@ def predict_cross_fitted(
     edges = np.append(np.arange(0, len(rows), BLOCK), len(rows))
     learnt = weight > 0
     first, best, error = np.inf, ridge, None
+    rest = _rest(features, goal, weight, edges)
     for factor in STIFFER:
-        e = np.linalg.norm(goal - _left_out(features, goal, weight, factor * ridge, edges), axis=1)
+        e = np.linalg.norm(goal - _left_out(features, rest, factor * ridge, edges), axis=1)
         middle = float(np.median(e[learnt]))
         cost = float(np.minimum(e[learnt], LARGEST * middle).mean())
         if cost < first:
             first, best, error = cost, factor * ridge, e
     assert error is not None
     weight /= np.maximum(1.0, error / max(2.0 * float(np.median(error[learnt])), 1e-9))
-    local = _left_out(features, goal, weight, best, edges)
+    local = _left_out(features, _rest(features, goal, weight, edges), best, edges)
     predicted[rows] = motion.to_lab(local[:, None])[:, 0]
     return predicted
 
 
-def _left_out(
-    features: FloatArray, goal: FloatArray, weight: FloatArray, ridge: FloatArray, edges: IntArray
-) -> FloatArray:
-    """Weighted ridge regression, each block by a fit without it and the blocks beside it."""
+@dataclass(frozen=True, eq=False)
+class _Rest:
+    """What all but each block and those beside it say.
+
+    Attributes
+    ----------
+    gram : (blocks, features, features + 3) weighted products of features with them and the goal
+    mass : (blocks,) sum of weights
+    """
+
+    gram: FloatArray
+    mass: FloatArray
+
+
+def _rest(features: FloatArray, goal: FloatArray, weight: FloatArray, edges: IntArray) -> _Rest:
+    """Add up what is learnt from for each block."""
     both = np.hstack([features, goal])
     weighted = features * weight[:, None]
     blocks = list(pairwise(edges))
     grams = np.stack([weighted[a:b].T @ both[a:b] for a, b in blocks])
     masses = np.array([weight[a:b].sum() for a, b in blocks])
     padded = np.pad(grams, ((1, 1), (0, 0), (0, 0)))
-    rest = grams.sum(axis=0) - (padded[:-2] + padded[1:-1] + padded[2:])
     left = np.pad(masses, 1)
     mass = np.maximum(masses.sum() - (left[:-2] + left[1:-1] + left[2:]), 1.0)
+    return _Rest(grams.sum(axis=0) - (padded[:-2] + padded[1:-1] + padded[2:]), mass)
+
+
+def _left_out(features: FloatArray, rest: _Rest, ridge: FloatArray, edges: IntArray) -> FloatArray:
+    """Weighted ridge regression, each block by a fit without it and the blocks beside it."""
     count = features.shape[1]
-    gram = rest[:, :, :count] + mass[:, None, None] * np.diag(ridge)
-    solved = np.linalg.solve(gram, rest[:, :, count:])
-    return np.concatenate([features[a:b] @ s for (a, b), s in zip(blocks, solved, strict=True)])
+    gram = rest.gram[:, :, :count] + rest.mass[:, None, None] * np.diag(ridge)
+    solved = np.linalg.solve(gram, rest.gram[:, :, count:])
+    each = zip(pairwise(edges), solved, strict=True)
+    return np.concatenate([features[a:b] @ s for (a, b), s in each])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from scipy.ndimage import maximum_filter1d
@@ -62,17 +63,22 @@ def scan(
     if views is None:
         return nothing()
     kinds, lengths = (np.array(v) for v in zip(*bank()[1], strict=True))
+    which = np.array([list(KINDS).index(str(kind)) for kind in kinds])
+    # The bank has its kinds one after another: slices of scores, which need not be copied.
+    borders = np.searchsorted(which, np.arange(len(KINDS) + 1))
+    each = [slice(a, b) for a, b in pairwise(borders)]
     found = []
     for axis in range(3):
         score = np.abs(
             scores(views.error[BODY, axis], views.weight[BODY, axis], views.habit[BODY, axis])
         )
-        levels = {kind: local_level(score[:, kinds == kind]) for kind in KINDS}
-        relative = np.hstack([score[:, kinds == kind] / levels[kind][:, None] for kind in KINDS])
-        best = relative.argmax(axis=1)
-        height = relative[np.arange(len(relative)), best]
+        levels = np.stack([local_level(score[:, one]) for one in each])
+        for one, level in zip(each, levels, strict=True):
+            score[:, one] /= level[:, None]
+        best = score.argmax(axis=1)
+        height = score[np.arange(len(score)), best]
         at = np.flatnonzero((height >= LEAST) & (height == maximum_filter1d(height, 2 * APART + 1)))
-        level = np.array([levels[kinds[best[t]]][t] for t in at])
+        level = levels[which[best[at]], at]
         found.append((np.full(len(at), axis), at, best[at], level))
     axes, start, template, level = (np.concatenate(v) for v in zip(*found, strict=True))
     if not len(axes):

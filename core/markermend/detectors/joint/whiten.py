@@ -64,8 +64,8 @@ def whiten(residual: FloatArray, movers: FloatArray, trusted: BoolArray) -> Whit
     for _ in range(PASSES):
         weighted = columns * weight[:, None]
         grams = np.stack([weighted[a:b].T @ both[a:b] for a, b in pairwise(edges)])
-        near = _around(grams, AROUND) - _around(grams, 1)
-        gram = near + WHOLE_WEIGHT * (grams.sum(axis=0) - _around(grams, 1))
+        own = _around(grams, 1)
+        gram = _around(grams, AROUND) - own + WHOLE_WEIGHT * (grams.sum(axis=0) - own)
         left = gram[:, :, :count]
         size = np.trace(left, axis1=1, axis2=2) / count
         left = left + (1e-5 * size + 1e-12)[:, None, None] * np.eye(count)
