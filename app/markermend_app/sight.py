@@ -25,14 +25,25 @@ class Sight(QObject):
         super().__init__(parent)
         self._document = document
         self._view = (0.0, 0.0)
-        document.current_changed.connect(self.changed)
-        document.shown_changed.connect(self.changed)
+        self._told: Artifact | None = None
+        document.current_changed.connect(self._tell)
+        document.shown_changed.connect(self._shown_changed)
 
     def set_view(self, start: float, stop: float) -> None:
         """Be told which frames the plots show."""
-        before, self._view = self.lost, (start, stop)
-        if self.lost != before:
-            self.changed.emit()
+        self._view = (start, stop)
+        if self.lost != self._told:
+            self._tell()
+
+    def _shown_changed(self) -> None:
+        """Tell of other markers, unless their frames are about to come into view."""
+        if not self._document.bringing:
+            self._tell()
+
+    def _tell(self) -> None:
+        """Say that something changed."""
+        self._told = self.lost
+        self.changed.emit()
 
     @property
     def lost(self) -> Artifact | None:

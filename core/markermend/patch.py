@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -80,6 +80,27 @@ def apply_patch(positions: FloatArray, origin: ByteArray, column: int, patch: Pa
     positions[rows, column] = after
     origin[rows, column] = now
     return Patch(patch.marker, patch.axes, patch.start, patch.stop, before[:, axes], was)
+
+
+def write_patches(
+    positions: FloatArray, first: int, columns: Mapping[str, int], patches: Iterable[Patch]
+) -> None:
+    """Write patches into a part of a take, in place, as far as they reach into it.
+
+    Parameters
+    ----------
+    positions : (frames, markers, 3) float64, mm, writable
+    first : frame of the take with which it begins
+    columns : where its markers stand, by label; patches of others are passed over
+    patches : in the order in which they are written
+    """
+    last = first + len(positions)
+    for patch in patches:
+        start, stop = max(patch.start, first), min(patch.stop, last)
+        if patch.marker in columns and start < stop:
+            rows, axes = slice(start - first, stop - first), axis_columns(patch.axes)
+            values = patch.values[start - patch.start : stop - patch.start]
+            positions[rows, columns[patch.marker], axes] = values
 
 
 def patched(take: Take, patches: Iterable[Patch]) -> Take:

@@ -15,6 +15,7 @@ from scipy.ndimage import gaussian_filter1d
 
 from markermend.arrays import FloatArray, IntArray
 from markermend.artifact import Artifact
+from markermend.patch import Patch, write_patches
 from markermend.repairs.look_again import looked_at
 from markermend.repairs.registry import Evidence, Repair
 from markermend.take import AXES, Take, is_unlabelled
@@ -56,7 +57,7 @@ def at_usual_distances(evidence: Evidence, pairs: Sequence[Pair]) -> list[Pair]:
 
     Parameters
     ----------
-    evidence : the take with these repairs, and the samples that tell what is usual
+    evidence : the take, with these repairs or without, and the samples that tell what is usual
     pairs : artifacts and their repairs; those of three axes that tell their deviation are moved,
         those that share frames together
 
@@ -80,12 +81,13 @@ def at_usual_distances(evidence: Evidence, pairs: Sequence[Pair]) -> list[Pair]:
         }
         if not wanted:
             continue
-        moved = _settled(take, [pairs[n] for n in group], list(wanted.values()))
+        put = [patch for n in sorted(together) for patch in pairs[n][1].patches]
+        moved = _settled(take, put, [pairs[n] for n in group], list(wanted.values()))
         for n, values in zip(group, moved, strict=True):
             artifact, repair = pairs[n]
             if values is not None:
                 patch = replace(repair.patches[0], values=values)
-                result[n] = artifact, looked_at(take, replace(repair, patches=(patch,)))
+                result[n] = artifact, looked_at(take, replace(repair, patches=(patch,)), put)
     return result
 
 
@@ -142,7 +144,9 @@ def ties_of(evidence: Evidence, column: int, unusual: float = UNUSUAL) -> list[T
     ]
 
 
-def _settled(take: Take, group: Sequence[Pair], ties: Sequence[Tie]) -> list[FloatArray | None]:
+def _settled(
+    take: Take, put: Sequence[Patch], group: Sequence[Pair], ties: Sequence[Tie]
+) -> list[FloatArray | None]:
     """New values for each repair of a group, None where nothing moves.
 
     The likeliest places, frame by frame, by Gauss and Newton: near to where each was put, by its
@@ -153,6 +157,7 @@ def _settled(take: Take, group: Sequence[Pair], ties: Sequence[Tie]) -> list[Flo
     columns = [*own, *sorted({c for t in ties for c in (t.first, t.second)} - set(own))]
     place = {column: i for i, column in enumerate(columns)}
     start = take.positions[first:stop, columns]
+    write_patches(start, first, {take.labels[c]: i for c, i in place.items()}, put)
     stiffness = np.full((stop - first, len(own)), FIXED)
     for artifact, repair in group:
         assert repair.band_mm is not None

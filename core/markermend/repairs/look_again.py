@@ -12,10 +12,10 @@ from dataclasses import replace
 import numpy as np
 
 from markermend.arrays import FloatArray
-from markermend.artifact import Artifact, axis_columns
+from markermend.artifact import Artifact
 from markermend.detectors.finding import in_mm
 from markermend.detectors.joint import JointParams, detect_joint
-from markermend.patch import Patch
+from markermend.patch import Patch, write_patches
 from markermend.progress import quiet
 from markermend.repairs.registry import Repair
 from markermend.take import Take
@@ -26,20 +26,22 @@ AROUND_S = 2.0
 NEIGHBOURS = 6
 
 
-def looked_at(take: Take, repair: Repair) -> Repair:
+def looked_at(take: Take, repair: Repair, besides: Sequence[Patch] = ()) -> Repair:
     """Return a proposal that says what the detector would find where it was carried out.
 
     Parameters
     ----------
     take : the recording as it stands, without the repair
     repair : the proposal; one without patches is returned as it is
+    besides : what other repairs put there
 
     Returns
     -------
     Repair
         with :attr:`Repair.leaves` set
     """
-    found = [a for patch in repair.patches for a in _seen_in(take, patch, repair.patches)]
+    written = (*besides, *repair.patches)
+    found = [a for patch in repair.patches for a in _seen_in(take, patch, written)]
     return replace(repair, leaves=tuple(found)) if repair.patches else repair
 
 
@@ -57,11 +59,7 @@ def _seen_in(take: Take, patch: Patch, patches: Sequence[Patch]) -> list[Artifac
     margin = round(AROUND_S * take.rate)
     first, last = max(0, patch.start - margin), min(take.frames, patch.stop + margin)
     window = take.positions[first:last].copy()
-    for p in patches:
-        a, b = max(p.start, first), min(p.stop, last)
-        if a < b:
-            rows, columns = slice(a - first, b - first), axis_columns(p.axes)
-            window[rows, take.index(p.marker), columns] = p.values[a - p.start : b - p.start]
+    write_patches(window, first, {label: i for i, label in enumerate(take.labels)}, patches)
     own = take.index(patch.marker)
     # Alone first: with neighbours to excuse it less is found, never more, and most repairs leave
     # nothing.

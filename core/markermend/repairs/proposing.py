@@ -13,7 +13,6 @@ from markermend.artifact import Artifact, Kind, Status
 from markermend.errors import DataError
 from markermend.mesh import Mesh
 from markermend.parameters import read_params
-from markermend.patch import patched
 from markermend.progress import Progress
 from markermend.repairs.advice import MODELS, with_expected_error
 from markermend.repairs.automatic import best_repair, counting_references, follow_one, if_good
@@ -184,8 +183,7 @@ def _among(
         and a.overlaps(artifact.start, artifact.stop)
     )
     pairs = [(artifact, done), *((a, _alone(evidence, a, known, repaired)) for a in missing)]
-    after = patched(take, (p for _, r in pairs for p in r.patches))
-    return at_usual_distances(replace(evidence, take=after), pairs)[0][1]
+    return at_usual_distances(evidence, pairs)[0][1]
 
 
 def measured(

@@ -77,7 +77,9 @@ def _most_alike(
         return np.zeros(0, dtype=np.int64)
     i, j = np.triu_indices(len(references), 1)
     points = positions[np.concatenate([others, asked])[:, None], references]
-    apart = np.linalg.norm(points[:, i] - points[:, j], axis=2)
+    way = points[:, i] - points[:, j]
+    # Several times as fast as a norm along three coordinates.
+    apart = np.sqrt(np.einsum("fpk,fpk->fp", way, way))
     apart = apart / (apart.std(axis=0) + LEAST_MM)
     known, wanted = apart[: len(others)], apart[len(others) :]
     unlike = np.sum(known**2, axis=1)[:, None] - 2.0 * known @ wanted.T

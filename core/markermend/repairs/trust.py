@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from markermend.artifact import Artifact, Kind, Status, damage_mask
+from markermend.artifact import Artifact, Kind, Status, axis_columns
 from markermend.mesh import Mesh
 from markermend.progress import Progress, quiet
 from markermend.repairs.registry import Evidence
@@ -44,7 +44,10 @@ def evidence_for(
         for a in artifacts
         if a.status is not Status.REPAIRED or not (believe_repairs or as_good_as_new(take, a))
     ]
-    trusted = take.present[:, :, None] & ~damage_mask(take, doubtful)
+    trusted = np.repeat(take.present[:, :, None], 3, axis=2)
+    for a in doubtful:
+        if a.status is not Status.REJECTED:
+            trusted[a.start : a.stop, take.index(a.marker), axis_columns(a.axes)] = False
     trusted.flags.writeable = False
     return Evidence(take, trusted, mesh, progress or quiet)
 

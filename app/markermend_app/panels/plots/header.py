@@ -150,7 +150,8 @@ class Legend(QWidget):
         # Its names must not make the window wider.
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._markers: tuple[str, ...] = ()
-        self.chips: list[QToolButton] = []
+        # Made once: a button that is made, or shown, has its window painted a second time.
+        self._made: list[QToolButton] = []
         self._first = ""
         self.more = QLabel(self)
         self.more.setProperty("role", "small")
@@ -158,16 +159,27 @@ class Legend(QWidget):
     def show_markers(self, markers: Sequence[str]) -> None:
         """Name these markers."""
         self._markers = tuple(markers)
-        for chip in self.chips:
-            chip.hide()
-            chip.deleteLater()
         short = short_names(self._markers)
-        self.chips = [
-            self._chip(name, short[name], theme.marker_color(i))
-            for i, name in enumerate(self._markers[:_MOST])
-        ]
+        for i in range(len(self._made), len(self.named)):
+            self._made.append(self._chip(i))
+        for chip in self._made[len(self.named) :]:
+            chip.hide()
+        for i, (chip, name) in enumerate(zip(self.chips, self.named, strict=True)):
+            chip.setText(short[name])
+            chip.setIcon(_swatch(theme.marker_color(i)))
+            chip.setToolTip(self.tr("Bring {marker} to the front").format(marker=name))
         self._first = short[self._markers[0]] if self._markers else ""
         self._arrange()
+
+    @property
+    def named(self) -> tuple[str, ...]:
+        """The markers that have a button."""
+        return self._markers[:_MOST]
+
+    @property
+    def chips(self) -> list[QToolButton]:
+        """Their buttons, of which those without room are hidden."""
+        return self._made[: len(self.named)]
 
     def sizeHint(self) -> QSize:
         """As high as a button."""
@@ -178,15 +190,12 @@ class Legend(QWidget):
         super().resizeEvent(event)
         self._arrange()
 
-    def _chip(self, name: str, text: str, color: QColor) -> QToolButton:
-        """The button of a marker."""
+    def _chip(self, index: int) -> QToolButton:
+        """The button of the marker in this place."""
         chip = QToolButton(self)
-        chip.setText(text)
-        chip.setIcon(_swatch(color))
         chip.setIconSize(QSize(12, 12))
         chip.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        chip.setToolTip(self.tr("Bring {marker} to the front").format(marker=name))
-        chip.clicked.connect(lambda: self.chosen.emit(name))
+        chip.clicked.connect(lambda: self.chosen.emit(self._markers[index]))
         return chip
 
     def _arrange(self) -> None:

@@ -380,7 +380,9 @@ class TrajectoryPanel(QWidget):
         self.set_view(start, stop)
 
     def place_buttons(self) -> None:
-        """Put the buttons beside the current artifact."""
+        """Put the buttons beside the current artifact, once its frames are in view."""
+        if self.document.bringing:
+            return
         current = self.document.current
         for row in self.rows:
             if current is not None and row.edges.visible:
