@@ -103,17 +103,27 @@ def test_check_marks_add_and_take_away(qtbot, tree, document):
     assert document.shown == ("LSHO",)
 
 
-def test_check_marks_and_selection_follow_what_is_shown(tree, document):
+def test_check_marks_and_selection_follow_what_is_shown(qtbot, tree, document):
     document.show(["C7", "LWRA"])
     checked = Qt.CheckState.Checked
     state = Qt.ItemDataRole.CheckStateRole
     assert index_of(tree, "C7").data(state) == checked
     assert index_of(tree, "LSHO").data(state) == Qt.CheckState.Unchecked
+    qtbot.waitUntil(lambda: len(tree.view.selectionModel().selectedRows()) == 2)
     rows = {i.data() for i in tree.view.selectionModel().selectedRows()}
     assert rows == {"C7", "LWRA"}
 
 
-def test_counts_follow_decisions_without_folding_anything(tree, document):
+def test_a_decision_is_counted_in_a_turn_of_its_own(qtbot, tree, document, monkeypatch):
+    drawn = []
+    monkeypatch.setattr(tree, "_count", lambda: drawn.append(1))
+    for artifact in document.session.artifacts[:3]:
+        document.reject([artifact.id])
+    assert not drawn, "the window is held up by what stands beside the plots"
+    qtbot.waitUntil(lambda: len(drawn) == 1)
+
+
+def test_counts_follow_decisions_without_folding_anything(qtbot, tree, document):
     trunk = index_of(tree, "CLAV").parent()
     assert trunk.siblingAtColumn(OPEN).data(COUNTS) == {
         k: 1 for k in (Kind.GAP, Kind.PEAK, Kind.NOISE, Kind.STEP)
@@ -121,10 +131,11 @@ def test_counts_follow_decisions_without_folding_anything(tree, document):
     tree.view.collapse(index_of(tree, "LWRA").parent())
     gap = next(a for a in document.session.artifacts if a.kind is Kind.GAP)
     document.reject([gap.id])
-    assert not index_of(tree, "CLAV").siblingAtColumn(OPEN).data(COUNTS)
+    qtbot.waitUntil(lambda: not index_of(tree, "CLAV").siblingAtColumn(OPEN).data(COUNTS))
     assert tree.view.isExpanded(trunk)
     assert not tree.view.isExpanded(index_of(tree, "LWRA").parent())
     document.undo()
+    qtbot.waitUntil(lambda: bool(index_of(tree, "CLAV").siblingAtColumn(OPEN).data(COUNTS)))
     assert index_of(tree, "CLAV").siblingAtColumn(OPEN).data(COUNTS) == {Kind.GAP: 1}
 
 
@@ -152,7 +163,7 @@ def test_worst_first_is_flat_and_sorted_by_open_artifacts(qtbot, tree, document)
     assert names[0] == "CLAV"
     assert set(names[:4]) == {"CLAV", "LELB", "C7", "LWRA"}
     document.reject([a.id for a in document.session.artifacts if a.marker == "CLAV"])
-    assert set(visible(tree)[:3]) == {"LELB", "C7", "LWRA"}
+    qtbot.waitUntil(lambda: set(visible(tree)[:3]) == {"LELB", "C7", "LWRA"})
 
 
 def test_filter_keeps_the_branch_of_what_matches(qtbot, tree):

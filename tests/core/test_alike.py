@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from reviews import artifact, make_take
+from reviews import artifact, die, make_take
 
 from markermend.artifact import Kind, Status
 from markermend.review.alike import alike, doubts, lower
@@ -81,7 +81,7 @@ def test_time_is_kept_with_the_review(tmp_path):
     kept.session.set_status(ids[2:3], Status.ACCEPTED)
     kept.session.undo()
     # The process dies here.
-    kept._journal.close()
+    die(kept)
     again = open_session(make_take(), folder=tmp_path)
     pace = again.session.pace
     assert (pace.decided, pace.total, pace.spent_s) == (2, 4, 10.0)

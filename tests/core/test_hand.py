@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from reviews import artifact, make_take, proposal, state_of
+from reviews import artifact, die, make_take, proposal, state_of
 
 import markermend as mm
 from markermend.artifact import Kind, Status
@@ -172,7 +172,7 @@ def test_hand_work_names_and_notes_survive_a_crash(tmp_path):
     session.annotate(session.artifacts[0].id, "  look again ")
     hand.move(session, "B", "HIP", 5, 9)
     expected = state_of(session)
-    kept._journal.close()
+    die(kept)
     again = open_session(make_take(), folder=tmp_path)
     assert again.recovered == 4
     assert state_of(again.session) == expected

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from reviews import artifact, drive, make_take, proposal, state_of, verbs
+from reviews import artifact, die, drive, make_take, proposal, state_of, verbs
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend.errors import FileFormatError, MarkermendError
@@ -40,7 +40,7 @@ def test_a_killed_review_comes_back_whole(tmp_path_factory, script, undos, save_
         kept.session.undo()
     expected = state_of(kept.session), kept.session.history, kept.session.undone
     # The process dies here: the lock goes, nothing is saved.
-    kept._journal.close()
+    die(kept)
     again = open_session(make_take(), folder=folder)
     assert (state_of(again.session), again.session.history, again.session.undone) == expected
     again.close()
@@ -51,7 +51,7 @@ def test_a_line_cut_short_loses_only_that_step(tmp_path):
     for a in (artifact(), artifact("C")):
         kept.session.mark(a)
     journal = Path(kept._journal.name)
-    kept._journal.close()
+    die(kept)
     journal.write_bytes(journal.read_bytes()[:-20])
     again = open_session(make_take(), folder=tmp_path)
     assert [a.marker for a in again.session.artifacts] == ["A"]
@@ -130,7 +130,7 @@ def test_a_moved_take_finds_its_review(tmp_path):
     assert [a.marker for a in again.session.artifacts] == ["A"]
     assert "goes on here" in again.warning
     # It is written at the new place at once, so that a crash loses nothing of it.
-    again._journal.close()
+    die(again)
     third = open_session(make_take(), folder=new)
     assert [a.marker for a in third.session.artifacts] == ["A"]
     third.close()
@@ -300,6 +300,46 @@ def test_a_full_disk_is_one_sentence_and_the_next_step_makes_it_good(tmp_path):
     kept.session.mark(artifact())
     full_disk(kept)
     with pytest.raises(MarkermendError, match="free some space"):
+        kept.session.mark(artifact("C"))
+    kept.session.mark(artifact("C", start=5, stop=9))
+    expected = state_of(kept.session)
+    kept.close()
+    again = open_session(make_take(), folder=tmp_path)
+    assert state_of(again.session) == expected
+    again.close()
+
+
+def test_a_step_is_on_the_disk_before_the_next_one_is_kept(tmp_path, monkeypatch):
+    kept = open_session(make_take(), folder=tmp_path)
+    order, journal = [], Path(kept._journal.name)
+
+    def slow(handle):
+        time.sleep(0.1)
+        order.append(journal.read_bytes().count(b"\n"))
+
+    kept.session.mark(artifact())
+    kept._on_disk.wait()
+    monkeypatch.setattr("markermend.review.on_disk.os.fsync", slow)
+    kept.session.mark(artifact("C"))
+    assert not order, "whoever decides does not wait for the disk"
+    kept.session.mark(artifact("C", start=5, stop=9))
+    assert order == [3]
+    kept.close()
+    assert order == [3, 4]
+
+
+def test_a_disk_that_fails_later_is_told_and_the_next_step_makes_it_good(tmp_path, monkeypatch):
+    kept = open_session(make_take(), folder=tmp_path)
+
+    def fails(handle):
+        raise OSError(5, "Input/output error")
+
+    kept._on_disk.wait()
+    with monkeypatch.context() as broken:
+        broken.setattr("markermend.review.on_disk.os.fsync", fails)
+        kept.session.mark(artifact())
+        kept._on_disk._thread.join()
+    with pytest.raises(MarkermendError, match="Input/output error"):
         kept.session.mark(artifact("C"))
     kept.session.mark(artifact("C", start=5, stop=9))
     expected = state_of(kept.session)

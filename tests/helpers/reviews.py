@@ -106,3 +106,9 @@ def _decide(session: Session, verb: str, where: int, length: int, value: float) 
             "reopen": Status.PENDING,
         }[verb]
         session.set_status([a.id], status)
+
+
+def die(kept):
+    """Let go of a review as a process does that is killed; its files are closed by the system."""
+    kept._on_disk.wait()
+    kept._journal.close()

@@ -1,9 +1,10 @@
 """Where a review is kept: a JSON file beside the take, and a journal that survives a crash.
 
 The session file holds the source's hash, the artifacts and every step. Between saves each step
-is appended to the journal and flushed to disk before the next one can happen, so that a killed
-process loses at most the step in flight. The journal starts with the generation of the session
-file it continues; one that belongs to an older file is not replayed.
+is appended to the journal, so that a killed process loses nothing, and is brought to the disk
+before the next one can happen, so that a machine that fails loses at most the step in flight. The
+journal starts with the generation of the session file it continues; one that belongs to an older
+file is not replayed.
 
 The journal's operating system lock marks the review as open: it dies with its process. A second
 opening gets a read-only review.
@@ -24,6 +25,7 @@ from typing import IO, Any
 from markermend.artifact_json import to_dict
 from markermend.errors import DataError, FileFormatError, MarkermendError
 from markermend.review.carry import carry_over, marker_hashes
+from markermend.review.on_disk import OnDisk
 from markermend.review.place import index_entry, journal_path, own_path, session_path
 from markermend.review.session import Session
 from markermend.review.step import Step
@@ -69,6 +71,7 @@ class SessionFile:
     generation: int = 0
     _journal: IO[bytes] | None = None
     _torn: bool = False
+    _on_disk: OnDisk = field(default_factory=OnDisk)
     _markers: Mapping[str, str] = field(default_factory=dict)
 
     def save(self) -> None:
@@ -116,6 +119,8 @@ class SessionFile:
             return
         journal, self._journal = self._journal, None
         self.session.on_step = None
+        with contextlib.suppress(OSError):
+            self._on_disk.wait()
         empty = _lines(journal) <= 1
         name = Path(journal.name)
         journal.close()
@@ -135,19 +140,23 @@ class SessionFile:
         """Empty the journal and head it with the generation it continues."""
         if self._journal is None:
             return
+        # What it held, on the disk or not, is in the session file.
+        with contextlib.suppress(OSError):
+            self._on_disk.wait()
         self._journal.truncate(0)
         self._torn = False
         self._append({"generation": self.generation, "version": VERSION, "sha256": self.hash})
 
     def _append(self, entry: Mapping[str, Any]) -> None:
-        """Add one line and do not return before it is on disk."""
+        """Add one line once the last one is on the disk, where this one follows."""
         if self._journal is None:
             return
         try:
+            self._on_disk.wait()
             line = json.dumps(entry, allow_nan=False).encode() + b"\n"
             while line:
                 line = line[self._journal.write(line) :]
-            os.fsync(self._journal.fileno())
+            self._on_disk.bring(self._journal.fileno())
         except OSError as error:
             self._torn = True
             raise MarkermendError(

@@ -29,6 +29,7 @@ from PySide6.QtWidgets import (
 
 from markermend.review.edits import Change
 from markermend_app.document import Document
+from markermend_app.later import Later
 from markermend_app.panels.markers.badge import counts_width, hint
 from markermend_app.panels.markers.marker_menu import add_marker_verbs, point_at
 from markermend_app.panels.markers.marker_model import (
@@ -128,9 +129,12 @@ class MarkerTree(QWidget):
 
         document.opened.connect(self._start_over)
         document.mesh_changed.connect(self._rebuild)
-        document.artifacts_changed.connect(self._count)
+        self._changed: set[str] = set()
+        self._following = False
+        self._soon = Later(self._catch_up, self)
+        document.artifacts_changed.connect(self._soon.ask)
         document.data_changed.connect(self._samples_changed)
-        document.shown_changed.connect(self._follow_shown)
+        document.shown_changed.connect(self._shown_changed)
         document.beside_changed.connect(lambda: self._model.set_beside(document.beside))
         theme.watcher.changed.connect(self._recolour)
         self._recolour()
@@ -227,10 +231,26 @@ class MarkerTree(QWidget):
         header.setSectionHidden(MISSING, names < _NAMES_LEAST)
 
     def _samples_changed(self, change: Change) -> None:
-        """Bring the missing share of changed markers up to date."""
+        """Take note of markers whose missing share changed."""
+        self._changed.update(change.markers)
+        self._soon.ask()
+
+    def _shown_changed(self) -> None:
+        """Check other markers, and select them soon, unless they were selected here."""
+        self._model.set_shown(self._document.shown)
+        self._following = not self._syncing
+        self._soon.ask()
+
+    def _catch_up(self) -> None:
+        """Bring up to date what changed; to lay the rows out anew does so, too."""
         session = self._document.session
-        if session is not None:
-            self._model.set_missing(session.take, change.markers)
+        changed, self._changed = self._changed, set()
+        if session is not None and changed:
+            labels = [label for label in session.original.labels if label in changed]
+            self._model.set_missing(session.take, labels)
+        self._count()
+        if self._following:
+            self._follow_shown()
 
     def _filter(self, text: str) -> None:
         """Show matching rows, and those above them."""

@@ -26,6 +26,7 @@ from markermend_app import units
 from markermend_app.background.jobs import Lane
 from markermend_app.document import Document
 from markermend_app.items.focus import paint_focus
+from markermend_app.later import Later
 from markermend_app.panels.inspector.artifact_text import describe
 from markermend_app.panels.overview import marks
 from markermend_app.panels.overview.keys import row_by_key, span_by_key
@@ -61,6 +62,7 @@ class Overview(QWidget):
     def __init__(self, document: Document, first: Lane | None = None) -> None:
         super().__init__()
         self.document = document
+        self._soon = Later(self.update, self)
         self._view = (0.0, 0.0)
         self._span = (0.0, 1.0)
         self.residuals = Residuals(first, self)
@@ -80,10 +82,10 @@ class Overview(QWidget):
         document.opened.connect(self._opened)
         document.artifacts_changed.connect(self._reread)
         document.data_changed.connect(self._refresh)
-        document.current_changed.connect(self.update)
-        document.shown_changed.connect(self.update)
+        document.current_changed.connect(self._soon.ask)
+        document.shown_changed.connect(self._soon.ask)
         document.mesh_changed.connect(self._arrange)
-        document.frame_changed.connect(lambda _: self.update())
+        document.frame_changed.connect(self._soon.ask)
         theme.watcher.changed.connect(self._repaint)
         self._opened()
 
@@ -106,7 +108,7 @@ class Overview(QWidget):
         if stop < low or start > high:
             middle = (start + stop - (high - low)) / 2
             self.set_span(middle, middle + high - low)
-        self.update()
+        self._soon.ask()
 
     def sizeHint(self) -> QSize:
         """Low and wide."""
@@ -166,7 +168,7 @@ class Overview(QWidget):
     def _repaint(self, *_: object) -> None:
         """Paint the picture anew when it is next needed."""
         self._image = None
-        self.update()
+        self._soon.ask()
 
     # Places on screen
 

@@ -21,6 +21,7 @@ from markermend.measures import differing
 from markermend_app import units
 from markermend_app.document import Document
 from markermend_app.items.focus import paint_focus
+from markermend_app.later import Later
 from markermend_app.panels.markers.marker_menu import add_marker_verbs, point_at
 from markermend_app.panels.scene import paint
 from markermend_app.panels.scene.buttons import SceneButtons
@@ -70,6 +71,7 @@ class Scene(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName(self.tr("3D view"))
         self._make_buttons()
+        self._soon = Later(self.update, self)
 
         document.opened.connect(self._opened)
         document.mesh_changed.connect(self._link)
@@ -380,7 +382,7 @@ class Scene(QWidget):
     def _frame_changed(self, _: int) -> None:
         if self.follow.isChecked() and self.stage is not None:
             self.camera = self.follower.kept_up(self.camera)
-        self.update()
+        self._soon.ask()
 
     def _shown_changed(self) -> None:
         """Follow the subject of the foremost marker; the first one fills the view."""
@@ -393,4 +395,4 @@ class Scene(QWidget):
 
     def _redraw(self, *_: object) -> None:
         self.seen.forget()
-        self.update()
+        self._soon.ask()

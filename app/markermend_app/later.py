@@ -1,0 +1,33 @@
+"""Work that waits for a turn of its own, so that no turn of the window takes long."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, QTimer
+
+# Not zero: such timers wait until nothing else is left to do, which while playing is never.
+SOON_MS = 1
+
+
+class Later(QObject):
+    """Does something once in a later turn, however often it was asked for in this one.
+
+    What the operator looks at first is drawn at once; what stands beside it follows, after keys
+    that were pressed meanwhile.
+
+    Parameters
+    ----------
+    do : what is to be done
+    parent : with which it ends
+    """
+
+    def __init__(self, do: Callable[[], object], parent: QObject) -> None:
+        super().__init__(parent)
+        self._timer = QTimer(self, singleShot=True, interval=SOON_MS)
+        self._timer.timeout.connect(do)
+
+    def ask(self, *_: object) -> None:
+        """Have it done soon; what a signal tells is passed over."""
+        if not self._timer.isActive():
+            self._timer.start()
