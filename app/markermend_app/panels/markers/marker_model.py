@@ -131,10 +131,20 @@ class MarkerModel(QAbstractItemModel):
         return self.createIndex(node.parent.rows.index(node), column, node)
 
     def _announce(self, column: int, nodes: Iterable[Node]) -> None:
-        """Say that a column of some rows has other contents; each costs the views a while."""
+        """Say that a column of some rows has other contents, once for all beneath one row.
+
+        Each time costs the views a while, whether it is about one row or about many.
+        """
+        places: dict[Node, list[int]] = defaultdict(list)
         for node in nodes:
-            index = self._index(node, column)
-            self.dataChanged.emit(index, index)
+            if node.parent is not None:
+                places[node.parent].append(node.parent.rows.index(node))
+        for parent, rows in places.items():
+            first, last = min(rows), max(rows)
+            self.dataChanged.emit(
+                self.createIndex(first, column, parent.rows[first]),
+                self.createIndex(last, column, parent.rows[last]),
+            )
 
     # What Qt asks
 
