@@ -291,9 +291,9 @@ class Document(Looking):
 
     def undo(self) -> None:
         """Take the last step back, and go to what it was about."""
-        done = () if self.session is None else self.session.steps[0]
-        if done and self.do(lambda s: s.undo()):
-            self._go_to_step(done[-1])
+        last = () if self.session is None else self.session.steps[0][-1:]
+        if last and self.do(lambda s: s.undo(), moving=True):
+            self._follow(last)
 
     def redo(self) -> None:
         """Bring the last undone step back, and go to what it is about."""
@@ -301,23 +301,25 @@ class Document(Looking):
 
     def travel(self, steps_done: int) -> None:
         """Undo or redo until so many steps are done, and go to what the last of them is about."""
-        if self.do(lambda s: s.travel(steps_done)) and self.session is not None:
-            for step in self.session.steps[0][-1:]:
-                self._go_to_step(step)
+        if self.do(lambda s: s.travel(steps_done), moving=True) and self.session is not None:
+            self._follow(self.session.steps[0][-1:])
 
     # Inner workings
 
-    def _go_to_step(self, step: Step) -> None:
-        """Put under review what a step is about, or bring the samples it changed into view."""
+    def _follow(self, last: Sequence[Step]) -> None:
+        """Put under review what the last step is about, or bring the samples it changed in view."""
         assert self.session is not None
-        change = extent(step.edit)
-        artifact_id = about(self.session, self.queue, step, self._current)
-        if artifact_id is not None:
+        step = next(iter(last), None)
+        artifact_id = None if step is None else about(self.session, self.queue, step, self._current)
+        if artifact_id is None:
+            self._move_on(None)
+            changed = Change() if step is None else extent(step.edit)
+            if changed.markers:
+                self.reveal([self.foremost_of(changed.markers)], changed.start, changed.stop)
+        else:
             self.select(artifact_id, frame=False)
             a = self.session.artifact(artifact_id)
             self.reveal(a.markers, a.start, a.stop)
-        elif change.markers:
-            self.reveal([self.foremost_of(change.markers)], change.start, change.stop)
 
     def _decide(self, ids: Sequence[str], status: Status) -> None:
         """Set a status; when the current artifact is among them, move on."""

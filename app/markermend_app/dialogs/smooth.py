@@ -95,9 +95,11 @@ class SmoothDialog(QDialog):
         frame: int,
         method: str,
         values: Mapping[str, Any],
+        pictures: SmoothPictures,
         parent: QWidget,
     ) -> None:
         super().__init__(parent)
+        self.pictures = pictures
         help_in(self)
         from markermend.smoothers import SMOOTHERS
 
@@ -159,8 +161,8 @@ class SmoothDialog(QDialog):
         self.before.setToolTip(shortcuts.with_key(self.tr("Before smoothing"), "before_after"))
         for key in shortcuts.table()["before_after"]:
             QShortcut(key, self, self.before.toggle)
-        self.pictures = SmoothPictures()
         take = self._take
+        self.pictures.start_over()
         self.pictures.set_clock(take.first_frame, take.rate, take.frames)
         start, stop = frame - round(1.5 * take.rate), frame + round(1.5 * take.rate)
         if scope.stop is not None:
@@ -200,6 +202,7 @@ class SmoothDialog(QDialog):
         right = QVBoxLayout()
         right.addLayout(row)
         right.addWidget(self.pictures, 1)
+        self.pictures.show()
         sides = QHBoxLayout()
         sides.addWidget(left)
         sides.addLayout(right, 1)

@@ -73,6 +73,13 @@ class SmoothPictures(pg.GraphicsLayoutWidget):
             self.residual.addItem(item)
         self.restyle()
 
+    def start_over(self) -> None:
+        """Show nothing, in the theme as it is now: making plots takes long, so they are kept."""
+        for item in (self.raw, self.smooth):
+            item.setData([], [])
+        self.show_inspection(None, 0, theme.current().muted)
+        self.restyle()
+
     def set_clock(self, first_frame: int, rate: float, frames: int) -> None:
         """Say how the file counts frames, and how many there are."""
         self._time.set_clock(first_frame, rate, frames)

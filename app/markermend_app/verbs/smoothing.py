@@ -12,7 +12,9 @@ from markermend.review import hand
 from markermend.take import Take
 from markermend_app.background.jobs import Lane
 from markermend_app.dialogs.smooth import SmoothDialog, Smoothed
+from markermend_app.dialogs.smooth_pictures import SmoothPictures
 from markermend_app.document import Document
+from markermend_app.later import Later
 from markermend_app.scope import Scope, scopes
 from markermend_app.telling import told
 
@@ -38,6 +40,8 @@ class Smoothing(QObject):
         self._lane.progressed.connect(self._progressed)
         self._last: tuple[str, dict[str, Any]] = ("auto", {})
         self.dialog: SmoothDialog | None = None
+        self._pictures: SmoothPictures | None = None
+        self._ahead = Later(self._plots, self)
         self._stale = False
         document.data_changed.connect(self._note_change)
         document.opened.connect(self._note_change)
@@ -59,7 +63,9 @@ class Smoothing(QObject):
             where = (own, *where) if swept.marker == marker else (*where, own)
         # No copy, which takes long: what changes under the dialog is noticed, and nothing done.
         take, self._stale = session.take, False
-        dialog = SmoothDialog(take, where, marker, self._document.frame, *self._last, self._window)
+        dialog = SmoothDialog(
+            take, where, marker, self._document.frame, *self._last, self._plots(), self._window
+        )
         dialog.wanted.connect(lambda: self._work_out(dialog, take))
         dialog.look_wanted.connect(lambda: self._inspect(dialog, take))
         dialog.accepted.connect(lambda: self._carry_out(dialog, take))
@@ -72,8 +78,15 @@ class Smoothing(QObject):
         self._stale = True
 
     def _get_ready(self) -> None:
-        """Load the smoothers on the worker, which the first dialog would wait for."""
+        """Load the smoothers on the worker and make the plots, which the first dialog waits for."""
         self._lane.submit("Smoothing", _load_smoothers, _let_be, _let_be)
+        self._ahead.ask()
+
+    def _plots(self) -> SmoothPictures:
+        """What the dialogs draw in, one after the other."""
+        if self._pictures is None:
+            self._pictures = SmoothPictures(self._window)
+        return self._pictures
 
     def _work_out(self, dialog: SmoothDialog, take: Take) -> None:
         """Smooth what the dialog says, on the worker."""
@@ -125,6 +138,7 @@ class Smoothing(QObject):
         """Stop what is still worked out."""
         self._lane.cancel()
         if self.dialog is not None:
+            self._plots().setParent(self._window)
             self.dialog.deleteLater()
             self.dialog = None
 
