@@ -126,7 +126,9 @@ class Document(Looking):
         """Take over the order in which artifacts are walked; the review queue calls this."""
         self.queue = tuple(ids)
 
-    def select(self, artifact_id: str | None, *, frame: bool = True) -> None:
+    def select(
+        self, artifact_id: str | None, *, frame: bool = True, unless_seen: bool = False
+    ) -> None:
         """Put an artifact under review: its marker is shown, its frames come into view."""
         self._repair_when_ready = None
         self._current = artifact_id
@@ -134,7 +136,8 @@ class Document(Looking):
         if artifact is not None:
             self.preview.reset()
             if frame:
-                self.look_at(artifact.markers, artifact.start, artifact.stop)
+                bring = self.reveal if unless_seen else self.look_at
+                bring(artifact.markers, artifact.start, artifact.stop)
             else:
                 self.show_too(artifact.markers)
         self.current_changed.emit()
@@ -309,17 +312,14 @@ class Document(Looking):
     def _follow(self, last: Sequence[Step]) -> None:
         """Put under review what the last step is about, or bring the samples it changed in view."""
         assert self.session is not None
-        step = next(iter(last), None)
-        artifact_id = None if step is None else about(self.session, self.queue, step, self._current)
-        if artifact_id is None:
-            self._move_on(None)
-            changed = Change() if step is None else extent(step.edit)
+        found = [about(self.session, self.queue, step, self._current) for step in last]
+        if any(found):
+            self.select(found[0], unless_seen=True)
+            return
+        self._move_on(None)
+        for changed in (extent(step.edit) for step in last):
             if changed.markers:
                 self.reveal([self.foremost_of(changed.markers)], changed.start, changed.stop)
-        else:
-            self.select(artifact_id, frame=False)
-            a = self.session.artifact(artifact_id)
-            self.reveal(a.markers, a.start, a.stop)
 
     def _decide(self, ids: Sequence[str], status: Status) -> None:
         """Set a status; when the current artifact is among them, move on."""

@@ -70,18 +70,22 @@ class Looking(QObject):
 
     def look_at(self, markers: Iterable[str], start: int, stop: int) -> None:
         """Bring frames of these markers into view, and the cursor into their middle."""
-        self.bringing = True
-        self.show_too(markers)
-        self.bringing = False
+        self._show_first(markers)
         # With its frames in view, the cursor need not bring itself into view first.
         self.frame_requested.emit(start, stop)
         self.go_to((start + stop) // 2)
 
     def reveal(self, markers: Iterable[str], start: int, stop: int) -> None:
         """Look at frames of these markers; a view in which they are seen well already stays."""
-        self.show_too(markers)
+        self._show_first(markers)
         self.reveal_requested.emit(start, stop)
         self.go_inside(start, stop)
+
+    def _show_first(self, markers: Iterable[str]) -> None:
+        """Show these markers, whose frames are requested next."""
+        self.bringing = True
+        self.show_too(markers)
+        self.bringing = False
 
     def go_inside(self, start: int, stop: int) -> None:
         """Move the cursor into the middle of these frames, unless it is among them."""

@@ -58,6 +58,7 @@ class TrajectoryPanel(QWidget):
         self._view = (0.0, 1.0)
         self._known = Drawn()
         self._stale: set[str] = set()
+        self._unframed = False
         self.setAccessibleName(self.tr("Trajectories"))
 
         self.header = PlotHeader()
@@ -83,7 +84,7 @@ class TrajectoryPanel(QWidget):
         self._stack.addWidget(plots)
 
         self.canvas.sigDeviceRangeChanged.connect(self.place_buttons)
-        self.header.chosen.connect(self._bring_forward)
+        self.header.chosen.connect(lambda marker: document.show_too([marker]))
         self.predictions.changed.connect(self._show_predictions)
         document.opened.connect(self._opened)
         document.shown_changed.connect(self._show_markers)
@@ -156,9 +157,8 @@ class TrajectoryPanel(QWidget):
         if take is None:
             return
         self._view = time_range(start, stop, take.frames)
-        current = self.document.current
         for row in self.rows:
-            row.set_view(*self._view, current)
+            row.set_view(*self._view, self.document.current)
         for beside in self.canvas.beside:
             beside.set_view(*self._view)
         self.place_buttons()
@@ -238,7 +238,8 @@ class TrajectoryPanel(QWidget):
             self._show_proposal()
             self._show_predictions()
             self._show_sweep()
-            if not self.document.bringing:
+            self._unframed = self.document.bringing
+            if not self._unframed:
                 self._show_afresh(*self._view)
         self.show_current()
         self.cross.read_out(self.document.frame)
@@ -359,12 +360,10 @@ class TrajectoryPanel(QWidget):
         """Bring an interval into view unless it can be seen well where the plots are."""
         if self.take is not None and not well_seen(start, stop, self.take.rate, self._view):
             self._frame(start, stop)
+        elif self._unframed:
+            self._show_afresh(*self._view)
 
     # What the mouse says
-
-    def _bring_forward(self, name: str) -> None:
-        """Make a shown marker the foremost."""
-        self.document.show((name, *(m for m in self.document.shown if m != name)))
 
     def leaveEvent(self, event: QEvent) -> None:
         """Take the crosshair away with the mouse."""
@@ -375,6 +374,7 @@ class TrajectoryPanel(QWidget):
 
     def _show_afresh(self, start: float, stop: float) -> None:
         """Show these frames, and of their values what matters, wherever hands had put them."""
+        self._unframed = False
         for row in self.canvas.frames:
             row.follows = True
         self.set_view(start, stop)
