@@ -146,6 +146,16 @@ def test_noise_is_told_from_movement_and_taken_out():
     assert np.abs(smooth(clean, np.full(28, 1e-4), 60.0) - clean).max() < 1e-3
 
 
+def test_a_joint_that_is_hardly_known_has_the_noise_of_the_others():
+    random = np.random.default_rng(6)
+    t = np.arange(1200)[:, None] / 60
+    clean = 0.4 * np.sin(2 * np.pi * t * [0.4, 0.9] + [0, 1]) @ random.normal(size=(2, 28))
+    noisy = clean + random.normal(0, 0.02, clean.shape)
+    known = np.ones(clean.shape, dtype=bool)
+    known[:, 7:10] = (np.arange(1200) % 3 > 0)[:, None]
+    assert_allclose(noise_level(noisy, known)[7:10], 0.02, rtol=0.12)
+
+
 def test_smoothing_again_takes_bias_and_gaps_out_of_the_pilot():
     random = np.random.default_rng(3)
     t = np.arange(1200)[:, None] / 60

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.testing import assert_allclose
 
+from markermend.poses.bending import find_bends
 from markermend.poses.quaternion import turn, unit
 from markermend.poses.settling import settle, settle_in_time
 
@@ -39,6 +40,25 @@ def test_true_poses_stay_and_noisy_ones_come_nearer():
     settled[50:, 2, 3:] *= -1.0
     noisy[50:, 2, 3:] *= -1.0
     assert np.abs(settled - truth).mean() < 0.85 * np.abs(noisy - truth).mean()
+
+
+def test_limbs_do_not_turn_with_a_root_that_shakes():
+    truth = chain()
+    shaking = np.random.default_rng(2).normal(0, 0.02, (200, 3))
+    truth[:, 0, 3:] = unit(np.append(shaking, np.ones((200, 1)), axis=1))
+    # The first joint sits on the root, and shakes with it; how it is turned does not.
+    bone = np.broadcast_to([0.0, 1.0, 0.2], (200, 3))
+    truth[:, 1:, :3] += (turn(truth[:, 0, 3:], bone) - bone)[:, None]
+    bends = find_bends(truth, PARENTS, range(4))
+    assert bends.at.shape[1] == 2
+    assert_allclose(bends.features(bends.at, truth), truth, atol=5e-4)
+    step, at = 1e-5, np.arange(0, 200, 20)
+    for n in range(2):
+        moved = bends.at[at].copy()
+        moved[:, n] += step
+        change = bends.features(moved, truth[at]) - bends.features(bends.at[at], truth[at])
+        told = bends.slopes(at)[..., n].reshape(len(at), 3, 7)
+        assert_allclose(change[:, 1:] / step, told, atol=2e-3)
 
 
 def test_what_is_hardly_known_follows_the_rest():

@@ -80,13 +80,17 @@ def _middles(
     features: FloatArray, parents: Sequence[int], joints: Sequence[int]
 ) -> dict[int, FloatArray]:
     """Mean rotation of each joint in its parent's axes."""
-    return {
-        j: Rotation.from_quat(_relative(features, parents[j], j)).mean().as_quat() for j in joints
-    }
+    return {j: Rotation.from_quat(_relative(features, parents, j)).mean().as_quat() for j in joints}
 
 
-def _relative(features: FloatArray, parent: int, joint: int) -> FloatArray:
-    """(frames, 4) rotation of a joint in its parent's axes."""
+def _relative(features: FloatArray, parents: Sequence[int], joint: int) -> FloatArray:
+    """(frames, 4) rotation of a joint in its parent's axes, or as it is where that is the root.
+
+    Limbs do not shake with the root.
+    """
+    parent = parents[joint]
+    if parents[parent] < 0:
+        return features[:, joint, 3:]
     return multiply(inverse(features[:, parent, 3:]), features[:, joint, 3:])
 
 
@@ -100,7 +104,7 @@ def _to_local(
     local = np.empty((len(features), len(joints), _LOCAL))
     for n, joint in enumerate(joints):
         parent = parents[joint]
-        own = multiply(inverse(middle[joint]), _relative(features, parent, joint))
+        own = multiply(inverse(middle[joint]), _relative(features, parents, joint))
         local[:, n, :3] = Rotation.from_quat(own).as_rotvec()
         bone = features[:, joint, :3] - features[:, parent, :3]
         local[:, n, 3:] = turn(inverse(features[:, parent, 3:]), bone)
@@ -120,7 +124,7 @@ def _from_local(
     for n, joint in enumerate(joints):
         parent = parents[joint]
         own = multiply(middle[joint], Rotation.from_rotvec(parts[:, n, :3]).as_quat())
-        turned = multiply(out[:, parent, 3:], own)
+        turned = own if parents[parent] < 0 else multiply(out[:, parent, 3:], own)
         other = np.sum(turned * like[:, joint, 3:], axis=1, keepdims=True) < 0
         out[:, joint, 3:] = np.where(other, -turned, turned)
         out[:, joint, :3] = out[:, parent, :3] + turn(out[:, parent, 3:], parts[:, n, 3:])
@@ -142,8 +146,8 @@ def _linear(
     for n, joint in enumerate(joints):
         parent, k = parents[joint], _LOCAL * n
         axes = Rotation.from_quat(poses[:, parent, 3:]).as_matrix()
-        own = axes @ Rotation.from_quat(middle[joint]).as_matrix()
-        bends = own @ _left_jacobian(local[:, k : k + 3])
+        own = Rotation.from_quat(middle[joint]).as_matrix()
+        bends = (own if parents[parent] < 0 else axes @ own) @ _left_jacobian(local[:, k : k + 3])
         bone = _cross(poses[:, joint, :3] - poses[:, parent, :3])
         turning[joint] = turning[parent] + bends @ directions[k : k + 3]
         moving[joint] = moving[parent] - bone @ turning[parent] + axes @ directions[k + 3 : k + 6]

@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.ndimage import gaussian_filter1d
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.poses.bridging import bridged
 from markermend.poses.normal import FEATURES, Normal, normalise
 from markermend.poses.pose import Pose
-from markermend.poses.quaternion import unit, unrolled
+from markermend.poses.quaternion import inverse, multiply, turn, unit, unrolled
 
 _NO_TURN = (0.0, 0.0, 0.0, 1.0)
 # A rotation this near to none is what sensors write where they know nothing.
 _UNTURNED = 1e-9
+# Axes follow the root over this time.
+_FOLLOW_S = 0.2
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,12 +31,14 @@ class Channels:
     known : (frames, joints · 7) bool
     joints : indices of the joints the columns belong to, seven each
     normal : to go back
+    root : (frames, 7) features of the root in the axes that values are in
     """
 
     values: FloatArray
     known: BoolArray
     joints: tuple[int, ...]
     normal: Normal
+    root: FloatArray
 
 
 def to_channels(pose: Pose) -> Channels:
@@ -61,11 +66,43 @@ def to_channels(pose: Pose) -> Channels:
     joints = tuple(j for j in range(len(pose.joints)) if j != root)
     values = features[:, joints].reshape(pose.frames, -1)
     known = ~np.isnan(values)
-    return Channels(np.where(known, values, 0.0), known, joints, normal)
+    itself = np.tile((0.0, 0.0, 0.0, *_NO_TURN), (pose.frames, 1))
+    return Channels(np.where(known, values, 0.0), known, joints, normal, itself)
+
+
+def steadied(channels: Channels, rate: float) -> Channels:
+    """The same relative to axes that follow the root smoothly.
+
+    Parameters
+    ----------
+    channels : relative to the root
+    rate : frames per second
+
+    Notes
+    -----
+    A root that shakes, if only by the errors of whoever solved for it, shakes all that is relative
+    to it, while limbs move smoothly in the world, or stand on the ground. How the root goes is
+    known in every frame, so nothing is lost by looking from beside it.
+    """
+    normal = channels.normal
+    own, width = unrolled(normal.rotation[:, None])[:, 0], _FOLLOW_S * rate
+    steady = unit(gaussian_filter1d(own, width, axis=0, mode="nearest"))
+    calm = gaussian_filter1d(normal.position, width, axis=0, mode="nearest")
+    turned = multiply(inverse(steady), own)
+    away = turn(inverse(steady), normal.position - calm) / normal.scale
+    values = channels.values.reshape(len(own), -1, FEATURES).copy()
+    values[..., :3] = turn(turned[:, None], values[..., :3]) + away[:, None]
+    values[..., 3:] = multiply(turned[:, None], values[..., 3:])
+    return replace(
+        channels,
+        values=np.where(channels.known, values.reshape(channels.values.shape), 0.0),
+        normal=replace(normal, position=calm, rotation=steady),
+        root=np.hstack([away, turned]),
+    )
 
 
 def to_features(values: FloatArray, channels: Channels) -> FloatArray:
-    """Give columns back as (frames, joints, 7) with the root, rotations of unit length.
+    """Give columns back as (frames, joints, 7), the root among them, rotations of unit length.
 
     Parameters
     ----------
@@ -74,7 +111,7 @@ def to_features(values: FloatArray, channels: Channels) -> FloatArray:
     """
     frames = len(values)
     features = np.zeros((frames, len(channels.joints) + 1, FEATURES))
-    features[..., -1] = 1.0
+    features[:, channels.normal.root] = channels.root
     features[:, channels.joints] = values.reshape(frames, -1, FEATURES)
     features[..., 3:] = unit(features[..., 3:])
     return features

@@ -14,7 +14,7 @@ from markermend.arrays import FloatArray, IntArray
 from markermend.errors import DataError, FileFormatError
 from markermend.files.npz import read_arrays, write_arrays
 from markermend.poses.bridging import bridged
-from markermend.poses.channels import to_channels
+from markermend.poses.channels import steadied, to_channels
 from markermend.poses.covariance import LENGTHS_S, Moments, averaged, learn
 from markermend.poses.normal import FEATURES
 from markermend.poses.nuitrack import mirrored, to_nuitrack, usual_name
@@ -81,7 +81,7 @@ def _usual(pose: Pose) -> Pose:
 
 def _filled(pose: Pose) -> FloatArray:
     """(frames, channels) without NaN."""
-    channels = to_channels(pose)
+    channels = steadied(to_channels(pose), pose.rate)
     if not channels.known.any(axis=0).all():
         raise DataError("A joint of a recording to learn from was never seen.")
     return bridged(channels.values, channels.known)

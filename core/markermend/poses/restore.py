@@ -10,7 +10,7 @@ import numpy as np
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import DataError
 from markermend.poses.bones import Bones, find_bones, fuse, keep_lengths, swing, wobble
-from markermend.poses.channels import Channels, to_channels, to_features, trusted_turns
+from markermend.poses.channels import Channels, steadied, to_channels, to_features, trusted_turns
 from markermend.poses.covariance import Moments
 from markermend.poses.faults import Fault, mend_faults
 from markermend.poses.filling import fill
@@ -121,7 +121,7 @@ def restore(
 
 def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     """Restore with moments of the recording's own channels."""
-    channels = to_channels(pose)
+    channels = steadied(to_channels(pose), pose.rate)
     usable = np.asarray(channels.known.any(axis=0))
     values, known = channels.values[:, usable], channels.known[:, usable]
     if prior is not None and not usable.all():

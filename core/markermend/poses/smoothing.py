@@ -22,6 +22,8 @@ _ENOUGH = 1.3
 _MOST = 1.5
 # Shorter recordings: blocks in which noise is looked for, how calm a block and a channel to take.
 _BLOCK, _CALM, _CALM_CHANNELS = 16, 0.1, 0.25
+# Blocks of all joints that are added to a joint's own, of which it may have next to none.
+_OTHERS_BLOCKS = 8
 # Cut-offs tried, as shares of the frame rate; the time over which they compete, and how sharply.
 _CUTOFFS = np.geomspace(0.004, 0.4, 7)
 _WINDOW_S, _SHARP = 0.6, 0.1
@@ -54,7 +56,7 @@ def noise_level(values: FloatArray, known: BoolArray) -> FloatArray:
     whole = known[:-3] & known[1:-2] & known[2:-1] & known[3:] if frames > _ORDER else known[:0]
     effective, others = len(third) / _REPEATS, channels - FEATURES
     if others < 1 or effective < _ENOUGH * others:
-        power = _calm_power(third, whole)
+        power, _ = _calm_power(third, whole)
         if np.isnan(power).all():
             return np.full(channels, LEAST_NOISE)
         level = np.sqrt(np.nanquantile(power, _CALM_CHANNELS))
@@ -64,24 +66,27 @@ def noise_level(values: FloatArray, known: BoolArray) -> FloatArray:
     covariance = third.T @ third / len(third)
     precision = np.linalg.inv(covariance + 1e-9 * np.eye(channels))
     unexplained = third @ precision
-    noise = np.empty(channels)
+    noise, blocks = np.empty((2, channels))
     for first in range(0, channels, FEATURES):
         own = slice(first, first + FEATURES)
         rest = unexplained[:, own] @ np.linalg.inv(precision[own, own]) * scale[own]
         # A rotation's four numbers have three degrees of freedom.
         for part, share in ((slice(0, 3), 1.0), (slice(3, FEATURES), 4.0 / 3.0)):
             columns = slice(first + part.start, first + part.stop)
-            power = _calm_power(rest[:, part], whole[:, columns])
+            power, blocks[columns] = _calm_power(rest[:, part], whole[:, columns])
             level = 0.0 if np.isnan(power).all() else float(np.nanmean(power))
             noise[columns] = np.sqrt(share * level * effective / (effective - others))
-    by_joint = noise.reshape(-1, FEATURES)
-    for kind in (by_joint[:, :3], by_joint[:, 3:]):
-        np.minimum(kind, _MOST * float(np.median(kind)), out=kind)
+    by_joint, told = noise.reshape(-1, FEATURES), blocks.reshape(-1, FEATURES)
+    for part in (slice(0, 3), slice(3, FEATURES)):
+        kind, own = by_joint[:, part], told[:, part]
+        usual = float(np.median(kind[own > 0])) if own.any() else 0.0
+        pooled = (own * kind**2 + _OTHERS_BLOCKS * usual**2) / (own + _OTHERS_BLOCKS)
+        kind[:] = np.minimum(np.sqrt(pooled), _MOST * usual)
     return np.maximum(noise, LEAST_NOISE)
 
 
-def _calm_power(third: FloatArray, whole: BoolArray) -> FloatArray:
-    """(channels,) mean square in calm moments; NaN for those never known long enough."""
+def _calm_power(third: FloatArray, whole: BoolArray) -> tuple[FloatArray, FloatArray]:
+    """(channels,) mean square in calm moments, NaN where never known long enough, and blocks."""
     from scipy.stats import chi2
 
     blocks, channels = len(third) // _BLOCK, third.shape[1]
@@ -95,7 +100,8 @@ def _calm_power(third: FloatArray, whole: BoolArray) -> FloatArray:
             means = squared[enough][:, :, channel].sum(axis=1) / count[enough, channel]
             power[channel] = np.quantile(means, _CALM)
     worth = _BLOCK / _REPEATS
-    return power * worth / float(chi2.ppf(_CALM, worth))
+    known_for = np.count_nonzero(count >= _BLOCK // 2, axis=0).astype(float)
+    return power * worth / float(chi2.ppf(_CALM, worth)), known_for
 
 
 def smooth(values: FloatArray, noise: FloatArray, rate: float) -> FloatArray:
