@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -81,7 +81,8 @@ def fill(
     Notes
     -----
     Each gap is bridged by time; how far its channels stray from the bridge is regressed on how far
-    the visible ones stray from theirs, with covariances within a time as long as the gap. A
+    the visible ones stray from theirs, with covariances within a time as long as the gap. Where
+    values are noisy bridges are straight, since curves carry on what two frames do at a side. A
     regression on the levels of the visible channels, its residual bridged, is mixed in. Channels
     hidden part of the time enter with what the pass before made of them. In the last pass, what the
     regression on levels leaves in long gaps is told by alike moments instead
@@ -100,13 +101,14 @@ def fill(
         )
         return Filled(whole.values[:, :-more], whole.variance[:, :-more], whole.lasting)
     base = bridged(values, known)
+    cross = straight if rough or noise > 0 else bridge
     short = max(round((_ROUGH_S if rough else _SHORT_S) * rate), 1)
     variance = _time_variance(base, known, rate)
     gaps = _gaps(known)
     if not rough and near is None:
         brief = [gap for gap in gaps if gap.stop - gap.start <= short]
         moments = pooled(learn(base, rate, range(1, short + 1)), prior)
-        _cross_short(base, variance, known, brief, moments, rate)
+        _cross_short(base, variance, known, brief, moments, rate, cross)
     gaps = [gap for gap in gaps if gap.stop - gap.start > short]
     estimate = base if near is None else np.where(known, base, near)
     lengths = [gap.stop - gap.start for gap in gaps]
@@ -118,7 +120,9 @@ def fill(
         better = estimate.copy()
         for gap in gaps:
             alike = last and not rough
-            filled, unsure = _fill_gap(gap, estimate, base, known, moments, rate, alike, noise)
+            filled, unsure = _fill_gap(
+                gap, estimate, base, known, moments, rate, cross, alike, noise
+            )
             better[gap.start : gap.stop, gap.channels] = filled
             if last:
                 variance[gap.start : gap.stop, gap.channels] = unsure
@@ -142,6 +146,7 @@ def _cross_short(
     gaps: Iterable[_Gap],
     moments: Moments,
     rate: float,
+    cross: Callable[[int], FloatArray],
 ) -> None:
     """Let short gaps of ``base``, crossed by time, stray as the others tell.
 
@@ -157,7 +162,7 @@ def _cross_short(
         starts = np.array([gap.start for gap in some], dtype=int)[:, None]
         inside = starts + np.arange(length)
         hidden: BoolArray = np.any(~known[inside], axis=1)
-        bridges = np.einsum("ls,gsc->glc", bridge(length), base[starts + around(0, length)])
+        bridges = np.einsum("ls,gsc->glc", cross(length), base[starts + around(0, length)])
         told = np.where(hidden[:, None], 0.0, base[inside] - bridges) @ precision
         for n, gap in enumerate(some):
             unknown = np.flatnonzero(hidden[n])
@@ -175,6 +180,7 @@ def _fill_gap(
     known: BoolArray,
     moments: Moments,
     rate: float,
+    cross: Callable[[int], FloatArray],
     alike: bool,
     noise: float,
 ) -> tuple[FloatArray, FloatArray]:
@@ -217,7 +223,7 @@ def _fill_gap(
         return levels, shape * left
     ridge = _RIDGE
     weights, left = _regress(moments.within_s(length / rate), others, gap.channels, ridge, doubt)
-    bridges = bridge(length) @ estimate[around(start, stop)]
+    bridges = cross(length) @ estimate[around(start, stop)]
     strays = (estimate[start:stop] - bridges)[:, others] @ weights
     share = _BRIEF if length < _BRIEF_S * rate else _LONG
     return (
