@@ -7,6 +7,7 @@ from numpy.testing import assert_allclose
 
 from markermend.poses.channels import steadied, to_channels, to_features
 from markermend.poses.normal import denormalise
+from markermend.poses.nuitrack import twins
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import multiply, turn, unit
 
@@ -55,3 +56,7 @@ def test_a_recording_comes_back_from_axes_that_follow_the_root():
         np.abs(np.sum(rotations * pose.rotations, axis=2))[:, [0, 2]][seen[:, [0, 2]]], 1.0
     )
     assert (channels.values[~channels.known] == 0).all()
+
+
+def test_every_joint_knows_the_other_side_of_the_body():
+    assert twins(["left_knee", "neck", "right_knee", "right_hip"]) == [2, 1, 0, 3]

@@ -14,7 +14,7 @@ from markermend.files.pose_stream import follow
 from markermend.poses import Pose
 from markermend.poses.live import Live
 from markermend.poses.noise import Noise, corrupt_pose
-from markermend.poses.nuitrack import mirrored, to_nuitrack
+from markermend.poses.nuitrack import mirrored, to_nuitrack, twins
 from markermend.poses.prior import shipped_prior
 
 
@@ -49,6 +49,23 @@ def test_hidden_joints_follow_the_body(walk, prior):
     assert error[~hidden].max() < 1e-6
     assert not np.isnan(turns).any()
     np.testing.assert_allclose(np.sum(turns**2, axis=2), 1.0, atol=1e-6)
+
+
+def test_one_side_of_a_body_tells_of_the_other(walk, monkeypatch):
+    # Were both sides to count alike, a body seen in a mirror would be filled alike.
+    monkeypatch.setattr("markermend.poses.live._OTHER_SIDE", 0.5)
+    damaged = corrupt_pose(walk, Noise(displacement=0.0, burst=30), seed=3)
+    sides = twins(walk.joints)
+
+    def in_mirror(pose):
+        seen = mirrored(pose)
+        return pose.with_samples(
+            seen.positions[:, sides], seen.rotations[:, sides], seen.confidence[:, sides]
+        )
+
+    places, _ = run(Live(first_of(walk), shipped_prior()), damaged)
+    other, _ = run(Live(first_of(in_mirror(walk)), shipped_prior()), in_mirror(damaged))
+    np.testing.assert_allclose(other[:, sides] * [-1.0, 1.0, 1.0], places, atol=1.0)
 
 
 def test_left_hands_are_filled_alike(walk):

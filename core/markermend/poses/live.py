@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Sequence
 
 import numpy as np
 
-from markermend.arrays import BoolArray, FloatArray
+from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.errors import DataError
 from markermend.poses.normal import FEATURES, bone_lengths, normalise
-from markermend.poses.nuitrack import mirrored
+from markermend.poses.nuitrack import mirrored, twins, usual_name
 from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior, fitting
 from markermend.poses.quaternion import inverse, multiply, turn, unit
@@ -20,6 +21,8 @@ _PRIOR_S, _LAGS_S, _MEMORY = 1.0, (0.008, 0.03, 0.125, 0.5, 2.0), 3000.0
 _USUAL_S = 0.125
 # Added to variances, the second over the poses learnt from: of few, less is made.
 _RIDGE, _FEW = 1e-4, 0.1
+# How much movement counts for the other side of the body.
+_OTHER_SIDE = 0.2
 # A joint that goes keeps a speed of its own for about this long; speeds are averaged over this.
 _COASTS_S, _AVERAGED_S = 0.042, 0.024
 _ROUNDS = 2
@@ -58,12 +61,19 @@ class Live:
         self._others = [j for j in range(len(first.joints)) if j != self._root]
         self._lengths = bone_lengths(first.positions, first.parents)
         self._values = features[0, self._others].ravel()
+        self._twins: IntArray | None
         self._root_pose = first.positions[0, self._root], first.rotations[0, self._root]
         channels = len(self._values)
         if fit is None:
             self._covariance, self._weight = np.zeros((channels, channels)), 0.0
+            self._twins, self._signs = None, np.ones(channels)
         else:
             self._covariance, self._weight = fit[0].within_s(_PRIOR_S).copy(), fit[0].weight
+            self._twins, self._signs = self._other_side(first.joints)
+            other = self._covariance[np.ix_(self._twins, self._twins)]
+            self._covariance += _OTHER_SIDE * (
+                self._signs[:, None] * other * self._signs - self._covariance
+            )
         self._speed, self._coasting = np.zeros(channels), np.zeros(channels)
         self._known = np.ones(channels, dtype=bool)
         self._weights: FloatArray = np.empty((0, 0))
@@ -102,6 +112,17 @@ class Live:
         if self._left_handed:
             return out * _MIRROR[:3], out_rotations * _MIRROR[3:]
         return out, out_rotations
+
+    def _other_side(self, joints: Sequence[str]) -> tuple[IntArray, FloatArray]:
+        """Each column's counterpart on the other side of the body, and its sign there."""
+        at = np.array(twins([usual_name(joints[j]) for j in self._others]))
+        columns = (at[:, None] * FEATURES + np.arange(FEATURES)).ravel()
+        signs = np.tile(_MIRROR, (len(at), 1))
+        # Of q and -q the one that is nearer to this side's.
+        own = self._values.reshape(-1, FEATURES)[:, 3:]
+        there = np.sum(own * own[at] * signs[:, 3:], axis=1) < 0
+        signs[there, 3:] *= -1.0
+        return columns, signs.ravel()
 
     def _relative(
         self, positions: FloatArray, rotations: FloatArray, seen: BoolArray
@@ -147,12 +168,16 @@ class Live:
     def _learn(self, values: FloatArray) -> None:
         """Add how far the pose is from those of some moments ago to the covariance.
 
-        Slow movement tells how far limbs go together, quick one how they set out.
+        Slow movement tells how far limbs go together, quick one how they set out; a left limb
+        moves much like a right one that is mirrored.
         """
         past = self._past
         lags = [n for n in self._lags if n <= len(past)]
         usual_lag = _USUAL_S * self._rate
         moved = np.array([(values - past[-n]) * np.sqrt(usual_lag / n) for n in lags])
+        if self._twins is not None:
+            other = moved[:, self._twins] * self._signs
+            moved = np.vstack([np.sqrt(1.0 - _OTHER_SIDE) * moved, np.sqrt(_OTHER_SIDE) * other])
         self._weight = min(self._weight + 1.0, _MEMORY)
         self._covariance *= 1.0 - 1.0 / self._weight
         self._covariance += moved.T @ moved / self._weight

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from types import MappingProxyType
 
 import numpy as np
@@ -107,6 +108,25 @@ def usual_name(name: str) -> str:
     plain = _OTHER_NAMES.get(plain, plain)
     found = f"{side}_{plain}" if side else plain
     return found if found in PARENT_OF else name
+
+
+def twins(joints: Sequence[str]) -> list[int]:
+    """Index of each joint's counterpart on the other side of the body, its own where it has none.
+
+    Parameters
+    ----------
+    joints : names, as :func:`usual_name` writes them
+    """
+    left, right = (f"{side}_" for side in _SIDES)
+    swapped = [
+        right + name.removeprefix(left)
+        if name.startswith(left)
+        else left + name.removeprefix(right)
+        if name.startswith(right)
+        else name
+        for name in joints
+    ]
+    return [joints.index(other) if other in joints else n for n, other in enumerate(swapped)]
 
 
 def to_nuitrack(pose: Pose) -> Pose:

@@ -59,8 +59,8 @@ def noise_level(values: FloatArray, known: BoolArray) -> FloatArray:
         power, _ = _calm_power(third, whole)
         if np.isnan(power).all():
             return np.full(channels, LEAST_NOISE)
-        level = np.sqrt(np.nanquantile(power, _CALM_CHANNELS))
-        return np.full(channels, max(float(level), LEAST_NOISE))
+        calm = np.sqrt(np.nanquantile(power, _CALM_CHANNELS))
+        return np.full(channels, max(float(calm), LEAST_NOISE))
     scale = np.maximum(np.sqrt(np.mean(third**2, axis=0)), 1e-12)
     third = third / scale
     covariance = third.T @ third / len(third)
@@ -74,14 +74,14 @@ def noise_level(values: FloatArray, known: BoolArray) -> FloatArray:
         for part, share in ((slice(0, 3), 1.0), (slice(3, FEATURES), 4.0 / 3.0)):
             columns = slice(first + part.start, first + part.stop)
             power, blocks[columns] = _calm_power(rest[:, part], whole[:, columns])
-            level = 0.0 if np.isnan(power).all() else float(np.nanmean(power))
-            noise[columns] = np.sqrt(share * level * effective / (effective - others))
+            left = 0.0 if np.isnan(power).all() else float(np.nanmean(power))
+            noise[columns] = np.sqrt(share * left * effective / (effective - others))
     by_joint, told = noise.reshape(-1, FEATURES), blocks.reshape(-1, FEATURES)
-    for part in (slice(0, 3), slice(3, FEATURES)):
-        kind, own = by_joint[:, part], told[:, part]
-        usual = float(np.median(kind[own > 0])) if own.any() else 0.0
-        pooled = (own * kind**2 + _OTHERS_BLOCKS * usual**2) / (own + _OTHERS_BLOCKS)
-        kind[:] = np.minimum(np.sqrt(pooled), _MOST * usual)
+    for kind in (np.s_[:, :3], np.s_[:, 3:]):
+        level, count = by_joint[kind], told[kind]
+        usual = float(np.median(level[count > 0])) if count.any() else 0.0
+        pooled = (count * level**2 + _OTHERS_BLOCKS * usual**2) / (count + _OTHERS_BLOCKS)
+        by_joint[kind] = np.minimum(np.sqrt(pooled), _MOST * usual)
     return np.maximum(noise, LEAST_NOISE)
 
 
