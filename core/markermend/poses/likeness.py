@@ -13,7 +13,7 @@ _BESIDE_S, _BESIDE_HZ = 0.5, 60.0
 # Poses are alike when they move alike, too: what changes within this time counts as much.
 _MOVES_S = 0.1
 # What is particular to a time lasts this long; its share, and that of chance.
-_LASTS_S, _PASSING, _CHANCE = 0.4, 0.2, 0.001
+_LASTS_S, _PASSING, _CHANCE = 0.6, 0.2, 0.001
 _LEAST_MOMENTS = 30
 # What it never saw, the process does not expect: squared errors are larger by about this.
 _TOO_SURE = 5.0
