@@ -12,10 +12,11 @@ from markermend.cli import main
 from markermend.errors import DataError, FileFormatError
 from markermend.files.pose_stream import follow
 from markermend.poses import Pose
+from markermend.poses.levels import Levels
 from markermend.poses.live import Live
 from markermend.poses.noise import Noise, corrupt_pose
 from markermend.poses.nuitrack import mirrored, to_nuitrack, twins
-from markermend.poses.prior import shipped_prior
+from markermend.poses.prior import fitting, shipped_prior
 
 
 @pytest.fixture(scope="module")
@@ -54,6 +55,7 @@ def test_hidden_joints_follow_the_body(walk, prior):
 def test_one_side_of_a_body_tells_of_the_other(walk, monkeypatch):
     # Were both sides to count alike, a body seen in a mirror would be filled alike.
     monkeypatch.setattr("markermend.poses.live._OTHER_SIDE", 0.5)
+    monkeypatch.setattr("markermend.poses.levels._DRAWN_S", 1e9)
     damaged = corrupt_pose(walk, Noise(displacement=0.0, burst=30), seed=3)
     sides = twins(walk.joints)
 
@@ -68,11 +70,61 @@ def test_one_side_of_a_body_tells_of_the_other(walk, monkeypatch):
     np.testing.assert_allclose(other[:, sides] * [-1.0, 1.0, 1.0], places, atol=1.0)
 
 
+def test_signs_of_rotations_say_nothing_about_movement(walk):
+    damaged = corrupt_pose(walk, Noise(displacement=0.0, burst=30), seed=3)
+    other = np.random.default_rng(0).random((1, 17, 1)) < 0.5
+    turned = damaged.with_samples(
+        damaged.positions,
+        np.where(other, -damaged.rotations, damaged.rotations),
+        damaged.confidence,
+    )
+    first = first_of(walk)
+    negative = first.with_samples(
+        first.positions, np.where(other, -first.rotations, first.rotations), first.confidence
+    )
+    places, _ = run(Live(first, shipped_prior()), damaged)
+    again, _ = run(Live(negative, shipped_prior()), turned)
+    np.testing.assert_allclose(again, places, atol=1e-6)
+
+
+def test_hidden_columns_are_drawn_to_where_others_tell():
+    random = np.random.default_rng(7)
+    poses = random.normal(size=(400, 2)) @ random.normal(size=(2, 7))
+    levels = Levels(poses[0], None, 30.0)
+    for pose in poses:
+        levels.learn(pose)
+    hidden, visible = np.array([0]), np.arange(1, 7)
+    truth = poses[10] + 0.5 * (poses[11] - poses[10])
+    strayed = truth.copy()
+    strayed[0] += 1.0
+    levels.begin(hidden, visible, poses[10])
+    for _ in range(60):
+        levels.draw(strayed)
+    assert abs(strayed[0] - truth[0]) < 0.1
+    assert (strayed[1:] == truth[1:]).all()
+
+
 def test_left_hands_are_filled_alike(walk):
     damaged = corrupt_pose(walk, Noise(displacement=0.0, burst=30), seed=3)
     places, _ = run(Live(first_of(walk), shipped_prior()), damaged)
     other, _ = run(Live(mirrored(first_of(walk)), shipped_prior()), mirrored(damaged))
     np.testing.assert_allclose(other * [-1.0, 1.0, 1.0], places, atol=1e-6)
+
+
+def test_a_body_is_known_by_one_pose_of_whatever_it_does(shared_data):
+    climbing = to_nuitrack(mm.read_pose(shared_data / "poses" / "01_14.amc"))
+    for pose, left_handed in ((climbing, False), (mirrored(climbing), True)):
+        for frame in (0, 1200):
+            once = Pose(
+                pose.positions[frame : frame + 1],
+                pose.rotations[frame : frame + 1],
+                pose.joints,
+                pose.parents,
+                pose.rate,
+            )
+            fit = fitting(once, shipped_prior())
+            assert fit is not None
+            assert fit[1] == left_handed
 
 
 def test_it_starts_from_a_whole_pose(walk):

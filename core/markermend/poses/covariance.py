@@ -9,9 +9,12 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.poses.bridging import SIDE, bridge
+from markermend.poses.normal import FEATURES
 
 # Lengths in seconds for which movement within a gap is learnt.
 LENGTHS_S = (0.008, 0.017, 0.033, 0.067, 0.133, 0.25, 0.5, 1.0, 2.0, 4.0)
+# Where the rotation begins among a joint's features.
+_TURN = 3
 _INSIDE = 5
 _WINDOWS_A_LENGTH = 8
 
@@ -47,6 +50,22 @@ class Moments:
         both = np.ix_(channels, channels)
         within = self.within[:, both[0], both[1]]
         return Moments(self.mean[channels], self.whole[both], within, self.weight, self.counts)
+
+    def signed_like(self, values: FloatArray) -> Moments:
+        """Moments of rotations that have the signs of others: of q and -q the nearer one.
+
+        Parameters
+        ----------
+        values : (channels,) a pose or a mean; 0 where it tells nothing
+        """
+        signs = np.ones((len(self.mean) // FEATURES, FEATURES))
+        own, there = (x.reshape(signs.shape)[:, _TURN:] for x in (self.mean, values))
+        signs[np.sum(own * there, axis=1) < 0, _TURN:] = -1.0
+        flat = signs.ravel()
+        both = flat[:, None] * flat
+        return Moments(
+            flat * self.mean, both * self.whole, both * self.within, self.weight, self.counts
+        )
 
     def and_more(self, count: int) -> Moments:
         """Moments with some channels more, of which nothing is known."""

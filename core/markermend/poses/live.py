@@ -9,6 +9,7 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.errors import DataError
+from markermend.poses.levels import Levels
 from markermend.poses.normal import FEATURES, bone_lengths, normalise
 from markermend.poses.nuitrack import mirrored, twins, usual_name
 from markermend.poses.pose import Pose
@@ -61,19 +62,20 @@ class Live:
         self._others = [j for j in range(len(first.joints)) if j != self._root]
         self._lengths = bone_lengths(first.positions, first.parents)
         self._values = features[0, self._others].ravel()
-        self._twins: IntArray | None
         self._root_pose = first.positions[0, self._root], first.rotations[0, self._root]
         channels = len(self._values)
-        if fit is None:
-            self._covariance, self._weight = np.zeros((channels, channels)), 0.0
-            self._twins, self._signs = None, np.ones(channels)
-        else:
-            self._covariance, self._weight = fit[0].within_s(_PRIOR_S).copy(), fit[0].weight
+        others = None if fit is None else fit[0].signed_like(self._values)
+        self._twins: IntArray | None = None
+        self._covariance, self._weight = np.zeros((channels, channels)), 0.0
+        if others is not None:
             self._twins, self._signs = self._other_side(first.joints)
-            other = self._covariance[np.ix_(self._twins, self._twins)]
-            self._covariance += _OTHER_SIDE * (
-                self._signs[:, None] * other * self._signs - self._covariance
-            )
+            moved = others.within_s(_PRIOR_S)
+            mirrored_too = self._signs[:, None] * moved[np.ix_(self._twins, self._twins)]
+            self._covariance = (
+                1.0 - _OTHER_SIDE
+            ) * moved + _OTHER_SIDE * mirrored_too * self._signs
+            self._weight = others.weight
+        self._levels = Levels(self._values, others, self._rate)
         self._speed, self._coasting = np.zeros(channels), np.zeros(channels)
         self._known = np.ones(channels, dtype=bool)
         self._weights: FloatArray = np.empty((0, 0))
@@ -145,7 +147,7 @@ class Live:
         return values.ravel(), known.ravel() & ~np.isnan(values.ravel())
 
     def _filled(self, values: FloatArray, known: BoolArray) -> FloatArray:
-        """What is not known moves as what is known tells, and coasts a little."""
+        """What is not known moves and is where what is known tells, and coasts a little."""
         now = np.where(known, values, self._values)
         hidden, visible = np.flatnonzero(~known), np.flatnonzero(known)
         if len(hidden):
@@ -155,10 +157,12 @@ class Live:
                 across = self._covariance[np.ix_(visible, hidden)]
                 self._weights = np.asarray(np.linalg.solve(among, across))
                 left = self._speed[hidden] - self._speed[visible] @ self._weights
+                self._levels.begin(hidden, visible, self._values)
                 gone = self._known[hidden]
                 self._coasting[hidden] = np.where(gone, left, self._coasting[hidden])
             told = (now[visible] - self._values[visible]) @ self._weights
             now[hidden] += told + self._coasting[hidden]
+            self._levels.draw(now)
             self._coasting *= np.exp(-1.0 / (_COASTS_S * self._rate))
         share = 1.0 - np.exp(-1.0 / (_AVERAGED_S * self._rate))
         self._speed += share * (now - self._values - self._speed)
@@ -178,6 +182,7 @@ class Live:
         if self._twins is not None:
             other = moved[:, self._twins] * self._signs
             moved = np.vstack([np.sqrt(1.0 - _OTHER_SIDE) * moved, np.sqrt(_OTHER_SIDE) * other])
+        self._levels.learn(values)
         self._weight = min(self._weight + 1.0, _MEMORY)
         self._covariance *= 1.0 - 1.0 / self._weight
         self._covariance += moved.T @ moved / self._weight

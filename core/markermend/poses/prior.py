@@ -25,7 +25,8 @@ WEIGHT = 300.0
 """Poses of the recording itself that a prior counts for."""
 
 # Mean distance of joints from where the prior has them, in mean bone lengths, up to which it fits.
-_ALIKE = 1.0
+# Single poses stray more.
+_ALIKE, _ALIKE_ONCE = 1.0, 1.6
 _SHIPPED = ("models", "pose_prior.npz")
 
 
@@ -59,14 +60,16 @@ def learn_prior(poses: Sequence[Pose], *, progress: Progress | None = None) -> P
     """
     if not poses:
         raise DataError("A prior needs at least one recording to learn from.")
-    parts, joints = [], None
+    parts: list[Moments] = []
+    joints = None
     for n, pose in enumerate(poses):
         (progress or quiet)(n / len(poses), f"Learning from recording {n + 1}")
         body = _usual(pose)
         if joints is not None and body.joints != joints:
             raise DataError("All recordings a prior learns from must have the same joints.")
         joints = body.joints
-        parts.append(learn(_filled(body), body.rate))
+        part = learn(_filled(body), body.rate)
+        parts.append(part.signed_like(parts[0].mean) if parts else part)
     assert joints is not None
     return Prior(joints, averaged(parts, WEIGHT))
 
@@ -109,7 +112,8 @@ def fitting(pose: Pose, prior: Prior) -> tuple[Moments, bool] | None:
     columns: IntArray = (order[:, None] * FEATURES + np.arange(FEATURES)).ravel()
     moments = prior.moments.of(columns)
     apart = [_apart(body, moments) for body in (pose, mirrored(pose))]
-    return (moments, apart[1] < apart[0]) if min(apart) < _ALIKE else None
+    limit = _ALIKE if pose.frames > 1 else _ALIKE_ONCE
+    return (moments, apart[1] < apart[0]) if min(apart) < limit else None
 
 
 def right_handed(pose: Pose) -> tuple[Pose, bool]:

@@ -124,8 +124,9 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     channels = steadied(to_channels(pose), pose.rate)
     usable = np.asarray(channels.known.any(axis=0))
     values, known = channels.values[:, usable], channels.known[:, usable]
-    if prior is not None and not usable.all():
-        prior = prior.of(usable)
+    if prior is not None:
+        prior = prior.signed_like(np.where(channels.known, channels.values, 0.0).sum(axis=0))
+        prior = prior if usable.all() else prior.of(usable)
     filled_by = partial(
         fill, known=known, rate=pose.rate, prior=prior, beside=stance(channels.normal)
     )
