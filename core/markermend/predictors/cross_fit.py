@@ -112,12 +112,21 @@ def _rest(features: FloatArray, goal: FloatArray, weight: FloatArray, edges: Int
     both = np.hstack([features, goal])
     weighted = features * weight[:, None]
     blocks = list(pairwise(edges))
-    grams = np.stack([weighted[a:b].T @ both[a:b] for a, b in blocks])
+    grams = np.empty((len(blocks), features.shape[1], both.shape[1]))
+    for gram, (a, b) in zip(grams, blocks, strict=True):
+        np.matmul(weighted[a:b].T, both[a:b], out=gram)
     masses = np.array([weight[a:b].sum() for a, b in blocks])
-    padded = np.pad(grams, ((1, 1), (0, 0), (0, 0)))
-    left = np.pad(masses, 1)
-    mass = np.maximum(masses.sum() - (left[:-2] + left[1:-1] + left[2:]), 1.0)
-    return _Rest(grams.sum(axis=0) - (padded[:-2] + padded[1:-1] + padded[2:]), mass)
+    mass = np.maximum(masses.sum() - _with_neighbours(masses), 1.0)
+    rest = _with_neighbours(grams)
+    return _Rest(np.subtract(grams.sum(axis=0), rest, out=rest), mass)
+
+
+def _with_neighbours(values: FloatArray) -> FloatArray:
+    """Each block's added to those of the blocks beside it."""
+    total = values.copy()
+    total[1:] += values[:-1]
+    total[:-1] += values[1:]
+    return total
 
 
 def _left_out(features: FloatArray, rest: _Rest, ridge: FloatArray, edges: IntArray) -> FloatArray:

@@ -113,8 +113,12 @@ def scores(parts: FloatArray, weight: FloatArray, habit: FloatArray) -> FloatArr
     for k in range(LAGS + 1):
         push += habit[k : k + frames, k] * pulled[k : k + frames]
     windows = sliding_window_view(np.pad(push, (0, LONGEST - 1)), LONGEST)
-    inside = np.arange(frames)[:, None] + np.array([n for _, n in names]) <= frames
-    return np.where(inside, (windows @ shapes) / np.sqrt(norm), 0.0)
+    # In place: of arrays as large as these copying would take longer than reckoning.
+    score = windows @ shapes
+    score /= np.sqrt(norm, out=norm)
+    last = np.arange(max(0, frames - LONGEST), frames)
+    score[last] *= last[:, None] + np.array([n for _, n in names]) <= frames
+    return np.asarray(score)
 
 
 def _norm(weight: FloatArray, habit: FloatArray) -> FloatArray:
@@ -142,7 +146,11 @@ def _norm(weight: FloatArray, habit: FloatArray) -> FloatArray:
     low = np.minimum(at.astype(int), len(norm) - 1)
     high = np.minimum(low + 1, len(norm) - 1)
     part = (at - low)[:, None]
-    return np.asarray(norm[low] * (1 - part) + norm[high] * part)
+    before, after = norm[low], norm[high]
+    before *= 1 - part
+    after *= part
+    before += after
+    return np.asarray(before)
 
 
 def local_level(score: FloatArray, inner: int = 60, outer: int = 250) -> FloatArray:
