@@ -20,8 +20,8 @@ from markermend.repairs.body_frame import to_lab
 
 # Prior standard deviations in mm: of the place itself, of the non-linear part, and of the parts
 # that only time knows, at their scales.
-PLACE_MM, CURVED_MM = 25.0, 5.0
-TIME_MM, TIME_S = (2.0, 1.0, 1.0), (0.067, 0.5, 8.0)
+PLACE_MM, CURVED_MM = 25.0, 7.0
+TIME_MM, TIME_S = (1.5, 1.0, 1.5), (0.067, 0.5, 8.0)
 # Noise of the process, in standard deviations of the measurement's.
 NOISE = 3.0
 # Intervals shorter than this are judged by the frames near them, which are the most like them.
@@ -38,11 +38,11 @@ class View:
 
     Attributes
     ----------
-    linear, curved : (known + wanted, features) pose, scaled for the linear and the non-linear
+    linear, curved : (learnt + wanted, features) pose, scaled for the linear and the non-linear
         part: mm, and lengths over which poses have something to say to each other
-    target : (known, 3) place of the marker, mm
-    rotation : (known + wanted, 3, 3) from the laboratory into the frame
-    centre : (known + wanted, 3) its origin, mm
+    target : (learnt, 3) place of the marker, mm
+    rotation : (learnt + wanted, 3, 3) from the laboratory into the frame
+    centre : (learnt + wanted, 3) its origin, mm
     """
 
     linear: FloatArray
@@ -53,6 +53,20 @@ class View:
 
 
 @dataclass(frozen=True, eq=False)
+class Part:
+    """Views that learn from the same of the known frames.
+
+    Attributes
+    ----------
+    learnt : (learnt,) places of these among the known frames, in order
+    views : one at least
+    """
+
+    learnt: IntArray
+    views: tuple[View, ...]
+
+
+@dataclass(frozen=True, eq=False)
 class _Prediction:
     """What one view says, in laboratory axes.
 
@@ -60,7 +74,8 @@ class _Prediction:
     ----------
     mean, variance : (wanted, 3) mm, (wanted,) mm²
     miss, expected : (known, 3) mm, (known,) mm²; by how much the known frames would have been
-        missed, were they hidden in blocks, and the variance expected of that
+        missed, were they hidden in blocks, and the variance expected of that: infinite where it
+        does not learn from a frame
     freedom : effective number of parameters for each coordinate, the trace of the smoother
         (rasmussen2006, 2.6)
     """
@@ -75,7 +90,7 @@ class _Prediction:
 def condition(
     frames: IntArray,
     rate: float,
-    views: Sequence[View],
+    parts: Sequence[Part],
     noise_mm: float,
     block: int,
     near: BoolArray,
@@ -86,11 +101,12 @@ def condition(
     ----------
     frames : (known + wanted,) frame numbers, the known ones first
     rate : frames per second
-    views : whose predictions are averaged, in each frame by the inverse square of the variance
-        that each expects there, scaled by how far off it was where known stretches were hidden
+    parts : views, whose predictions are averaged, in each frame by the inverse square of the
+        variance that each expects there, scaled by how far off it was where known stretches were
+        hidden
     noise_mm : least standard deviation of the measurement
     block : length of the stretches that are hidden to see how far off the process is, in frames
-    near : (known,) frames near the interval, of which none is left out
+    near : (known,) bool, frames near the interval, from which all views learn
 
     Returns
     -------
@@ -104,9 +120,9 @@ def condition(
     time = _from_time(frames, rate, known)
     noise = (NOISE * noise_mm) ** 2
     blocks = frames[:known] // max(block, 1)
-    said = [_predict(view, time, noise, blocks) for view in views]
+    said = [p for part in parts for p in _predict(part, time, noise, blocks)]
     judged = near if block < SHORT_S * rate and near.any() else np.ones(known, dtype=bool)
-    doubt = [np.mean(np.sum(p.miss[judged] ** 2, axis=1) / p.expected[judged]) for p in said]
+    doubt = [_doubt(p.miss[judged], p.expected[judged]) for p in said]
     expected = np.array([d * p.expected[judged] for d, p in zip(doubt, said, strict=True)])
     variance = np.array([d * p.variance for d, p in zip(doubt, said, strict=True)])
     # The hidden stretches are mixed as the interval is, so that their misses tell of its own.
@@ -119,44 +135,81 @@ def condition(
     return _mix(np.array([p.mean for p in said]), variance), scale * np.sqrt(spread), learnt
 
 
+def _doubt(miss: FloatArray, expected: FloatArray) -> float:
+    """Mean square of what was missed, by the variance expected of it."""
+    return float(np.mean((np.sum(miss**2, axis=1) / expected)[np.isfinite(expected)]))
+
+
 def _mix(values: FloatArray, variance: FloatArray) -> FloatArray:
-    """Average (views, frames, k) values by (views, frames) variance, the surer views the more."""
+    """Average (views, frames, k) values by (views, frames) variance, the surer views the more.
+
+    Views that do not know of a frame, whose variance is infinite, have no say in it.
+    """
     weight = np.maximum(variance, LEAST_MM2) ** -SURENESS
-    return np.asarray(np.einsum("vf,vfk->fk", weight / weight.sum(axis=0), values))
+    said = np.where(np.isfinite(variance)[:, :, None], values, 0.0)
+    return np.asarray(np.einsum("vf,vfk->fk", weight / weight.sum(axis=0), said))
 
 
-def _predict(view: View, time: FloatArray, noise: float, blocks: IntArray) -> _Prediction:
-    """Condition one view on what is known."""
+def _predict(
+    part: Part, time: FloatArray, noise: float, blocks: IntArray
+) -> tuple[_Prediction, ...]:
+    """Condition each view of a part on what is known."""
+    learnt, known = len(part.learnt), len(blocks)
+    rows = np.concatenate([part.learnt, np.arange(known, len(time))])
+    time = time[rows[:, None], part.learnt]
+    solved = [_solve(view, time, noise) for view in part.views]
+    inverse, weights = (np.stack([s[i] for s in solved]) for i in (2, 3))
+    missed, usually = _hide(blocks[part.learnt], inverse, weights)
+    rotation = np.stack([view.rotation[:learnt] for view in part.views])
+    miss = np.zeros((len(solved), known, 3))
+    expected = np.full((len(solved), known), np.inf)
+    miss[:, part.learnt] = np.einsum("vfj,vfij->vfi", missed, rotation)
+    expected[:, part.learnt] = usually
+    freedom = learnt - noise * np.trace(inverse, axis1=1, axis2=2)
+    return tuple(
+        _Prediction(mean, variance, miss[i], expected[i], float(freedom[i]))
+        for i, (mean, variance, _, _) in enumerate(solved)
+    )
+
+
+def _solve(
+    view: View, time: FloatArray, noise: float
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+    """Mean and variance where wanted, inverse covariance (its lower triangle), and weights."""
     from scipy.linalg import cho_factor, cho_solve, solve_triangular
     from scipy.linalg.lapack import dpotri
 
-    known = len(view.target)
+    learnt = len(view.target)
     usual = np.median(view.target, axis=0)
-    prior = _from_pose(view, known) + time
-    covariance = prior[:known].copy()
-    covariance[np.diag_indices(known)] += noise
-    factor, _ = cho_factor(covariance, lower=True, overwrite_a=True)
-    weights = cho_solve((factor, True), view.target - usual)
-    across = prior[known:]
-    explained = solve_triangular(factor, across.T, lower=True)
+    prior = _from_pose(view, learnt)
+    prior += time
+    covariance = prior[:learnt].copy()
+    covariance[np.diag_indices(learnt)] += noise
+    factor, _ = cho_factor(covariance, lower=True, overwrite_a=True, check_finite=False)
+    weights = cho_solve((factor, True), view.target - usual, check_finite=False)
+    across = prior[learnt:]
+    explained = solve_triangular(factor, across.T, lower=True, check_finite=False)
     alone = PLACE_MM**2 + CURVED_MM**2 + sum(size**2 for size in TIME_MM)
-    alone = alone + np.sum(view.linear[known:] ** 2, axis=1)
+    alone = alone + np.sum(view.linear[learnt:] ** 2, axis=1)
     variance = np.maximum(alone - np.sum(explained**2, axis=0), noise)
     inverse, _ = dpotri(factor, lower=1)
-    miss, expected = _hide(blocks, np.tril(inverse), weights)
-    mean = to_lab(usual + across @ weights, view.rotation[known:], view.centre[known:])
-    turned = np.einsum("fj,fij->fi", miss, view.rotation[:known])
-    freedom = known - noise * float(np.trace(inverse))
-    return _Prediction(mean, variance, turned, expected, freedom)
+    mean = to_lab(usual + across @ weights, view.rotation[learnt:], view.centre[learnt:])
+    return mean, variance, inverse, weights
 
 
-def _from_pose(view: View, known: int) -> FloatArray:
-    """(frames, known) covariance in mm² that comes from the likeness of poses."""
-    curved = view.curved
-    square = np.sum(curved**2, axis=1)
-    apart = square[:, None] + square[None, :known] - 2.0 * (curved @ curved[:known].T)
-    total = PLACE_MM**2 + view.linear @ view.linear[:known].T
-    total += CURVED_MM**2 / (1.0 + np.maximum(apart, 0.0) / 2.0)
+def _from_pose(view: View, learnt: int) -> FloatArray:
+    """(frames, learnt) covariance in mm² that comes from the likeness of poses."""
+    square = np.sum(view.curved**2, axis=1)
+    # In place: these passes over the array take as long as the products.
+    total = view.curved @ (-2.0 * view.curved[:learnt].T)
+    total += square[:, None]
+    total += square[:learnt]
+    np.maximum(total, 0.0, out=total)
+    total *= 0.5
+    total += 1.0
+    np.divide(CURVED_MM**2, total, out=total)
+    total += view.linear @ view.linear[:learnt].T
+    total += PLACE_MM**2
     return np.asarray(total)
 
 
@@ -185,17 +238,18 @@ def _hide(
 ) -> tuple[FloatArray, FloatArray]:
     """By how much the known frames are missed, and the variance expected, a block left out each.
 
-    `inverse` is the lower triangle of the inverse covariance. What is predicted for a block
-    without it follows from the inverse alone (rasmussen2006, eq. 5.12, for blocks).
+    `inverse` holds the lower triangles of the (views, known, known) inverse covariances, `weights`
+    are (views, known, 3). What is predicted for a block without it follows from the inverse alone
+    (rasmussen2006, eq. 5.12, for blocks).
     """
     edges = np.flatnonzero(np.diff(blocks, prepend=blocks[0] - 1, append=blocks[-1] + 1))
     starts, lengths = edges[:-1], np.diff(edges)
-    miss, expected = np.empty_like(weights), np.empty(len(weights))
+    miss, expected = np.empty_like(weights), np.empty(weights.shape[:2])
     for length in np.unique(lengths):
         # One inversion for all blocks of a length: of small matrices most of the time is the call.
         at = starts[lengths == length][:, None] + np.arange(length)
-        corner = inverse[at[:, :, None], at[:, None, :]]
-        covariance = np.linalg.inv(corner + np.tril(corner, -1).transpose(0, 2, 1))
-        miss[at] = covariance @ weights[at]
-        expected[at] = np.diagonal(covariance, axis1=1, axis2=2)
+        corner = np.tril(inverse[:, at[:, :, None], at[:, None, :]])
+        covariance = np.linalg.inv(corner + np.tril(corner, -1).swapaxes(2, 3))
+        miss[:, at] = covariance @ weights[:, at]
+        expected[:, at] = np.diagonal(covariance, axis1=2, axis2=3)
     return miss, expected

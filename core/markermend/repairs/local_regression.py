@@ -1,11 +1,11 @@
 """Where the marker must have been, from the body around it and from its own way in and out.
 
-The marker is seen from three frames that move with its nearest references: one held by those that
-are rigid to it, two by the nearest three and four alike. In each its place is a Gaussian process of
-the references' pose and of time, conditioned on the frames near the interval, on an even sample
-of the rest of the take and, over intervals of about a second, on those in which the body is as it
-is there; the three are averaged, the surer ones the more. Over short intervals the marker's own
-movement, by the Kalman smoother, is averaged in.
+The marker is seen from eight frames that move with its nearest references: one held by those that
+are rigid to it, the others by some of the nearest alike. In each its place is a Gaussian process of
+the references' pose and of time, conditioned on the frames near the interval, on half an even
+sample of the rest of the take and, over intervals of about a second, half of those in which the
+body is as it is there; the eight are averaged, the surer ones the more. Over short intervals the
+marker's own movement, by the Kalman smoother, is averaged in.
 """
 
 from __future__ import annotations
@@ -15,19 +15,19 @@ from typing import Any
 
 import numpy as np
 
-from markermend.arrays import BoolArray, FloatArray
+from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.artifact import Artifact
 from markermend.repairs.body_frame import (
     align,
+    alike,
     holding,
-    nearest,
     pick_references,
     rank_references,
     to_frame,
 )
 from markermend.repairs.calming import calmed, jitter
 from markermend.repairs.kalman import own_course
-from markermend.repairs.kriging import View, condition
+from markermend.repairs.kriging import Part, View, condition
 from markermend.repairs.pose import FORCE_S, describe_pose
 from markermend.repairs.registry import Evidence, Repair, register
 from markermend.repairs.result import make_repair, refuse
@@ -38,8 +38,13 @@ from markermend.vertical import up_axis
 METHOD = "local_regression"
 # Fewer frames than this cannot tell how the marker follows its body.
 LEAST_FRAMES = 20
-# Markers that hold the second and the third of the frames from which the marker is seen.
-FRAME_MARKERS = (3, 4)
+# References that hold the frames from which the marker is seen, beside the one that those rigid to
+# it hold, by rank. What moves one of them alone is in some of the frames only, and averages out.
+HOLDERS = ((0, 2, 4), range(4), range(3), (1, 2, 3), range(12), (0, 1, 4), (0, 3, 6))
+# Where so many known frames lie away from the interval, half of the views learn from every second
+# of them and half from the others, if there are enough views: what is learnt from different frames
+# averages better, and takes less time.
+MANY, LEAST_VIEWS = 100, 4
 # Intervals of these lengths are likened to the rest of the take: a fourth of its even sample gives
 # way to twice as many frames in which the body is as it is in the interval, and distant references
 # count more in telling so. Shorter ones are told by the frames beside them, longer ones hold so
@@ -138,13 +143,10 @@ def repair_local_regression(evidence: Evidence, artifact: Artifact, params: Any)
     # Where a reference is not seen a moment earlier or later, no force is as good as any.
     force = np.nan_to_num(earlier - 2.0 * cloud + later)
     own, up = take.positions[known, marker], up_axis(take)
-    views = [
-        _view(cloud, force, own, spread, weight, up, likened)
-        for weight in (holding(spread), *(nearest(spread, n) for n in FRAME_MARKERS))
-    ]
+    parts = _parts(cloud, force, own, spread, up, likened, beside[known])
     noise = _noise(take.positions[:, marker], seen[:, marker], artifact, take.rate)
     hidden = min(artifact.length, int(MOST_HIDDEN * np.count_nonzero(usable)))
-    values, deviation, learnt = condition(frames, take.rate, views, noise, hidden, beside[known])
+    values, deviation, learnt = condition(frames, take.rate, parts, noise, hidden, beside[known])
     if artifact.length <= OWN_COURSE_S * take.rate:
         values, deviation = _with_own_course(evidence, artifact, values, deviation)
         # Both say how sure the place is; what a camera would have seen there trembles, too, and
@@ -162,6 +164,39 @@ def repair_local_regression(evidence: Evidence, artifact: Artifact, params: Any)
     if repair.band_mm is not None and not known[0] < artifact.start < artifact.stop <= known[-1]:
         repair = replace(repair, band_mm=ONE_SIDED_BAND * repair.band_mm)
     return repair
+
+
+def _parts(
+    cloud: FloatArray,
+    force: FloatArray,
+    own: FloatArray,
+    spread: FloatArray,
+    up: int,
+    likened: bool,
+    beside: BoolArray,
+) -> list[Part]:
+    """All views of references and marker, by the known frames from which they learn."""
+    known, count = len(own), len(spread)
+    weights = [holding(spread), *(alike(spread, h) for h in HOLDERS if h[-1] < count)]
+    halves = _halves(beside) if len(weights) >= LEAST_VIEWS else [np.arange(known)]
+    parts = []
+    for i, learnt in enumerate(halves):
+        rows = np.concatenate([learnt, np.arange(known, len(cloud))])
+        seen, pushed = cloud[rows], force[rows]
+        views = [
+            _view(seen, pushed, own[learnt], spread, weight, up, likened)
+            for weight in weights[i :: len(halves)]
+        ]
+        parts.append(Part(learnt, tuple(views)))
+    return parts
+
+
+def _halves(beside: BoolArray) -> list[IntArray]:
+    """Places of known frames in two parts: all beside the interval in both, every second else."""
+    near, far = np.flatnonzero(beside), np.flatnonzero(~beside)
+    if len(far) < MANY:
+        return [np.arange(len(beside))]
+    return [np.sort(np.concatenate([near, far[k::2]])) for k in range(2)]
 
 
 def _likened(artifact: Artifact, take: Take) -> bool:
@@ -204,8 +239,8 @@ def _view(
         np.einsum("fi,fij->fj", pushed, rotation),
         distant=likened,
     )
-    known = len(own)
-    target = to_frame(own[:, None], rotation[:known], centre[:known])[:, 0]
+    learnt = len(own)
+    target = to_frame(own[:, None], rotation[:learnt], centre[:learnt])[:, 0]
     return View(linear, curved, target, rotation, centre)
 
 
