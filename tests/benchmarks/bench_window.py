@@ -14,6 +14,9 @@ reviewed in every round.
 How long the event loop is held up is told by a timer of 10 ms. The clock's time holds what other
 threads and processes took; the processor's time of the window's own thread does not. On a busy
 machine only the latter means anything. Of every wait it is told where the window's thread was.
+
+A machine that is shared with others is not always as fast: after each round it is told how long a
+fixed piece of work takes, by which figures of different days can be compared.
 """
 
 from __future__ import annotations
@@ -49,6 +52,16 @@ def private_bytes() -> int:
     """Memory of this process that is its own."""
     lines = Path("/proc/self/smaps_rollup").read_text().splitlines()
     return sum(1024 * int(line.split()[1]) for line in lines if line.startswith("Private_"))
+
+
+def fixed_work() -> float:
+    """Seconds of processor that always the same work takes: the speed of the machine as it is."""
+    spent = []
+    for _ in range(5):
+        begun = time.thread_time()
+        sum(i * i for i in range(1_000_000))
+        spent.append(time.thread_time() - begun)
+    return float(np.median(spent))
 
 
 def long_take() -> tuple[mm.Take, list[Artifact]]:
@@ -135,7 +148,8 @@ def run_rounds(
         print(  # noqa: T201
             f"round {len(memory)}, {passed:.1f} min: {memory[-1] / 1e6:.0f} MB, "
             f"{sum(s.processor > STALL_S for s in turns.stalls)} waits over "
-            f"{STALL_S * 1e3:g} ms processor, {np.mean(operator.waited):.1%} not ready",
+            f"{STALL_S * 1e3:g} ms processor, {np.mean(operator.waited):.1%} not ready, "
+            f"fixed work {fixed_work() * 1e3:.0f} ms",
             flush=True,
         )
 
