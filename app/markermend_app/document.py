@@ -129,7 +129,10 @@ class Document(Looking):
     def select(
         self, artifact_id: str | None, *, frame: bool = True, unless_seen: bool = False
     ) -> None:
-        """Put an artifact under review: its marker is shown, its frames come into view."""
+        """Put an artifact under review; its frames come into view if ``frame`` says so.
+
+        With ``unless_seen`` a view in which they are seen well already stays.
+        """
         self._repair_when_ready = None
         self._current = artifact_id
         artifact = self.current

@@ -145,11 +145,22 @@ def damage_mask(take: Take, artifacts: Iterable[Artifact]) -> BoolArray:
     (frames, markers, 3) bool
     """
     mask = np.zeros(take.positions.shape, dtype=bool)
+    mark_damage(mask, take, artifacts, True)
+    return mask
+
+
+def mark_damage(mask: BoolArray, take: Take, artifacts: Iterable[Artifact], value: bool) -> None:
+    """Write a value into a mask, in place, where artifacts cover samples; see `damage_mask`.
+
+    Parameters
+    ----------
+    mask : (frames, markers, 3) bool, writable
+    take, artifacts : as for :func:`damage_mask`
+    value : what is written
+    """
     for a in artifacts:
         if a.status is not Status.REJECTED:
-            for axis in axis_columns(a.axes):
-                mask[a.start : a.stop, take.index(a.marker), axis] = True
-    return mask
+            mask[a.start : a.stop, take.index(a.marker), axis_columns(a.axes)] = value
 
 
 def distrusted(artifacts: Iterable[Artifact]) -> dict[str, frozenset[tuple[int, int]]]:

@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import QModelIndex, QPoint, Qt
 from PySide6.QtWidgets import QStyle, QStyleOptionViewItem
 
-from markermend.artifact import Artifact, Kind
+from markermend.artifact import Artifact, Kind, Status
 from markermend.mesh import Group, Mesh
 from markermend.review import hand
 from markermend.review.file import open_session
@@ -121,6 +121,20 @@ def test_a_decision_is_counted_in_a_turn_of_its_own(qtbot, tree, document, monke
         document.reject([artifact.id])
     assert not drawn, "the window is held up by what stands beside the plots"
     qtbot.waitUntil(lambda: len(drawn) == 1)
+
+
+def test_a_decision_does_not_select_anew_what_is_shown(qtbot, tree, document):
+    document.show(["LWRB"])
+    selected = tree.view.selectionModel().selectedRows
+    qtbot.waitUntil(lambda: len(selected()) == 1)
+    tree._syncing = True
+    tree.view.clearSelection()
+    tree._syncing = False
+    gap = next(a for a in document.session.artifacts if a.kind is Kind.GAP)
+    document.session.set_status([gap.id], Status.REJECTED)
+    document.artifacts_changed.emit()
+    qtbot.waitUntil(lambda: not index_of(tree, "CLAV").siblingAtColumn(OPEN).data(COUNTS))
+    assert not selected()
 
 
 def test_counts_follow_decisions_without_folding_anything(qtbot, tree, document):

@@ -273,6 +273,15 @@ def test_a_review_of_version_2_keeps_opening(tmp_path):
     kept.close()
 
 
+def comes_back(kept, folder):
+    """Close a review and see that it is the same when it is opened again."""
+    expected = state_of(kept.session)
+    kept.close()
+    again = open_session(make_take(), folder=folder)
+    assert state_of(again.session) == expected
+    again.close()
+
+
 def full_disk(kept):
     """Let the journal of an open review take half a line and then no more."""
     real = kept._journal
@@ -302,11 +311,7 @@ def test_a_full_disk_is_one_sentence_and_the_next_step_makes_it_good(tmp_path):
     with pytest.raises(MarkermendError, match="free some space"):
         kept.session.mark(artifact("C"))
     kept.session.mark(artifact("C", start=5, stop=9))
-    expected = state_of(kept.session)
-    kept.close()
-    again = open_session(make_take(), folder=tmp_path)
-    assert state_of(again.session) == expected
-    again.close()
+    comes_back(kept, tmp_path)
 
 
 def test_a_step_is_on_the_disk_before_the_next_one_is_kept(tmp_path, monkeypatch):
@@ -342,11 +347,7 @@ def test_a_disk_that_fails_later_is_told_and_the_next_step_makes_it_good(tmp_pat
     with pytest.raises(MarkermendError, match="Input/output error"):
         kept.session.mark(artifact("C"))
     kept.session.mark(artifact("C", start=5, stop=9))
-    expected = state_of(kept.session)
-    kept.close()
-    again = open_session(make_take(), folder=tmp_path)
-    assert state_of(again.session) == expected
-    again.close()
+    comes_back(kept, tmp_path)
 
 
 def test_a_review_in_a_folder_that_became_read_only_goes_on_in_the_users_own(tmp_path, monkeypatch):

@@ -78,6 +78,7 @@ class SmoothPictures(pg.GraphicsLayoutWidget):
         for item in (self.raw, self.smooth):
             item.setData([], [])
         self.show_inspection(None, 0, theme.current().muted)
+        self._say(self.residual, self.tr("Residuals"))
         self.restyle()
 
     def set_clock(self, first_frame: int, rate: float, frames: int) -> None:

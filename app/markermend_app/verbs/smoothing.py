@@ -138,6 +138,7 @@ class Smoothing(QObject):
         """Stop what is still worked out."""
         self._lane.cancel()
         if self.dialog is not None:
+            # Else they would go with the dialog.
             self._plots().setParent(self._window)
             self.dialog.deleteLater()
             self.dialog = None

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from markermend.artifact import Artifact, Kind, Status, axis_columns
+from markermend.artifact import Artifact, Kind, Status, mark_damage
 from markermend.mesh import Mesh
 from markermend.progress import Progress, quiet
 from markermend.repairs.registry import Evidence
@@ -45,9 +45,7 @@ def evidence_for(
         if a.status is not Status.REPAIRED or not (believe_repairs or as_good_as_new(take, a))
     ]
     trusted = np.repeat(take.present[:, :, None], 3, axis=2)
-    for a in doubtful:
-        if a.status is not Status.REJECTED:
-            trusted[a.start : a.stop, take.index(a.marker), axis_columns(a.axes)] = False
+    mark_damage(trusted, take, doubtful, False)
     trusted.flags.writeable = False
     return Evidence(take, trusted, mesh, progress or quiet)
 

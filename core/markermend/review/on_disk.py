@@ -7,7 +7,7 @@ import threading
 
 
 class OnDisk:
-    """Has what was written to a file brought to the disk, which can take as long as 20 frames."""
+    """Has what was written to a file brought to the disk, which takes 20 ms and more."""
 
     def __init__(self) -> None:
         self._thread: threading.Thread | None = None

@@ -249,7 +249,9 @@ class MarkerTree(QWidget):
             labels = [label for label in session.original.labels if label in changed]
             self._model.set_missing(session.take, labels)
         self._count()
-        if self._following:
+        # Once: a decision about what is shown already must not scroll the tree back to it.
+        following, self._following = self._following, False
+        if following:
             self._follow_shown()
 
     def _filter(self, text: str) -> None:
