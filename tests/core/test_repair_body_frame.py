@@ -5,7 +5,15 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from markermend.repairs.body_frame import align, alike, nearest_rotations, to_frame, to_lab
+from markermend.repairs.body_frame import (
+    align,
+    align_each,
+    alike,
+    nearest_rotations,
+    to_frame,
+    to_frames,
+    to_lab,
+)
 
 
 def by_singular_values(matrices):
@@ -57,3 +65,18 @@ def test_a_frame_held_by_some_markers_does_not_move_with_others():
     assert np.ptp(seen[:, [0, 1, 2, 4, 5]], axis=0).max() < 1e-6
     assert np.ptp(seen[:, 3], axis=0).min() > 20.0
     assert np.allclose(to_lab(seen[:, 5], rotation, centre), points[:, 5])
+
+
+def test_frames_of_several_weights_are_those_of_each_alone():
+    rng = np.random.default_rng(4)
+    points = rng.normal(0.0, 100.0, (1, 5, 3)) + rng.normal(0.0, 3.0, (250, 5, 3)) + 900.0
+    weights = np.array([[1.0, 0.5, 0.2, 0.1, 0.0], [0.0, 1.0, 1.0, 0.0, 1.0]])
+    along = points.transpose(1, 2, 0)
+    rotations, centres = align_each(along, weights)
+    seen = to_frames(along, rotations, centres)
+    for weight, rotation, centre, one in zip(weights, rotations, centres, seen, strict=True):
+        turn, origin = align(points, weight)
+        assert np.allclose(rotation.transpose(2, 0, 1), turn, atol=1e-12)
+        assert np.allclose(centre.T, origin, atol=1e-9)
+        assert np.allclose(one.transpose(2, 0, 1), to_frame(points, turn, origin), atol=1e-9)
+        assert np.allclose(weight @ to_frame(points, turn, origin), 0.0, atol=1e-9)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from markermend.repairs.kriging import Part, View, condition
+from markermend.repairs.kriging import LEAST_HALVED, Part, View, _inverse_of_triangle, condition
 from markermend.repairs.local_regression import HOLDERS, MANY, _parts
 
 WANTED = 10
@@ -61,3 +61,12 @@ def test_views_that_do_not_learn_from_a_frame_have_no_say_in_what_is_missed_ther
         assert np.abs(mean - truth[known:]).max() < 1.0
         assert np.isfinite(deviation).all()
         assert (deviation > 0).all()
+
+
+@pytest.mark.parametrize("size", [1, LEAST_HALVED, LEAST_HALVED + 1, 5 * LEAST_HALVED + 3])
+def test_triangles_are_inverted_by_halves(size):
+    rng = np.random.default_rng(size)
+    triangle = np.tril(rng.normal(0.0, 0.1, (size, size))) + 3.0 * np.eye(size)
+    inverse = _inverse_of_triangle(np.asfortranarray(triangle))
+    assert np.allclose(inverse @ triangle, np.eye(size), atol=1e-10)
+    assert not np.triu(inverse, 1).any()

@@ -28,6 +28,8 @@ NOISE = 3.0
 SHORT_S = 0.25
 # Power of its inverse variance by which a view counts, and a variance no view is surer than.
 SURENESS, LEAST_MM2 = 2.0, 1e-12
+# Triangular matrices up to this size are inverted as they are.
+LEAST_HALVED = 48
 # Length of a 90 % ball in standard deviations of one coordinate, in three dimensions.
 BALL_90 = 2.5003
 
@@ -117,10 +119,10 @@ def condition(
         averages of each other
     """
     known = len(near)
-    time = _from_time(frames, rate, known)
     noise = (NOISE * noise_mm) ** 2
     blocks = frames[:known] // max(block, 1)
-    said = [p for part in parts for p in _predict(part, time, noise, blocks)]
+    nearness = _from_time(int(np.ptp(frames)) + 1, rate)
+    said = [p for part in parts for p in _predict(part, frames, nearness, noise, blocks)]
     judged = near if block < SHORT_S * rate and near.any() else np.ones(known, dtype=bool)
     doubt = [_doubt(p.miss[judged], p.expected[judged]) for p in said]
     expected = np.array([d * p.expected[judged] for d, p in zip(doubt, said, strict=True)])
@@ -151,13 +153,14 @@ def _mix(values: FloatArray, variance: FloatArray) -> FloatArray:
 
 
 def _predict(
-    part: Part, time: FloatArray, noise: float, blocks: IntArray
+    part: Part, frames: IntArray, nearness: FloatArray, noise: float, blocks: IntArray
 ) -> tuple[_Prediction, ...]:
     """Condition each view of a part on what is known."""
     learnt, known = len(part.learnt), len(blocks)
-    rows = np.concatenate([part.learnt, np.arange(known, len(time))])
-    time = time[rows[:, None], part.learnt]
-    solved = [_solve(view, time, noise) for view in part.views]
+    at = np.concatenate([frames[part.learnt], frames[known:]])
+    # What the views have in common: the place itself, and time.
+    alike = PLACE_MM**2 + nearness[np.abs(at[:, None] - at[:learnt])]
+    solved = [_solve(view, alike, noise) for view in part.views]
     inverse, weights = (np.stack([s[i] for s in solved]) for i in (2, 3))
     missed, usually = _hide(blocks[part.learnt], inverse, weights)
     rotation = np.stack([view.rotation[:learnt] for view in part.views])
@@ -173,54 +176,65 @@ def _predict(
 
 
 def _solve(
-    view: View, time: FloatArray, noise: float
+    view: View, alike: FloatArray, noise: float
 ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
     """Mean and variance where wanted, inverse covariance (its lower triangle), and weights."""
-    from scipy.linalg import cho_factor, cho_solve, solve_triangular
-    from scipy.linalg.lapack import dpotri
+    from scipy.linalg import cholesky
+    from scipy.linalg.blas import dtrmm
+    from scipy.linalg.lapack import dlauum
 
     learnt = len(view.target)
     usual = np.median(view.target, axis=0)
-    prior = _from_pose(view, learnt)
-    prior += time
-    covariance = prior[:learnt].copy()
+    covariance = _from_pose(view, learnt)
+    covariance += alike
     covariance[np.diag_indices(learnt)] += noise
-    factor, _ = cho_factor(covariance, lower=True, overwrite_a=True, check_finite=False)
-    weights = cho_solve((factor, True), view.target - usual, check_finite=False)
-    across = prior[learnt:]
-    explained = solve_triangular(factor, across.T, lower=True, check_finite=False)
+    # Transposed, as LAPACK keeps its arrays, so that nothing is copied.
+    factor = cholesky(covariance[:learnt].T, lower=True, overwrite_a=True, check_finite=False)
+    root = _inverse_of_triangle(factor)
+    explained = dtrmm(1.0, root, covariance[learnt:].T, lower=1, overwrite_b=1)
+    own = root @ (view.target - usual)
     alone = PLACE_MM**2 + CURVED_MM**2 + sum(size**2 for size in TIME_MM)
     alone = alone + np.sum(view.linear[learnt:] ** 2, axis=1)
     variance = np.maximum(alone - np.sum(explained**2, axis=0), noise)
-    inverse, _ = dpotri(factor, lower=1)
-    mean = to_lab(usual + across @ weights, view.rotation[learnt:], view.centre[learnt:])
+    mean = to_lab(usual + explained.T @ own, view.rotation[learnt:], view.centre[learnt:])
+    weights = root.T @ own
+    inverse, _ = dlauum(root, lower=1, overwrite_c=1)
     return mean, variance, inverse, weights
+
+
+def _inverse_of_triangle(factor: FloatArray) -> FloatArray:
+    """Inverse of a lower triangular matrix, by halves: LAPACK's own takes twice as long."""
+    from scipy.linalg.lapack import dtrtri
+
+    size = len(factor)
+    if size <= LEAST_HALVED:
+        return np.asarray(dtrtri(factor, lower=1)[0])
+    half = size // 2
+    inverse = np.zeros((size, size), order="F")
+    inverse[:half, :half] = _inverse_of_triangle(factor[:half, :half])
+    inverse[half:, half:] = _inverse_of_triangle(factor[half:, half:])
+    inverse[half:, :half] = -inverse[half:, half:] @ (factor[half:, :half] @ inverse[:half, :half])
+    return inverse
 
 
 def _from_pose(view: View, learnt: int) -> FloatArray:
     """(frames, learnt) covariance in mm² that comes from the likeness of poses."""
-    square = np.sum(view.curved**2, axis=1)
-    # In place: these passes over the array take as long as the products.
-    total = view.curved @ (-2.0 * view.curved[:learnt].T)
-    total += square[:, None]
-    total += square[:learnt]
-    np.maximum(total, 0.0, out=total)
-    total *= 0.5
-    total += 1.0
+    curved, one = view.curved.T, np.ones((1, len(view.curved)))
+    half = 0.5 * np.sum(curved**2, axis=0, keepdims=True)
+    # One and half the squared distance, in one product: each pass over the array costs time.
+    total = np.concatenate([curved, half, one]).T @ np.concatenate(
+        [-curved[:, :learnt], one[:, :learnt], 1.0 + half[:, :learnt]]
+    )
     np.divide(CURVED_MM**2, total, out=total)
     total += view.linear @ view.linear[:learnt].T
-    total += PLACE_MM**2
     return np.asarray(total)
 
 
-def _from_time(frames: IntArray, rate: float, known: int) -> FloatArray:
-    """(frames, known) covariance in mm² that comes from nearness in time."""
-    apart = np.abs(frames[:, None] - frames[None, :known])
-    # There are far fewer different distances than pairs of frames.
-    passed = np.arange(apart.max() + 1) / rate
+def _from_time(frames: int, rate: float) -> FloatArray:
+    """(frames,) covariance in mm² that comes from nearness in time, by how far apart frames are."""
+    passed = np.arange(frames) / rate
     kernels = zip(TIME_MM, TIME_S, (_matern52, _matern32, _matern32), strict=True)
-    by_distance = sum(size**2 * matern(passed / scale) for size, scale, matern in kernels)
-    return np.asarray(np.asarray(by_distance)[apart])
+    return np.asarray(sum(size**2 * matern(passed / scale) for size, scale, matern in kernels))
 
 
 def _matern32(distance: FloatArray) -> FloatArray:

@@ -18,17 +18,17 @@ import numpy as np
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.artifact import Artifact
 from markermend.repairs.body_frame import (
-    align,
+    align_each,
     alike,
     holding,
     pick_references,
     rank_references,
-    to_frame,
+    to_frames,
 )
 from markermend.repairs.calming import calmed, jitter
 from markermend.repairs.kalman import own_course
 from markermend.repairs.kriging import Part, View, condition
-from markermend.repairs.pose import FORCE_S, describe_pose
+from markermend.repairs.pose import FORCE_S, describe_poses
 from markermend.repairs.registry import Evidence, Repair, register
 from markermend.repairs.result import make_repair, refuse
 from markermend.repairs.training_frames import choose_frames, near_interval
@@ -177,17 +177,14 @@ def _parts(
 ) -> list[Part]:
     """All views of references and marker, by the known frames from which they learn."""
     known, count = len(own), len(spread)
-    weights = [holding(spread), *(alike(spread, h) for h in HOLDERS if h[-1] < count)]
+    weights = np.array([holding(spread), *(alike(spread, h) for h in HOLDERS if h[-1] < count)])
     halves = _halves(beside) if len(weights) >= LEAST_VIEWS else [np.arange(known)]
     parts = []
     for i, learnt in enumerate(halves):
         rows = np.concatenate([learnt, np.arange(known, len(cloud))])
-        seen, pushed = cloud[rows], force[rows]
-        views = [
-            _view(seen, pushed, own[learnt], spread, weight, up, likened)
-            for weight in weights[i :: len(halves)]
-        ]
-        parts.append(Part(learnt, tuple(views)))
+        held = weights[i :: len(halves)]
+        views = _views(cloud[rows], force[rows], own[learnt], spread, held, up, likened)
+        parts.append(Part(learnt, views))
     return parts
 
 
@@ -220,28 +217,33 @@ def _with_own_course(
     )
 
 
-def _view(
+def _views(
     cloud: FloatArray,
     force: FloatArray,
     own: FloatArray,
     spread: FloatArray,
-    weight: FloatArray,
+    weights: FloatArray,
     up: int,
     likened: bool,
-) -> View:
-    """Look at references and marker from a frame that is held by some weights."""
-    rotation, centre = align(cloud, weight)
-    pushed = np.einsum("fki,k->fi", force, weight / weight.sum())
-    linear, curved = describe_pose(
-        to_frame(cloud, rotation, centre),
+) -> tuple[View, ...]:
+    """Look at references and marker from frames that are held by (views, points) weights."""
+    learnt = len(own)
+    points = np.ascontiguousarray(cloud.transpose(1, 2, 0))
+    rotation, centre = align_each(points, weights)
+    share = weights / weights.sum(axis=1, keepdims=True)
+    pushed = np.einsum("vp,fpi->vif", share, force)
+    linear, curved = describe_poses(
+        to_frames(points, rotation, centre),
         spread,
         rotation[:, up],
-        np.einsum("fi,fij->fj", pushed, rotation),
+        np.einsum("vif,vijf->vjf", pushed, rotation),
         distant=likened,
     )
-    learnt = len(own)
-    target = to_frame(own[:, None], rotation[:learnt], centre[:learnt])[:, 0]
-    return View(linear, curved, target, rotation, centre)
+    target = to_frames(own.T[None], rotation[..., :learnt], centre[..., :learnt])
+    return tuple(
+        View(linear[v].T, curved[v].T, target[v, 0].T, rotation[v].transpose(2, 0, 1), centre[v].T)
+        for v in range(len(weights))
+    )
 
 
 def _too_few_references(artifact: Artifact, count: int) -> str:

@@ -18,7 +18,7 @@ FORCE_S = 0.05
 LEAST = 1e-6
 
 
-def describe_pose(
+def describe_poses(
     points: FloatArray,
     spread: FloatArray,
     gravity: FloatArray,
@@ -26,40 +26,39 @@ def describe_pose(
     *,
     distant: bool = False,
 ) -> tuple[FloatArray, FloatArray]:
-    """Describe the pose of the references, scaled for the parts of the process.
+    """Describe the pose of the references in moving frames, scaled for the parts of the process.
 
     Parameters
     ----------
-    points : (frames, points, 3) references in the moving frame, mm, the nearest first
+    points : (views, points, 3, frames) references in each moving frame, mm, the nearest first
     spread : (points,) of each reference's distance to the marker, mm
-    gravity : (frames, 3) direction that points up, in the moving frame
-    force : (frames, 3) acceleration of the frame, in it, any unit
+    gravity : (views, 3, frames) direction that points up, in the moving frame
+    force : (views, 3, frames) acceleration of the frame, in it, any unit
     distant : let distant references count more for the non-linear part: they tell one movement
         from another
 
     Returns
     -------
-    linear, curved : (frames, features)
+    linear, curved : (views, features, frames)
     """
-    coordinates = points.reshape(len(points), -1)
-    coordinates = coordinates - coordinates.mean(axis=0)
-    coordinates /= coordinates.std(axis=0) + LEAST
+    views, count, _, frames = points.shape
+    pose = np.concatenate([gravity, force, points.reshape(views, -1, frames)], axis=1)
+    pose -= pose.mean(axis=2, keepdims=True)
+    variance = np.einsum("vif,vif->vi", pose, pose) / frames
+    variance[:, :3] = variance[:, :3].mean(axis=1, keepdims=True)
+    deviation = np.sqrt(variance) + LEAST
     weight = 1.0 / (spread + NEAR_MM)
     followed, compared = (
-        coordinates * np.repeat(w / np.sqrt(np.mean(w**2)), 3)
-        for w in (weight, np.sqrt(weight) if distant else weight)
+        w / np.sqrt(np.mean(w**2)) for w in (weight, np.sqrt(weight) if distant else weight)
     )
-    upright = gravity - gravity.mean(axis=0)
-    pushed = force - force.mean(axis=0)
-    upright /= upright.std() + LEAST
-    pushed /= pushed.std(axis=0) + LEAST
-    parts = [(upright, upright, *GRAVITY), (pushed, pushed, *FORCE)]
+    parts = [(np.ones(1), np.ones(1), *of_frame) for of_frame in (GRAVITY, FORCE)]
     first = 0
-    for count, far, alike in GROUPS:
-        last = coordinates.shape[1] if count is None else first + 3 * count
-        if followed[:, first:last].shape[1]:
-            parts.append((followed[:, first:last], compared[:, first:last], far, alike))
+    for group, far, alike in GROUPS:
+        last = count if group is None else min(first + group, count)
+        if last > first:
+            parts.append((followed[first:last], compared[first:last], far, alike))
         first = last
-    linear = [part * (far / np.sqrt(part.shape[1])) for part, _, far, _ in parts]
-    curved = [part * np.sqrt(alike / part.shape[1]) for _, part, _, alike in parts]
-    return np.hstack(linear), np.hstack(curved)
+    linear = np.concatenate([w * (far / np.sqrt(3 * len(w))) for w, _, far, _ in parts])
+    curved = np.concatenate([w * np.sqrt(alike / (3 * len(w))) for _, w, _, alike in parts])
+    of_linear, of_curved = (np.repeat(w, 3) / deviation for w in (linear, curved))
+    return pose * of_linear[:, :, None], pose * of_curved[:, :, None]
