@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from functools import cache
+from functools import cache, lru_cache
 
 from markermend.artifact import Kind
 from markermend_app import file_words, units
@@ -147,6 +147,19 @@ def _patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
     return tuple((compiled(form), told) for form, told in _FORMS.items())
 
 
+@lru_cache(maxsize=4096)
+def _read(text: str) -> tuple[str, tuple[str, ...]] | None:
+    """The form of a sentence and what stands in its places, or None for one that is not known.
+
+    Lists ask for the same few hundred sentences with each picture of theirs.
+    """
+    for pattern, form in _patterns():
+        found = pattern.fullmatch(text)
+        if found is not None:
+            return form, found.groups()
+    return None
+
+
 def told(text: str) -> str:
     """A sentence of the engine in the language of the app, as far as its form is known."""
     kinds = {kind.value: kind for kind in Kind}
@@ -155,13 +168,13 @@ def told(text: str) -> str:
     kind, _, marker = text.partition(" on ")
     if kind in kinds and marker:
         return tr("{0} on {1}").format(told(kind), marker)
-    for pattern, form in _patterns():
-        found = pattern.fullmatch(text)
-        if found is not None:
-            first, *rest = found.groups() or ("",)
-            said = tr(first) if form in _OF_METHODS else told(first)
-            return tr(form).format(said, *map(told, rest))
-    return text
+    known = _read(text)
+    if known is None:
+        return text
+    form, parts = known
+    first, *rest = parts or ("",)
+    said = tr(first) if form in _OF_METHODS else told(first)
+    return tr(form).format(said, *map(told, rest))
 
 
 def told_repair(method: str, error_mm: float | None) -> str:

@@ -14,11 +14,9 @@ from markermend.review.file import open_session
 from markermend.take import Analog, Points, Take
 from markermend_app.document import Document
 from markermend_app.panels.markers.marker_model import (
-    COUNTS,
     MISSING,
     NAME,
-    OPEN,
-    OWN,
+    NODE,
     MarkerModel,
 )
 from markermend_app.panels.markers.marker_tree import MarkerTree
@@ -46,6 +44,10 @@ def tree(document, qtbot):
 
 def index_of(tree, label):
     return tree.view.model().mapFromSource(tree._model.index_of(label))
+
+
+def is_checked(index):
+    return Qt.CheckState(index.data(Qt.ItemDataRole.CheckStateRole)) == Qt.CheckState.Checked
 
 
 def click(qtbot, tree, label, held=Qt.KeyboardModifier.NoModifier):
@@ -105,10 +107,8 @@ def test_check_marks_add_and_take_away(qtbot, tree, document):
 
 def test_check_marks_and_selection_follow_what_is_shown(qtbot, tree, document):
     document.show(["C7", "LWRA"])
-    checked = Qt.CheckState.Checked
-    state = Qt.ItemDataRole.CheckStateRole
-    assert index_of(tree, "C7").data(state) == checked
-    assert index_of(tree, "LSHO").data(state) == Qt.CheckState.Unchecked
+    assert is_checked(index_of(tree, "C7"))
+    assert not is_checked(index_of(tree, "LSHO"))
     qtbot.waitUntil(lambda: len(tree.view.selectionModel().selectedRows()) == 2)
     rows = {i.data() for i in tree.view.selectionModel().selectedRows()}
     assert rows == {"C7", "LWRA"}
@@ -133,24 +133,22 @@ def test_a_decision_does_not_select_anew_what_is_shown(qtbot, tree, document):
     gap = next(a for a in document.session.artifacts if a.kind is Kind.GAP)
     document.session.set_status([gap.id], Status.REJECTED)
     document.artifacts_changed.emit()
-    qtbot.waitUntil(lambda: not index_of(tree, "CLAV").siblingAtColumn(OPEN).data(COUNTS))
+    qtbot.waitUntil(lambda: not index_of(tree, "CLAV").data(NODE).counts)
     assert not selected()
 
 
 def test_counts_follow_decisions_without_folding_anything(qtbot, tree, document):
     trunk = index_of(tree, "CLAV").parent()
-    assert trunk.siblingAtColumn(OPEN).data(COUNTS) == {
-        k: 1 for k in (Kind.GAP, Kind.PEAK, Kind.NOISE, Kind.STEP)
-    }
+    assert trunk.data(NODE).counts == {k: 1 for k in (Kind.GAP, Kind.PEAK, Kind.NOISE, Kind.STEP)}
     tree.view.collapse(index_of(tree, "LWRA").parent())
     gap = next(a for a in document.session.artifacts if a.kind is Kind.GAP)
     document.reject([gap.id])
-    qtbot.waitUntil(lambda: not index_of(tree, "CLAV").siblingAtColumn(OPEN).data(COUNTS))
+    qtbot.waitUntil(lambda: not index_of(tree, "CLAV").data(NODE).counts)
     assert tree.view.isExpanded(trunk)
     assert not tree.view.isExpanded(index_of(tree, "LWRA").parent())
     document.undo()
-    qtbot.waitUntil(lambda: bool(index_of(tree, "CLAV").siblingAtColumn(OPEN).data(COUNTS)))
-    assert index_of(tree, "CLAV").siblingAtColumn(OPEN).data(COUNTS) == {Kind.GAP: 1}
+    qtbot.waitUntil(lambda: bool(index_of(tree, "CLAV").data(NODE).counts))
+    assert index_of(tree, "CLAV").data(NODE).counts == {Kind.GAP: 1}
 
 
 def test_joints_that_hold_others_count_their_own():
@@ -164,8 +162,8 @@ def test_joints_that_hold_others_count_their_own():
     )
     assert (shoulder.own, shoulder.counts) == ({Kind.GAP: 1}, {Kind.GAP: 3})
     assert elbow.own == elbow.counts == {Kind.GAP: 2}
-    index = model.index(0, OPEN)
-    assert (index.data(OWN), index.data(COUNTS)) == ({Kind.GAP: 1}, {Kind.GAP: 3})
+    index = model.index(0, NAME)
+    assert (index.data(NODE).own, index.data(NODE).counts) == ({Kind.GAP: 1}, {Kind.GAP: 3})
     assert "1 gap" in index.data(Qt.ItemDataRole.ToolTipRole)
 
 
@@ -189,7 +187,7 @@ def test_filter_keeps_the_branch_of_what_matches(qtbot, tree):
 
 def test_missing_share_is_shown(tree):
     assert index_of(tree, "CLAV").siblingAtColumn(MISSING).data() == "7.5"
-    assert index_of(tree, "C7").siblingAtColumn(MISSING).data() is None
+    assert not index_of(tree, "C7").siblingAtColumn(MISSING).data()
 
 
 def test_subjects_unlabelled_and_other_points_stand_apart(tmp_path, qtbot):
@@ -234,7 +232,7 @@ def test_channels_are_checked_into_rows_of_their_own(tmp_path, damaged, qtbot):
     model.setData(channel, Qt.CheckState.Checked.value, Qt.ItemDataRole.CheckStateRole)
     assert document.beside == ("analog 1",)
     assert document.shown == shown
-    assert model.data(channel, Qt.ItemDataRole.CheckStateRole) == Qt.CheckState.Checked
+    assert is_checked(channel)
     model.setData(channel, Qt.CheckState.Unchecked.value, Qt.ItemDataRole.CheckStateRole)
     assert document.beside == ()
     tree.resize(300, 400)

@@ -72,6 +72,8 @@ def paint_counts(
     painter: QPainter, rect: QRect, counts: Mapping[Kind, int], font: QFont, faint: bool = False
 ) -> None:
     """Paint one badge a class, letter and number; dots stand for those there is no room for."""
+    if not counts:
+        return
     font = badge_font(font)
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)

@@ -1,4 +1,4 @@
-"""The rows of the marker tree as Qt asks for them: check marks, counts, colours."""
+"""The rows of the marker tree as Qt holds them: check marks, counts, colours."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterable
 from itertools import zip_longest
 from typing import Any
 
-from PySide6.QtCore import QAbstractItemModel, QModelIndex, QObject, QPersistentModelIndex, Qt
-from PySide6.QtGui import QFont
+from PySide6.QtCore import QModelIndex, QObject, QPersistentModelIndex, QSignalBlocker, Qt
+from PySide6.QtGui import QFont, QIcon, QStandardItem, QStandardItemModel
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend.heat import count_missing
@@ -20,14 +20,16 @@ from markermend_app.style import theme
 Index = QModelIndex | QPersistentModelIndex
 NAME, OPEN, MISSING = range(3)
 COLUMNS = 3
-COUNTS = Qt.ItemDataRole.UserRole
-LABEL = Qt.ItemDataRole.UserRole + 1
-SORT = Qt.ItemDataRole.UserRole + 2
-OWN = Qt.ItemDataRole.UserRole + 3
+NODE = Qt.ItemDataRole.UserRole
+_CHECKED, _COLOR = Qt.ItemDataRole.CheckStateRole, Qt.ItemDataRole.ForegroundRole
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
-class MarkerModel(QAbstractItemModel):
+class MarkerModel(QStandardItemModel):
     """Rows of :class:`Node`; check marks say what is shown in the plots, and beside them.
+
+    Qt goes through the rows hundreds of times for each picture of them: what it asks for is laid
+    down in its own items, so that it need not ask Python.
 
     Parameters
     ----------
@@ -41,30 +43,36 @@ class MarkerModel(QAbstractItemModel):
         show_beside: Callable[[Iterable[str]], None],
         parent: QObject | None = None,
     ) -> None:
-        super().__init__(parent)
+        super().__init__(0, COLUMNS, parent)
         self._show, self._show_beside = show, show_beside
         self._beside: tuple[str, ...] = ()
         self._root = Node("")
+        self._items: dict[Node, list[QStandardItem]] = {}
         self._by_label: dict[str, Node] = {}
         self._shown: tuple[str, ...] = ()
-        self._headers = [self.tr("Marker"), self.tr("Open"), "%"]
-        self._header_tips = (
-            "",
-            self.tr("Artifacts that are not decided yet, by class"),
-            self.tr("Share of the frames in which the marker is missing"),
-        )
+        self._small = QFont()
+        self._small.setPointSize(theme.SMALL_PT)
+        self.setHorizontalHeaderLabels([self.tr("Marker"), self.tr("Open"), "%"])
+        tip = Qt.ItemDataRole.ToolTipRole
+        for column, text in (
+            (OPEN, self.tr("Artifacts that are not decided yet, by class")),
+            (MISSING, self.tr("Share of the frames in which the marker is missing")),
+        ):
+            self.setHeaderData(column, Qt.Orientation.Horizontal, text, tip)
+        align = Qt.ItemDataRole.TextAlignmentRole
+        self.setHeaderData(MISSING, Qt.Orientation.Horizontal, _RIGHT, align)
 
     def set_heading(self, text: str) -> None:
         """Say what the rows are."""
-        self._headers[NAME] = text
-        self.headerDataChanged.emit(Qt.Orientation.Horizontal, NAME, NAME)
+        self.setHeaderData(NAME, Qt.Orientation.Horizontal, text)
 
     def set_root(self, root: Node) -> None:
         """Show other rows."""
-        self.beginResetModel()
-        self._root = root
+        self.removeRows(0, self.rowCount())
+        self._root, self._items = root, {}
         self._by_label = {n.label: n for n in root.all_markers()}
-        self.endResetModel()
+        for node in root.rows:
+            self.appendRow(self._grown(node))
 
     def set_counts(self, artifacts: Iterable[Artifact]) -> None:
         """Count open artifacts, for markers and for everything above them."""
@@ -72,7 +80,7 @@ class MarkerModel(QAbstractItemModel):
         for a in artifacts:
             if a.status is Status.PENDING:
                 counts[a.marker][a.kind] += 1
-        changed: dict[int, Node] = {}
+        changed: dict[Node, None] = {}
         nothing: Counter[Kind] = Counter()
         for label, node in self._by_label.items():
             before, now = node.own, counts.get(label, nothing)
@@ -81,9 +89,9 @@ class MarkerModel(QAbstractItemModel):
             node.own, row = now, node
             while row.parent is not None:
                 row.counts = row.counts - before + now
-                changed[id(row)] = row
+                changed[row] = None
                 row = row.parent
-        self._announce(OPEN, changed.values())
+        self._write(OPEN, changed)
 
     def open_counts(self) -> list[Counter[Kind]]:
         """Counts of the markers that have open artifacts."""
@@ -97,112 +105,37 @@ class MarkerModel(QAbstractItemModel):
         counts = count_missing(take.origin if whole else take.origin[:, columns])
         for node, count in zip(nodes, counts.tolist(), strict=True):
             node.missing = count / max(1, take.frames)
-        self._announce(MISSING, nodes)
+        self._write(MISSING, nodes)
 
     def set_shown(self, shown: tuple[str, ...]) -> None:
         """Set the check marks and colours."""
         changed = {a for a, b in zip_longest(self._shown, shown) if a != b}
         changed |= {b for a, b in zip_longest(self._shown, shown) if a != b}
         self._shown = shown
-        self._announce(NAME, (self._by_label[c] for c in changed if c in self._by_label))
+        self._write(NAME, [self._by_label[c] for c in changed if c in self._by_label])
 
     def set_beside(self, keys: tuple[str, ...]) -> None:
         """Set the check marks of channels."""
         changed = set(self._beside) ^ set(keys)
         self._beside = keys
-        self._announce(NAME, (n for n in self._root.below() if n.key in changed))
+        self._write(NAME, [n for n in self._root.below() if n.key in changed])
 
     def recolour(self) -> None:
         """Draw icons and colours anew."""
-        self._announce(NAME, self._root.below())
+        for column in (NAME, MISSING):
+            self._write(column, self._items)
 
     def index_of(self, label: str) -> QModelIndex:
         """Where a marker stands, or an invalid index."""
         node = self._by_label.get(label)
-        return QModelIndex() if node is None else self._index(node, NAME)
+        return QModelIndex() if node is None else self._items[node][NAME].index()
 
     def node(self, index: Index) -> Node:
         """Row behind an index."""
-        return index.internalPointer() if index.isValid() else self._root
-
-    def _index(self, node: Node, column: int) -> QModelIndex:
-        if node.parent is None:
-            return QModelIndex()
-        return self.createIndex(node.parent.rows.index(node), column, node)
-
-    def _announce(self, column: int, nodes: Iterable[Node]) -> None:
-        """Say that a column of some rows has other contents, once for all beneath one row.
-
-        Each time costs the views a while, whether it is about one row or about many.
-        """
-        places: dict[Node, list[int]] = defaultdict(list)
-        for node in nodes:
-            if node.parent is not None:
-                places[node.parent].append(node.parent.rows.index(node))
-        for parent, rows in places.items():
-            first, last = min(rows), max(rows)
-            self.dataChanged.emit(
-                self.createIndex(first, column, parent.rows[first]),
-                self.createIndex(last, column, parent.rows[last]),
-            )
-
-    # What Qt asks
-
-    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008, D102
-        return 0 if parent.column() > 0 else len(self.node(parent).rows)
-
-    def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008, D102
-        return COLUMNS
-
-    def index(self, row: int, column: int, parent: Index = QModelIndex()) -> QModelIndex:  # noqa: B008, D102
-        rows = self.node(parent).rows if parent.column() <= 0 else ()
-        if not (0 <= row < len(rows) and 0 <= column < COLUMNS):
-            return QModelIndex()
-        return self.createIndex(row, column, rows[row])
-
-    def parent(self, index: Index) -> QModelIndex:  # type: ignore[override]  # noqa: D102
-        above = self.node(index).parent
-        return QModelIndex() if above is None else self._index(above, NAME)
-
-    def headerData(  # noqa: D102
-        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
-    ) -> Any:
-        if orientation is not Qt.Orientation.Horizontal:
-            return None
-        if role == Qt.ItemDataRole.DisplayRole:
-            return self._headers[section]
-        if role == Qt.ItemDataRole.ToolTipRole:
-            return self._header_tips[section]
-        if role == Qt.ItemDataRole.TextAlignmentRole and section == MISSING:
-            return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        return None
-
-    def flags(self, index: Index) -> Qt.ItemFlag:  # noqa: D102
-        node = self.node(index)
-        flags = Qt.ItemFlag.ItemIsEnabled
-        if node.label or node.selects:
-            flags |= Qt.ItemFlag.ItemIsSelectable
-        if index.column() == NAME and (node.label or node.key):
-            flags |= Qt.ItemFlag.ItemIsUserCheckable
-        return flags
-
-    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:  # noqa: D102
-        node = self.node(index)
-        if role == LABEL:
-            return node.label
-        if role == SORT:
-            return (sum(node.counts.values()), node.missing or 0.0)
-        column = index.column()
-        if role == Qt.ItemDataRole.ToolTipRole:
-            return self._tip(node)
-        if column == NAME:
-            return self._name_data(node, role)
-        if column == OPEN:
-            return {COUNTS: node.counts, OWN: node.own}.get(role)
-        return self._missing_data(node, role)
+        return index.sibling(index.row(), NAME).data(NODE) if index.isValid() else self._root
 
     def setData(self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole) -> bool:  # noqa: D102
-        if role != Qt.ItemDataRole.CheckStateRole:
+        if role != _CHECKED:
             return False
         node = self.node(index)
         shown, show = (self._beside, self._show_beside) if node.key else (self._shown, self._show)
@@ -213,38 +146,79 @@ class MarkerModel(QAbstractItemModel):
             show([s for s in shown if s != name])
         return True
 
-    def _name_data(self, node: Node, role: int) -> Any:
-        """Name column."""
-        if role == Qt.ItemDataRole.DisplayRole:
-            return node.name
-        if role == Qt.ItemDataRole.CheckStateRole and (node.label or node.key):
-            shown = node.key in self._beside if node.key else node.label in self._shown
-            return Qt.CheckState.Checked if shown else Qt.CheckState.Unchecked
-        if role == Qt.ItemDataRole.DecorationRole:
-            if node.label in self._shown and node.label:
-                return dot_icon(theme.marker_color(self._shown.index(node.label)))
-            return None if node.label or not node.icon else theme.icon(node.icon)
-        if role == Qt.ItemDataRole.ForegroundRole and node.note:
-            return theme.current().muted
-        return None
+    # Writing down
 
-    def _missing_data(self, node: Node, role: int) -> Any:
-        """Column of the share of frames missing."""
-        if role == Qt.ItemDataRole.DisplayRole and node.missing:
-            percent = 100 * node.missing
-            # With a decimal all of them would not fit.
-            exact = "100" if percent >= 99.95 else f"{percent:.1f}"
-            return "<0.1" if percent < 0.1 else exact
-        if role == Qt.ItemDataRole.FontRole:
-            font = QFont()
-            font.setPointSize(theme.SMALL_PT)
-            return font
-        if role == Qt.ItemDataRole.TextAlignmentRole:
-            return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        if role == Qt.ItemDataRole.ForegroundRole:
-            t = theme.current()
-            return t.warning if (node.missing or 0) >= 0.1 else t.muted
-        return None
+    def _grown(self, node: Node) -> list[QStandardItem]:
+        """A row with all that is beneath it."""
+        items = [QStandardItem() for _ in range(COLUMNS)]
+        self._items[node] = items
+        name, _, missing = items
+        name.setData(node, NODE)
+        name.setText(node.name)
+        missing.setFont(self._small)
+        missing.setTextAlignment(_RIGHT)
+        flags = Qt.ItemFlag.ItemIsEnabled
+        if node.label or node.selects:
+            flags |= Qt.ItemFlag.ItemIsSelectable
+        for item in items:
+            item.setFlags(flags)
+        if node.label or node.key:
+            name.setFlags(flags | Qt.ItemFlag.ItemIsUserCheckable)
+        for row in node.rows:
+            name.appendRow(self._grown(row))
+        for column in range(COLUMNS):
+            self._write_one(column, node)
+        return items
+
+    def _write(self, column: int, nodes: Iterable[Node]) -> None:
+        """Write down a column of some rows, and say so once for all beneath one row.
+
+        Each time costs the views a while, whether it is about one row or about many.
+        """
+        places: dict[Node, list[int]] = defaultdict(list)
+        with QSignalBlocker(self):
+            for node in nodes:
+                self._write_one(column, node)
+                if node.parent is not None:
+                    places[node.parent].append(self._items[node][column].row())
+        for parent, rows in places.items():
+            self.dataChanged.emit(
+                self._items[parent.rows[min(rows)]][column].index(),
+                self._items[parent.rows[max(rows)]][column].index(),
+            )
+
+    def _write_one(self, column: int, node: Node) -> None:
+        """Write down a cell of a row."""
+        items = self._items[node]
+        if column == NAME:
+            self._write_name(items[NAME], node)
+        elif column == MISSING:
+            self._write_missing(items[MISSING], node)
+        if column != NAME:
+            tip = self._tip(node)
+            for item in items:
+                item.setToolTip(tip)
+
+    def _write_name(self, item: QStandardItem, node: Node) -> None:
+        """Whether a row is shown, and in which colour."""
+        look = theme.current()
+        if node.label or node.key:
+            shown = node.key in self._beside if node.key else node.label in self._shown
+            item.setCheckState(Qt.CheckState.Checked if shown else Qt.CheckState.Unchecked)
+        if node.label and node.label in self._shown:
+            item.setIcon(dot_icon(theme.marker_color(self._shown.index(node.label))))
+        else:
+            item.setIcon(theme.icon(node.icon) if node.icon and not node.label else QIcon())
+        if node.note:
+            item.setData(look.muted, _COLOR)
+
+    def _write_missing(self, item: QStandardItem, node: Node) -> None:
+        """Share of frames missing."""
+        look, percent = theme.current(), 100 * (node.missing or 0.0)
+        # With a decimal all of them would not fit.
+        exact = "100" if percent >= 99.95 else f"{percent:.1f}"
+        item.setText(("<0.1" if percent < 0.1 else exact) if percent else "")
+        item.setData(look.warning if percent >= 10 else look.muted, _COLOR)
 
     def _tip(self, node: Node) -> str:
         """What a row is, in words."""

@@ -21,7 +21,8 @@ from PySide6.QtWidgets import (
 )
 
 from markermend_app.panels.markers.badge import paint_counts
-from markermend_app.panels.markers.marker_model import COUNTS, LABEL, NAME, OWN, SORT
+from markermend_app.panels.markers.marker_model import NAME, NODE
+from markermend_app.panels.markers.rows import Node
 
 Index = QModelIndex | QPersistentModelIndex
 _CHECKED = Qt.ItemDataRole.CheckStateRole
@@ -76,10 +77,14 @@ class Filter(QSortFilterProxyModel):
 
     def lessThan(self, left: Index, right: Index) -> bool:
         """By open artifacts, then by share missing; the name decides ties."""
-        a, b = left.data(SORT), right.data(SORT)
-        if a == b:
-            return bool(left.data(LABEL) > right.data(LABEL))
-        return bool(a < b)
+        a, b = (index.sibling(index.row(), NAME).data(NODE) for index in (left, right))
+        worse, name = (_badness(a), _badness(b)), (a.label, b.label)
+        return name[0] > name[1] if worse[0] == worse[1] else worse[0] < worse[1]
+
+
+def _badness(node: Node) -> tuple[int, float]:
+    """How much there is to do, and how much is missing."""
+    return sum(node.counts.values()), node.missing or 0.0
 
 
 class CountsDelegate(QStyledItemDelegate):
@@ -97,7 +102,8 @@ class CountsDelegate(QStyledItemDelegate):
         holds = first.model().hasChildren(first)
         # A joint holds others, and may be damaged itself.
         opened = isinstance(view, QTreeView) and holds and view.isExpanded(first)
-        counts = index.data(OWN if opened else COUNTS) or {}
+        node = first.data(NODE)
+        counts = node.own if opened else node.counts
         paint_counts(painter, option.rect, counts, option.font, faint=holds and not opened)
 
     def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:

@@ -110,6 +110,19 @@ class QueueModel(QAbstractTableModel):
             Status.REJECTED: self.tr("Rejected"),
             Status.REPAIRED: self.tr("Repaired"),
         }
+        self._texts: dict[int, Callable[[Artifact], str]] = {
+            STATUS: lambda a: self._status_names[a.status],
+            KIND: lambda a: theme.kind_name(a.kind),
+            MARKER: self._marker_text,
+            AXES: lambda a: a.axes.upper(),
+            FRAMES: lambda a: f"{a.start + self.first_frame}–{a.stop - 1 + self.first_frame}",
+            TIME: lambda a: f"{a.start / self.rate:.2f} s",
+            LENGTH: lambda a: f"{a.length} f",
+            SIZE: lambda a: units.length(a.amplitude_mm) if math.isfinite(a.amplitude_mm) else "–",
+            CONFIDENCE: lambda a: f"{100 * a.confidence:.0f} %",
+            REPAIR: self._repair_text,
+            WHY: lambda a: f"✎ {a.note} – {told(a.why)}" if a.note else told(a.why),
+        }
 
     def set_artifacts(
         self,
@@ -229,20 +242,7 @@ class QueueModel(QAbstractTableModel):
 
     def text(self, a: Artifact, column: int) -> str:
         """What a cell says."""
-        first = self.first_frame
-        return {
-            STATUS: lambda: self._status_names[a.status],
-            KIND: lambda: theme.kind_name(a.kind),
-            MARKER: lambda: self._marker_text(a),
-            AXES: lambda: a.axes.upper(),
-            FRAMES: lambda: f"{a.start + first}–{a.stop - 1 + first}",
-            TIME: lambda: f"{a.start / self.rate:.2f} s",
-            LENGTH: lambda: f"{a.length} f",
-            SIZE: lambda: units.length(a.amplitude_mm) if math.isfinite(a.amplitude_mm) else "–",
-            CONFIDENCE: lambda: f"{100 * a.confidence:.0f} %",
-            REPAIR: lambda: self._repair_text(a),
-            WHY: lambda: f"✎ {a.note} – {told(a.why)}" if a.note else told(a.why),
-        }[column]()
+        return self._texts[column](a)
 
     def _tip(self, take: Take, a: Artifact) -> str:
         """All that is known, since not every column has room."""

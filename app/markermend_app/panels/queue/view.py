@@ -111,8 +111,11 @@ class PlainDelegate(QStyledItemDelegate):
     """Paints a cell's background; subclasses paint what stands on it."""
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
-        """Background as ever, then the cell's own."""
-        self.initStyleOption(option, index)
+        """Background as ever, then the cell's own.
+
+        The option stays as the view made it: to fill it in would ask the model for seven more
+        things that are not painted here.
+        """
         style = option.widget.style() if option.widget else QApplication.style()
         style.drawPrimitive(
             QStyle.PrimitiveElement.PE_PanelItemViewItem, option, painter, option.widget
