@@ -15,6 +15,8 @@ from markermend.take import Origin, Take
 LEAST_SHARE = 1 / 3
 _BLOCK = 65_536
 """Samples counted at a time."""
+_MOST = 255
+"""What a byte can count."""
 KNOT_HZ, LEAST_KNOTS = 30.0, 4000
 """Where the body says a marker is is worked out so often, unless that leaves too few to learn."""
 
@@ -54,10 +56,12 @@ def count_missing(origin: ByteArray) -> IntArray:
     -------
     (markers,) int64
     """
-    block = max(1, _BLOCK // max(1, origin.shape[1]))
-    first = np.arange(0, len(origin), block)
-    counts = _count_missing(origin, first, np.minimum(first + block, len(origin)))
-    return np.asarray(counts.sum(axis=0))
+    lost = np.asarray(origin == Origin.MISSING).view(np.uint8)
+    # As many rows as a byte can count are added up as if each were a long one, many times faster.
+    long = len(lost) // _MOST
+    whole = lost[: _MOST * long].reshape(_MOST, -1).sum(axis=0, dtype=np.uint8)
+    counts = whole.reshape(long, lost.shape[1]).sum(axis=0, dtype=np.int64)
+    return np.asarray(counts + lost[_MOST * long :].sum(axis=0, dtype=np.int64))
 
 
 def _count_missing(origin: ByteArray, first: IntArray, last: IntArray) -> IntArray:

@@ -19,10 +19,11 @@ from markermend.simulation import simulate_clean
 from markermend.take import Origin, Take
 
 
-def test_missing_samples_are_counted_over_all_blocks():
-    origin = np.random.default_rng(1).integers(0, 3, (100_000, 2)).astype(np.uint8)
+@pytest.mark.parametrize("frames", [0, 1, 254, 255, 256, 100_000])
+def test_missing_samples_are_counted_in_takes_of_any_length(frames):
+    origin = np.random.default_rng(1).integers(0, 3, (frames, 2)).astype(np.uint8)
     np.testing.assert_array_equal(count_missing(origin), (origin == 0).sum(axis=0))
-    assert count_missing(origin[:0]).tolist() == [0, 0]
+    np.testing.assert_array_equal(count_missing(np.zeros_like(origin)), [frames, frames])
 
 
 def test_one_missing_frame_stays_visible_at_any_width() -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
@@ -16,7 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from markermend.artifact import Kind
-from markermend.take import Origin
+from markermend.heat import count_missing
 from markermend_app.actions.menus import hint_of
 from markermend_app.document import Document
 from markermend_app.panels.markers.badge import kind_icon
@@ -205,9 +204,9 @@ class TakePage(QWidget):
         session = self._document.session
         if session is None or not self.isVisible():
             return
-        origin = session.origin[:, session.original.named]
-        if origin.size:
-            share = np.count_nonzero(origin == Origin.MISSING) / origin.size
+        named = list(session.original.named)
+        if named and session.original.frames:
+            share = count_missing(session.origin)[named].mean() / session.original.frames
             self._gaps.setText(self.tr("{0:.2f} % of all samples").format(100 * share))
 
     def showEvent(self, event: QShowEvent) -> None:

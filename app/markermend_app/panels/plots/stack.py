@@ -86,7 +86,9 @@ class PlotStack(pg.GraphicsLayoutWidget):
         self._replace(self.rows, rows)
 
     def _replace(self, rows: tuple[PlotRow, ...], beside: tuple[BesideRow, ...]) -> None:
-        """Lay other rows out."""
+        """Lay other rows out; to lay out anew takes long, and most takes show what the last did."""
+        if (rows, beside) == (self.rows, self.beside):
+            return
         for frame in self.frames:
             self.ci.removeItem(frame.plot)
         self.rows, self.beside = rows, beside
