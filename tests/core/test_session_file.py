@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import textwrap
+import threading
 import time
 from pathlib import Path
 
@@ -23,6 +24,8 @@ from markermend.files import read, write
 from markermend.repairs import propose
 from markermend.review import file as session_file
 from markermend.review.file import open_session
+from markermend.review.hand import replace_samples
+from markermend.review.steps_json import step_to_dict
 from markermend.simulation import simulate_clean
 from markermend.take import Take
 
@@ -314,23 +317,62 @@ def test_a_full_disk_is_one_sentence_and_the_next_step_makes_it_good(tmp_path):
     comes_back(kept, tmp_path)
 
 
-def test_a_step_is_on_the_disk_before_the_next_one_is_kept(tmp_path, monkeypatch):
+def test_nobody_waits_for_a_slow_disk_and_all_gets_there(tmp_path, monkeypatch):
     kept = open_session(make_take(), folder=tmp_path)
-    order, journal = [], Path(kept._journal.name)
+    brought, journal, go_on = [], Path(kept._journal.name), threading.Event()
+
+    def lines():
+        return journal.read_bytes().count(b"\n")
 
     def slow(handle):
-        time.sleep(0.1)
-        order.append(journal.read_bytes().count(b"\n"))
+        assert go_on.wait(10)
+        brought.append(lines())
 
-    kept.session.mark(artifact())
     kept._on_disk.wait()
     monkeypatch.setattr("markermend.review.on_disk.os.fsync", slow)
-    kept.session.mark(artifact("C"))
-    assert not order, "whoever decides does not wait for the disk"
-    kept.session.mark(artifact("C", start=5, stop=9))
-    assert order == [3]
+    for start in range(5):
+        kept.session.mark(artifact("C", start=start, stop=9))
+        assert lines() == start + 2, "a killed process loses nothing"
+    assert not brought
+    go_on.set()
+    kept._on_disk.wait()
+    assert brought[-1] == 6
+    assert len(brought) <= 2
     kept.close()
-    assert order == [3, 4]
+
+
+def smooth_all(kept):
+    """A step of as many samples as are written beside what goes on."""
+    take = kept.session.original
+    replace_samples(kept.session, "Smooth", take.labels, 0, 1.5 * take.positions, take.origin)
+
+
+def test_a_long_step_is_written_beside_what_goes_on_and_before_what_follows(tmp_path, monkeypatch):
+    kept = open_session(make_take(), folder=tmp_path)
+    go_on, made = threading.Event(), step_to_dict
+
+    def slow(step):
+        if threading.current_thread() is not threading.main_thread():
+            assert go_on.wait(10)
+        return made(step)
+
+    kept._on_disk.wait()
+    monkeypatch.setattr("markermend.review.file.LONG", 100)
+    monkeypatch.setattr("markermend.review.file.step_to_dict", slow)
+    smooth_all(kept)
+    kept.session.mark(artifact("C", start=5, stop=9))
+    kept.session.undo()
+    assert Path(kept._journal.name).read_bytes().count(b"\n") == 1
+    go_on.set()
+    comes_back(kept, tmp_path)
+
+
+def test_a_long_step_that_could_not_be_written_is_saved_when_closing(tmp_path, monkeypatch):
+    kept = open_session(make_take(), folder=tmp_path)
+    monkeypatch.setattr("markermend.review.file.LONG", 100)
+    full_disk(kept)
+    smooth_all(kept)
+    comes_back(kept, tmp_path)
 
 
 def test_a_disk_that_fails_later_is_told_and_the_next_step_makes_it_good(tmp_path, monkeypatch):
@@ -343,7 +385,8 @@ def test_a_disk_that_fails_later_is_told_and_the_next_step_makes_it_good(tmp_pat
     with monkeypatch.context() as broken:
         broken.setattr("markermend.review.on_disk.os.fsync", fails)
         kept.session.mark(artifact())
-        kept._on_disk._thread.join()
+        while kept._on_disk._thread is not None:
+            time.sleep(0.001)
     with pytest.raises(MarkermendError, match="Input/output error"):
         kept.session.mark(artifact("C"))
     kept.session.mark(artifact("C", start=5, stop=9))
@@ -359,14 +402,14 @@ def test_a_review_in_a_folder_that_became_read_only_goes_on_in_the_users_own(tmp
     first.session.mark(artifact())
     first.save()
     first.close()
-    really = session_file._open_locked
+    really = session_file.open_locked
 
     def locked(path):
         if path.parent == shared:
             raise PermissionError(13, "Permission denied")
         return really(path)
 
-    monkeypatch.setattr(session_file, "_open_locked", locked)
+    monkeypatch.setattr(session_file, "open_locked", locked)
     again = open_session(make_take(), folder=shared)
     assert not again.read_only
     assert len(again.session.artifacts) == 1

@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from markermend.arrays import FloatArray
+from markermend.arrays import ByteArray, FloatArray
 from markermend.take import AXES, Take
 from markermend_app.actions import shortcuts
 from markermend_app.dialogs.help_key import help_in
@@ -47,6 +47,7 @@ class Smoothed:
     take : the smoothed one
     markers : labels of those that were smoothed
     start, stop : in these frames
+    positions, origin : (frames, markers, 3) float64 mm and (frames, markers) uint8, of those
     percent : (markers, 3) %SM1
     """
 
@@ -54,6 +55,8 @@ class Smoothed:
     markers: tuple[str, ...]
     start: int
     stop: int
+    positions: FloatArray
+    origin: ByteArray
     percent: FloatArray
 
     @property

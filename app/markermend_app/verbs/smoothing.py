@@ -68,7 +68,7 @@ class Smoothing(QObject):
         )
         dialog.wanted.connect(lambda: self._work_out(dialog, take))
         dialog.look_wanted.connect(lambda: self._inspect(dialog, take))
-        dialog.accepted.connect(lambda: self._carry_out(dialog, take))
+        dialog.accepted.connect(lambda: self._carry_out(dialog))
         dialog.finished.connect(self._closed)
         self.dialog = dialog
         dialog.open()
@@ -107,9 +107,10 @@ class Smoothing(QObject):
                 params=params,
                 progress=progress,
             )
-            columns = [take.index(s) for s in markers]
-            before, after = (t.positions[scope.start : stop, columns] for t in (take, made))
-            return Smoothed(made, markers, scope.start, stop, percent_sm1(before, after))
+            part = slice(scope.start, stop), [take.index(s) for s in markers]
+            before, after, origin = take.positions[part], made.positions[part], made.origin[part]
+            percent = percent_sm1(before, after)
+            return Smoothed(made, markers, scope.start, stop, after, origin, percent)
 
         self._lane.cancel()
         self._lane.submit("Smoothing", work, dialog.tell, dialog.tell_problem)
@@ -143,20 +144,17 @@ class Smoothing(QObject):
             self.dialog.deleteLater()
             self.dialog = None
 
-    def _carry_out(self, dialog: SmoothDialog, take: Take) -> None:
+    def _carry_out(self, dialog: SmoothDialog) -> None:
         """Write what was previewed, as one step."""
         session, answer = self._document.session, dialog.answer
         if session is None or answer is None:
             return
-        columns = [take.index(s) for s in answer.markers]
         if self._stale:
             self.said.emit(self.tr("The review changed meanwhile; do it again."))
             return
-        part = slice(answer.start, answer.stop), columns
-        positions, origin = answer.take.positions[part], answer.take.origin[part]
         if self._document.do(
             lambda s: hand.replace_samples(
-                s, "Smooth", answer.markers, answer.start, positions, origin
+                s, "Smooth", answer.markers, answer.start, answer.positions, answer.origin
             )
         ):
             self._document.sweep(None)

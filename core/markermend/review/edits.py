@@ -7,7 +7,7 @@ built on this one property.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from markermend.arrays import ByteArray, FloatArray
@@ -223,16 +223,31 @@ class Change:
     names: bool = False
 
 
+def _single(edit: Edit) -> Iterator[Edit]:
+    """The edits that an edit is made of, however deep."""
+    if isinstance(edit, Group):
+        for part in edit.edits:
+            yield from _single(part)
+    else:
+        yield edit
+
+
+def samples_in(edit: Edit) -> int:
+    """Number of samples that an edit holds, counting those that it holds twice."""
+    return sum(
+        len(patch.values)
+        for item in _single(edit)
+        if isinstance(item, SetSamples | SetBase)
+        for patch in item.patches
+    )
+
+
 def extent(edit: Edit) -> Change:
     """Work out what an edit touches."""
     patches: list[Patch] = []
     artifacts = names = False
-    queue: list[Edit] = [edit]
-    while queue:
-        item = queue.pop()
-        if isinstance(item, Group):
-            queue.extend(item.edits)
-        elif isinstance(item, SetSamples):
+    for item in _single(edit):
+        if isinstance(item, SetSamples):
             patches.extend(item.patches)
         elif isinstance(item, SetNames):
             names = names or bool(item.names)

@@ -2,9 +2,10 @@
 
 The session file holds the source's hash, the artifacts and every step. Between saves each step
 is appended to the journal, so that a killed process loses nothing, and is brought to the disk
-before the next one can happen, so that a machine that fails loses at most the step in flight. The
-journal starts with the generation of the session file it continues; one that belongs to an older
-file is not replayed.
+beside what goes on, so that a machine that fails loses at most the last moment. A step of very many
+samples, as when a whole take is smoothed, is written beside what goes on, too. The journal starts
+with the generation of the session file it continues; one that belongs to an older file is not
+replayed.
 
 The journal's operating system lock marks the review as open: it dies with its process. A second
 opening gets a read-only review.
@@ -16,8 +17,7 @@ import contextlib
 import hashlib
 import json
 import os
-import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO, Any
@@ -25,6 +25,8 @@ from typing import IO, Any
 from markermend.artifact_json import to_dict
 from markermend.errors import DataError, FileFormatError, MarkermendError
 from markermend.review.carry import carry_over, marker_hashes
+from markermend.review.edits import samples_in
+from markermend.review.lock import open_locked
 from markermend.review.on_disk import OnDisk
 from markermend.review.place import index_entry, journal_path, own_path, session_path
 from markermend.review.session import Session
@@ -33,6 +35,8 @@ from markermend.review.steps_json import step_from_dict, step_to_dict
 from markermend.take import Take
 
 VERSION = 2
+LONG = 50_000
+"""Samples in a step that take some 10 ms to be written."""
 
 
 def source_hash(take: Take) -> str:
@@ -117,10 +121,15 @@ class SessionFile:
         """Let go of the lock; an empty journal is removed."""
         if self._journal is None:
             return
+        try:
+            self._on_disk.wait()
+        except OSError:
+            self._torn = True
+        if self._torn:
+            with contextlib.suppress(MarkermendError):
+                self.save()
         journal, self._journal = self._journal, None
         self.session.on_step = None
-        with contextlib.suppress(OSError):
-            self._on_disk.wait()
         empty = _lines(journal) <= 1
         name = Path(journal.name)
         journal.close()
@@ -145,22 +154,32 @@ class SessionFile:
             self._on_disk.wait()
         self._journal.truncate(0)
         self._torn = False
-        self._append({"generation": self.generation, "version": VERSION, "sha256": self.hash})
+        head = {"generation": self.generation, "version": VERSION, "sha256": self.hash}
+        self._append(lambda: head)
 
-    def _append(self, entry: Mapping[str, Any]) -> None:
-        """Add one line once the last one is on the disk, where this one follows."""
-        if self._journal is None:
+    def _append(self, entry: Callable[[], Mapping[str, Any]], long: bool = False) -> None:
+        """Add one line; nobody waits until it is on the disk.
+
+        Parameters
+        ----------
+        entry : makes what the line holds
+        long : whether that takes long
+        """
+        journal = self._journal
+        if journal is None:
             return
-        try:
-            self._on_disk.wait()
-            line = json.dumps(entry, allow_nan=False).encode() + b"\n"
+
+        def write() -> None:
+            line = json.dumps(entry(), allow_nan=False).encode() + b"\n"
             while line:
-                line = line[self._journal.write(line) :]
-            self._on_disk.bring(self._journal.fileno())
+                line = line[journal.write(line) :]
+
+        try:
+            self._on_disk.keep(journal.fileno(), write, long)
         except OSError as error:
             self._torn = True
             raise MarkermendError(
-                f"The step is made, but could not be kept in “{self._journal.name}” "
+                f"The step is made, but could not be kept in “{journal.name}” "
                 f"({error.strerror}); free some space, or export now."
             ) from error
 
@@ -169,8 +188,10 @@ class SessionFile:
         if self._torn:
             # A step is missing there, so that only the whole review can make it good.
             self.save()
+        elif what == "do":
+            self._append(lambda: {"do": step_to_dict(step)}, samples_in(step.edit) > LONG)
         else:
-            self._append({"do": step_to_dict(step)} if what == "do" else {what: True})
+            self._append(lambda: {what: True})
 
 
 def open_session(take: Take, *, folder: Path | None = None) -> SessionFile:
@@ -190,12 +211,12 @@ def open_session(take: Take, *, folder: Path | None = None) -> SessionFile:
     digest = source_hash(take)
     path = session_path(take, digest, folder)
     try:
-        handle = _open_locked(journal_path(path))
+        handle = open_locked(journal_path(path))
         beside = path
     except OSError:
         # The folder can be looked at only, whatever it said of itself.
         beside, path = path, own_path(take, digest)
-        handle = _open_locked(journal_path(path))
+        handle = open_locked(journal_path(path))
     session = Session(take)
     # Fingerprints are made here, since opening is done off the window's thread and saving is not.
     result = SessionFile(session, path, digest, _markers=marker_hashes(take))
@@ -272,27 +293,6 @@ def _restore(result: SessionFile, beside: Path) -> bool:
     except (KeyError, TypeError, ValueError, AttributeError, DataError) as error:
         raise _unreadable(path) from error
     return False
-
-
-def _open_locked(path: Path) -> IO[bytes] | None:
-    """Open the journal under the operating system's lock, or None when another holds it."""
-    # Unbuffered, so that nothing a full disk refused is left to be written by a later step.
-    handle = open(path, "a+b", buffering=0)  # noqa: SIM115 - held open for the life of the review
-    try:
-        if sys.platform == "win32":
-            import msvcrt
-
-            # Far behind the content, so that other programs can still read the journal.
-            handle.seek(1 << 30)
-            msvcrt.locking(handle.fileno(), msvcrt.LK_NBLCK, 1)
-        else:
-            import fcntl
-
-            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:
-        handle.close()
-        return None
-    return handle
 
 
 def _load(path: Path) -> dict[str, Any] | None:

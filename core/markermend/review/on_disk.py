@@ -1,40 +1,85 @@
-"""Bringing a file to the disk beside what goes on."""
+"""Writing a file, and bringing it to the disk, beside what goes on."""
 
 from __future__ import annotations
 
 import os
 import threading
+from collections.abc import Callable
 
 
 class OnDisk:
-    """Has what was written to a file brought to the disk, which takes 20 ms and more."""
+    """Has what is written to a file brought to the disk, which takes 20 ms and at times 400.
+
+    Nobody waits for it: what is written meanwhile is brought there next, all at once.
+    """
 
     def __init__(self) -> None:
+        self._lock = threading.Lock()
         self._thread: threading.Thread | None = None
-        self._error: OSError | None = None
+        self._writes: list[Callable[[], object]] = []
+        self._writing = self._wanted = False
+        self._error: Exception | None = None
 
-    def bring(self, handle: int) -> None:
-        """Begin to bring what was written to a file, given by its descriptor, to the disk."""
-        self._thread = threading.Thread(target=self._bring, args=(handle,), name="on disk")
-        self._thread.start()
+    def keep(self, handle: int, write: Callable[[], object], long: bool = False) -> None:
+        """Write, and begin to bring what was written to the disk.
 
-    def wait(self) -> None:
-        """Return once it is there.
+        Parameters
+        ----------
+        handle : descriptor of the file
+        write : writes to it
+        long : whether that takes long; then it is done later, and so is all that follows until then
 
         Raises
         ------
         OSError
-            when it could not be brought there; told once
+            or what else ``write`` raises, when this or what was kept before could not be written
+            or brought there; told once
         """
-        if self._thread is not None:
-            self._thread.join()
-            self._thread = None
+        self._raise()
+        with self._lock:
+            later = long or self._writing
+            if later:
+                self._writes.append(write)
+                self._writing = True
+        # What writes at once is never two threads at a time: only this one begins to.
+        if not later:
+            write()
+        with self._lock:
+            self._wanted = True
+            if self._thread is None:
+                self._thread = threading.Thread(target=self._work, args=(handle,), name="on disk")
+                self._thread.start()
+
+    def wait(self) -> None:
+        """Return once everything is there; errors as in :meth:`keep`."""
+        thread = self._thread
+        if thread is not None:
+            thread.join()
+        self._raise()
+
+    def _raise(self) -> None:
+        """Tell of what went wrong."""
         error, self._error = self._error, None
         if error is not None:
             raise error
 
-    def _bring(self, handle: int) -> None:
-        try:
-            os.fsync(handle)
-        except OSError as error:
-            self._error = error
+    def _work(self, handle: int) -> None:
+        """Write what is to be written later, and bring all to the disk, until nothing is left."""
+        while True:
+            with self._lock:
+                if not self._wanted:
+                    self._thread = None
+                    return
+                writes, self._writes, self._wanted = self._writes, [], False
+            try:
+                for write in writes:
+                    write()
+                with self._lock:
+                    self._writing = bool(self._writes)
+                os.fsync(handle)
+            except Exception as error:
+                with self._lock:
+                    # What follows would continue something that is not there.
+                    self._writes, self._writing, self._wanted = [], False, False
+                    self._error, self._thread = error, None
+                return
