@@ -16,14 +16,14 @@ from PySide6.QtCore import QObject, Signal
 from markermend.artifact import Artifact, Kind, Status
 from markermend.errors import DataError, MarkermendError
 from markermend.mesh import Mesh
-from markermend.review.edits import Change, extent
+from markermend.review.edits import Change
 from markermend.review.file import SessionFile
 from markermend.review.session import Session
-from markermend.review.step import Step
 from markermend_app.background.preview import Preview
+from markermend_app.following import Following
 from markermend_app.looking import Looking
 from markermend_app.telling import told
-from markermend_app.walk import about, open_after
+from markermend_app.walk import open_after
 
 AHEAD = 3
 """Artifacts after the current one whose repairs are proposed ahead of time."""
@@ -66,6 +66,7 @@ class Document(Looking):
         self.preview.ready.connect(self._proposal_came)
         self.proposals = self.preview.proposals
         self._repair_when_ready: str | None = None
+        self.going_back = Following(self)
 
     # What is open
 
@@ -92,6 +93,7 @@ class Document(Looking):
             self.file.close()
         self.file, self.mesh = file, mesh
         self.queue, self._current = (), None
+        self.going_back.forget()
         self._look_at_nothing(0 if file is None else file.session.original.frames)
         self.preview.reset()
         self._repair_when_ready = None
@@ -105,13 +107,6 @@ class Document(Looking):
         self.mesh = mesh
         self.mesh_changed.emit()
         self._propose()
-
-    def tell_again(self) -> None:
-        """Let everyone write anew what is open, in another unit."""
-        self.artifacts_changed.emit()
-        self.current_changed.emit()
-        self.proposal_changed.emit()
-        self.frame_changed.emit(self.frame)
 
     # What is under review
 
@@ -133,6 +128,7 @@ class Document(Looking):
 
         With ``unless_seen`` a view in which they are seen well already stays.
         """
+        self.going_back.forget()
         self._repair_when_ready = None
         self._current = artifact_id
         artifact = self.current
@@ -143,6 +139,15 @@ class Document(Looking):
                 bring(artifact.markers, artifact.start, artifact.stop)
             else:
                 self.show_too(artifact.markers)
+        self.current_changed.emit()
+        self._propose()
+
+    def put_under_review(self, artifact_id: str) -> None:
+        """Put an artifact under review that is shown soon: keys mean it already."""
+        self._repair_when_ready, self._current = None, artifact_id
+
+    def stay(self) -> None:
+        """Tell anew of the artifact under review."""
         self.current_changed.emit()
         self._propose()
 
@@ -299,7 +304,7 @@ class Document(Looking):
         """Take the last step back, and go to what it was about."""
         last = () if self.session is None else self.session.steps[0][-1:]
         if last and self.do(lambda s: s.undo(), moving=True):
-            self._follow(last)
+            self.going_back.after(last)
 
     def redo(self) -> None:
         """Bring the last undone step back, and go to what it is about."""
@@ -308,21 +313,9 @@ class Document(Looking):
     def travel(self, steps_done: int) -> None:
         """Undo or redo until so many steps are done, and go to what the last of them is about."""
         if self.do(lambda s: s.travel(steps_done), moving=True) and self.session is not None:
-            self._follow(self.session.steps[0][-1:])
+            self.going_back.after(self.session.steps[0][-1:])
 
     # Inner workings
-
-    def _follow(self, last: Sequence[Step]) -> None:
-        """Put under review what the last step is about, or bring the samples it changed in view."""
-        assert self.session is not None
-        found = [about(self.session, self.queue, step, self._current) for step in last]
-        if any(found):
-            self.select(found[0], unless_seen=True)
-            return
-        self._move_on(None)
-        for changed in (extent(step.edit) for step in last):
-            if changed.markers:
-                self.reveal([self.foremost_of(changed.markers)], changed.start, changed.stop)
 
     def _decide(self, ids: Sequence[str], status: Status) -> None:
         """Set a status; when the current artifact is among them, move on."""
@@ -340,8 +333,7 @@ class Document(Looking):
     def _move_on(self, artifact_id: str | None) -> None:
         """Select the next artifact, or stay when all are decided."""
         if artifact_id is None:
-            self.current_changed.emit()
-            self._propose()
+            self.stay()
         else:
             self.select(artifact_id)
 
@@ -359,6 +351,8 @@ class Document(Looking):
                 MarkermendError("This take is open in another window; close it there to edit here.")
             )
             return False
+        if not moving:
+            self.going_back.catch_up()
         revision, labels = session.revision, session.original.labels
         problem: MarkermendError | None = None
         change = Change()
@@ -401,5 +395,4 @@ class Document(Looking):
             self.artifacts_changed.emit()
         self.history_changed.emit()
         if not moving:
-            self.current_changed.emit()
-            self._propose()
+            self.stay()

@@ -55,10 +55,21 @@ class Preferred(QObject):
         elif name == AUTOSAVE:
             self._time_saving()
         elif name == units.SETTING:
-            theme.watcher.changed.emit()
-            self._document.tell_again()
+            self._write_units()
         else:
             self._looks_changed(name)
+
+    def _write_units(self) -> None:
+        """Let everyone write anew what is open."""
+        document = self._document
+        theme.watcher.changed.emit()
+        for signal in (
+            document.artifacts_changed,
+            document.current_changed,
+            document.proposal_changed,
+        ):
+            signal.emit()
+        document.frame_changed.emit(document.frame)
 
     def _opened(self) -> None:
         """Let the axis point up that was chosen once for all."""

@@ -252,16 +252,16 @@ class MainWindow(QMainWindow):
 
     def _run(self, name: str) -> None:
         """Do what an action names, but nothing to an artifact that is out of sight."""
+        if name not in ("undo", "redo"):
+            self.document.going_back.catch_up()
         if name == "repair" and self.inspector.shows_range:
             name = "repair_selection"
         elif (menus.is_about_current(name) and self.sight.bring_back()) or (
             name in DECISIONS and self.inspector.bring_back()
         ):
             return
-        verb = self._own.get(name)
-        if verb is None:
-            verb = next(getattr(verbs, name) for verbs in self._verbs if hasattr(verbs, name))
-        verb()
+        verbs = next((verbs for verbs in self._verbs if hasattr(verbs, name)), None)
+        (self._own.get(name) or getattr(verbs, name))()
 
     @property
     def _verbs(

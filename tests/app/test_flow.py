@@ -90,6 +90,44 @@ def test_a_decision_is_told_and_painted_once(hundred, qtbot):
     assert paints.count == 1
 
 
+def test_undo_held_down_shows_only_now_and_then_what_it_reaches(hundred, qtbot):
+    document = hundred.document
+    decided = []
+    for _ in range(12):
+        decided.append(document.current.id)
+        qtbot.keyClick(hundred, Qt.Key.Key_R)
+    told = []
+    document.current_changed.connect(lambda: told.append(document._current))
+    for had in reversed(decided):
+        qtbot.keyClick(hundred, Qt.Key.Key_Z, CTRL)
+        # Whatever is shown, keys mean what the last step was about.
+        assert document.current.id == had
+    assert told[0] == decided[-1]
+    assert len(told) < 12
+    qtbot.waitUntil(lambda: told[-1] == decided[0], timeout=WAIT)
+    low, high = hundred.trajectories.rows[0].view.viewRange()[0]
+    assert low < document.current.start < high
+
+
+def test_a_decision_after_fast_undos_is_about_what_the_last_one_reached(hundred, qtbot):
+    document = hundred.document
+    first, second = document.queue[:2]
+    for _ in range(2):
+        qtbot.keyClick(hundred, Qt.Key.Key_R)
+    for _ in range(2):
+        qtbot.keyClick(hundred, Qt.Key.Key_Z, CTRL)
+    qtbot.keyClick(hundred, Qt.Key.Key_A)
+    assert [document.session.artifact(i).status for i in (first, second)] == [
+        Status.ACCEPTED,
+        Status.PENDING,
+    ]
+    assert document.current.id == second
+    told = []
+    document.current_changed.connect(lambda: told.append(document.current))
+    qtbot.wait(200)
+    assert not told, "what was moved on from must not come back"
+
+
 @pytest.fixture
 def hopeless(review, damaged):
     """The window on a take in which a marker is never seen, so that nothing can repair it."""

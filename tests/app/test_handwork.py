@@ -389,9 +389,8 @@ def test_swapped_samples_lie_over_the_source_of_both_and_undo_keeps_the_view(win
     assert mouse.time == pytest.approx((30, 75))
     panel.set_view(90, 120)
     undo(window, qtbot)
-    low, high = mouse.time
-    assert low < 40
-    assert high > 60
+    qtbot.waitUntil(lambda: mouse.time[0] < 40)
+    assert mouse.time[1] > 60
 
 
 def test_with_the_source_in_front_its_values_are_read_out(window, mouse, qtbot):

@@ -113,7 +113,7 @@ def test_axes_class_and_edges_change_the_artifact(qtbot, inspector, document):
     assert document.session.artifact(i).kind is Kind.NOISE
     while document.session.history[1:]:
         document.undo()
-    assert (page.first.value(), page.last.value()) == (381, 430)
+    qtbot.waitUntil(lambda: (page.first.value(), page.last.value()) == (381, 430))
 
 
 def test_methods_stand_in_the_order_of_their_keys_and_can_be_chosen(qtbot, inspector, document):
