@@ -40,8 +40,32 @@ def median_of_seen(values: FloatArray) -> FloatArray:
     ----------
     values : (n, ...), n at least 1
     """
-    ordered = np.sort(values, axis=0)
-    count = len(values) - np.isnan(values).sum(axis=0)
-    low, high = np.maximum(count - 1, 0) // 2, np.minimum(count // 2, len(values) - 1)
-    middle = [np.take_along_axis(ordered, at[None], axis=0)[0] for at in (low, high)]
-    return np.asarray(0.5 * (middle[0] + middle[1]))
+    return _middle(np.sort(values, axis=0), 0)
+
+
+def deviation_of_seen(values: FloatArray) -> FloatArray:
+    """Median absolute deviation along the last axis of what is not NaN; NaN where there is nothing.
+
+    Parameters
+    ----------
+    values : (..., n), n at least 1
+    """
+    ordered = np.sort(values, axis=-1)
+    ordered -= _middle(ordered, -1)[..., None]
+    np.abs(ordered, out=ordered)
+    # Falling and then rising, they need only be merged, which takes a tenth of the time.
+    ordered.sort(axis=-1, kind="stable")
+    return _middle(ordered, -1)
+
+
+def _middle(ordered: FloatArray, axis: int) -> FloatArray:
+    """Median along an axis of what is in order, with NaN last."""
+    size = ordered.shape[axis]
+    if not np.isnan(ordered.take(-1, axis)).any():
+        return np.asarray(
+            0.5 * (ordered.take((size - 1) // 2, axis) + ordered.take(size // 2, axis))
+        )
+    count = size - np.isnan(ordered).sum(axis=axis, keepdims=True)
+    low, high = np.maximum(count - 1, 0) // 2, np.minimum(count // 2, size - 1)
+    middle = (np.take_along_axis(ordered, at, axis) for at in (low, high))
+    return np.asarray(0.5 * np.squeeze(sum(middle), axis))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from markermend.arrays import median_of_seen
+from markermend.arrays import deviation_of_seen, median_of_seen
 from markermend.take import Take
 from markermend.vertical import up_axis
 
@@ -20,6 +20,22 @@ def test_median_of_what_is_seen(rows: int) -> None:
     values[:, 2, 1] = np.nan
     assert np.isnan(median_of_seen(values)[2, 1])
     assert np.isnan(median_of_seen(values)).sum() == 1
+
+
+@pytest.mark.parametrize("frames", [1, 2, 7, 10, 400])
+def test_deviation_of_what_is_seen(frames: int) -> None:
+    rng = np.random.default_rng(frames)
+    values = rng.normal(size=(4, 5, frames))
+    values[rng.random(values.shape) < 0.3] = np.nan
+    values[:, :, 0] = 1.0
+    middle = np.nanmedian(values, axis=-1, keepdims=True)
+    wanted = np.nanmedian(np.abs(values - middle), axis=-1)
+    before = values.copy()
+    np.testing.assert_array_equal(deviation_of_seen(values), wanted)
+    np.testing.assert_array_equal(values, before)
+    values[2, 1] = np.nan
+    assert np.isnan(deviation_of_seen(values)[2, 1])
+    assert np.isnan(deviation_of_seen(values)).sum() == 1
 
 
 def test_what_points_up_is_guessed_for_every_take_by_itself() -> None:

@@ -373,11 +373,15 @@ def test_evidence_excludes_missing_and_flagged(rigid: Take) -> None:
         replace(Artifact("M3", "x", 30, 31, Kind.PEAK), status=Status.REPAIRED),
         replace(Artifact("M4", "x", 30, 60, Kind.NOISE), status=Status.REJECTED),
     ]
-    trusted = evidence_for(take, flags).trusted
+    evidence = evidence_for(take, flags)
     expected = np.ones(take.positions.shape, dtype=bool)
     expected[10:20, 1] = False
     expected[30:60, 2, 1] = False
-    assert np.array_equal(trusted, expected)
+    assert np.array_equal(evidence.trusted, expected)
+    assert np.array_equal(evidence.seen, expected.all(axis=2))
+    for axis in range(3):
+        expected[70 + axis, 5, axis] = False
+    assert np.array_equal(replace(evidence, trusted=expected).seen, expected.all(axis=2))
 
 
 def test_number_keys_pick_methods_in_order() -> None:

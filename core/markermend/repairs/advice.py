@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from threadpoolctl import threadpool_limits
 
-from markermend.arrays import BoolArray, FloatArray
+from markermend.arrays import FloatArray
 from markermend.artifact import Artifact, Kind, axis_columns
 from markermend.parameters import read_params
 from markermend.repairs.body_frame import rank_references
@@ -119,10 +119,8 @@ def candidates(evidence: Evidence, artifact: Artifact) -> tuple[str, ...]:
     artifact : what is to be repaired
     """
     marker = evidence.take.index(artifact.marker)
-    seen: BoolArray = np.all(evidence.trusted, axis=2)
-    references, _ = rank_references(
-        evidence.take, seen, marker, slice(artifact.start, artifact.stop)
-    )
+    interval = slice(artifact.start, artifact.stop)
+    references, _ = rank_references(evidence.take, evidence.seen, marker, interval)
     if len(references) >= LEAST_REFERENCES:
         return (*CANDIDATES, "rigid")
     across = (m.name for m in REPAIRS.values() if m.crosses_blackout)
@@ -226,7 +224,7 @@ def _hidden(evidence: Evidence, artifact: Artifact, start: int) -> Evidence:
 def _places(evidence: Evidence, artifact: Artifact, count: int) -> list[int]:
     """Starts of the nearest known stretches, none overlapping another or the artifact."""
     marker, length = evidence.take.index(artifact.marker), artifact.length
-    known: BoolArray = np.all(evidence.trusted[:, marker], axis=1)
+    known = evidence.seen[:, marker]
     clear = np.concatenate([[0], np.cumsum(~known)])
     # One frame more on either side, so that a curve has somewhere to start from.
     starts = np.arange(1, len(known) - length)

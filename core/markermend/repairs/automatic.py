@@ -142,8 +142,7 @@ def counting_references(
     if not repair.patches or repair.error_mm is None:
         return repair
     take, interval = evidence.take, slice(artifact.start, artifact.stop)
-    seen = np.all(evidence.trusted, axis=2)
-    nearest, _ = rank_references(take, seen, take.index(artifact.marker), interval)
+    nearest, _ = rank_references(take, evidence.seen, take.index(artifact.marker), interval)
     errors = [
         max(
             (

@@ -121,7 +121,7 @@ def _look(evidence: Evidence, artifact: Artifact, count: int) -> _View:
     """Choose the frame from which repetitions are looked for."""
     take, marker = evidence.take, evidence.take.index(artifact.marker)
     interval = slice(artifact.start, artifact.stop)
-    seen: BoolArray = np.all(evidence.trusted, axis=2)
+    seen = evidence.seen.copy()
     seen[interval, marker] = False
     own = np.where(seen[:, marker, None], take.positions[:, marker], 0.0)
     ranked, spread = rank_references(take, seen, marker, interval)

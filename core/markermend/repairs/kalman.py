@@ -53,13 +53,17 @@ class KalmanParams:
 
 @dataclass(frozen=True, eq=False)
 class _Pass:
-    """Forward estimates for every ratio: before and after seeing each frame, and their fit."""
+    """Forward estimates before and after seeing each frame, for the likeliest ratio.
 
-    predicted: FloatArray
-    predicted_cov: FloatArray
-    filtered: FloatArray
-    filtered_cov: FloatArray
-    best: int
+    Attributes
+    ----------
+    before, after : (frames, 3, 6) covariance of position, velocity and acceleration, and beside it
+        their means along three axes: both step from frame to frame, and learn, alike
+    scale : (3,) variance of the measurement noise along each axis, mm²; covariances are for 1
+    """
+
+    before: FloatArray
+    after: FloatArray
     scale: FloatArray
 
 
@@ -110,7 +114,7 @@ def _around(evidence: Evidence, artifact: Artifact, context_s: float) -> tuple[i
     reach = max(LEAST_SIDE, round(context_s * take.rate))
     first = max(0, artifact.start - reach)
     last = min(take.frames, artifact.stop + reach)
-    known: BoolArray = np.all(evidence.trusted[first:last, take.index(artifact.marker)], axis=1)
+    known = evidence.seen[first:last, take.index(artifact.marker)].copy()
     known[artifact.start - first : artifact.stop - first] = False
     return first, known
 
@@ -142,56 +146,57 @@ def smooth(
     """
     origin = track[known].mean(axis=0)
     forward = _filter(track - origin, known)
-    best = forward.best
-    mean = forward.filtered[-1, best]
-    cov = forward.filtered_cov[-1, best]
-    means = np.empty((stop - start, 3))
-    variances = np.empty(stop - start)
-    for t in range(len(track) - 2, start - 1, -1):
-        ahead, ahead_cov = forward.predicted[t + 1, best], forward.predicted_cov[t + 1, best]
-        here = forward.filtered_cov[t, best]
-        gain = np.linalg.solve(ahead_cov, STEP @ here).T
-        mean = forward.filtered[t, best] + gain @ (mean - ahead)
-        cov = here + gain @ (cov - ahead_cov) @ gain.T
-        if t < stop:
-            means[t - start], variances[t - start] = mean[0], cov[0, 0]
-    return means + origin, np.maximum(variances, 0.0)[:, None] * forward.scale
+    here, ahead = forward.after[start:-1], forward.before[start + 1 :]
+    gains = np.linalg.solve(ahead[:, :, :3], STEP @ here[:, :, :3])
+    back = _for_both(np.asarray(gains.swapaxes(1, 2)))
+    here, ahead = here.reshape(-1, 18), ahead.reshape(-1, 18)
+    state = forward.after[-1].ravel()
+    states = np.empty_like(here)
+    for t in range(len(here) - 1, -1, -1):
+        state = states[t] = here[t] + back[t] @ (state - ahead[t])
+    wanted = states[: stop - start].reshape(-1, 3, 6)
+    variance = np.maximum(wanted[:, 0, 0], 0.0)[:, None] * forward.scale
+    return wanted[:, 0, 3:] + origin, variance
+
+
+def _for_both(turns: FloatArray) -> FloatArray:
+    """(n, 18, 18) what (n, 3, 3) do to covariance, on both its sides, and means, flattened."""
+    wide = np.tile(np.eye(6), (len(turns), 1, 1))
+    wide[:, :3, :3] = turns
+    return np.asarray(np.einsum("nac,nxy->naxcy", turns, wide).reshape(-1, 18, 18))
 
 
 def _filter(track: FloatArray, known: BoolArray) -> _Pass:
-    """Run all ratios forward at once; states are (ratios, 3 orders, 3 axes)."""
+    """Run all ratios forward at once."""
     frames, ratios = len(track), len(RATIOS)
-    noise = RATIOS[:, None, None] * JERK
-    predicted = np.zeros((frames, ratios, 3, 3))
-    predicted_cov = np.zeros((frames, ratios, 3, 3))
-    filtered, filtered_cov = np.zeros_like(predicted), np.zeros_like(predicted)
-    mean = np.zeros((ratios, 3, 3))
-    cov = np.tile(UNKNOWN * np.eye(3), (ratios, 1, 1))
-    logs, squares = np.zeros(ratios), np.zeros((ratios, 3))
+    ahead = _for_both(STEP[None])[0]
+    noise = np.pad(JERK, ((0, 0), (0, 3))).reshape(18, 1) * RATIOS
+    # What is seen of covariance and mean: nothing, and the place.
+    seen = np.zeros((frames, 6, 1))
+    seen[:, 3:, 0] = track
+    before, after = (np.zeros((frames, 18, ratios)) for _ in range(2))
+    before[0, [0, 7, 14]] = UNKNOWN
     count = 0
     for t in range(frames):
         if t > 0:
-            mean, cov = STEP @ mean, STEP @ cov @ STEP.T + noise
-        predicted[t], predicted_cov[t] = mean, cov
-        if known[t]:
-            total = cov[:, 0, 0] + 1.0
-            miss = track[t] - mean[:, 0]
-            gain = cov[:, :, 0] / total[:, None]
-            mean = mean + gain[:, :, None] * miss[:, None, :]
-            if count < UNSETTLED:
-                # Joseph's form: the short one turns negative where a lone sample precedes a gap.
-                keep = np.tile(np.eye(3), (ratios, 1, 1))
-                keep[:, :, 0] -= gain
-                cov = keep @ cov @ keep.transpose(0, 2, 1) + gain[:, :, None] * gain[:, None, :]
-            else:
-                cov = cov - gain[:, :, None] * cov[:, 0, None, :]
-            count += 1
-            if count > SETTLING:
-                logs += np.log(total)
-                squares += miss**2 / total[:, None]
-        filtered[t], filtered_cov[t] = mean, cov
+            np.matmul(ahead, after[t - 1], out=before[t])
+            before[t] += noise
+        if not known[t]:
+            after[t] = before[t]
+            continue
+        old, new = before[t].reshape(3, 6, -1), after[t].reshape(3, 6, -1)
+        gain = old[:, 0] / (old[0, 0] + 1.0)
+        np.subtract(old, gain[:, None] * (old[0] - seen[t]), out=new)
+        if count < UNSETTLED:
+            # Joseph's form: the short one turns negative where a lone sample precedes a gap.
+            new[:, :3] -= (new[:, 0] - gain)[:, None] * gain
+        count += 1
+    settled = before.reshape(frames, 3, 6, ratios)[np.flatnonzero(known)[SETTLING:], 0]
+    total = settled[:, 0] + 1.0
+    squares = (track[known][SETTLING:, :, None] - settled[:, 3:]) ** 2 / total[:, None]
     counted = count - SETTLING
-    scales = np.maximum(squares / counted, LEAST_VARIANCE_MM2)
-    cost = counted * np.log(scales).sum(axis=1) + 3 * logs
+    scales = np.maximum(squares.sum(axis=0) / counted, LEAST_VARIANCE_MM2)
+    cost = counted * np.log(scales).sum(axis=0) + 3 * np.log(total).sum(axis=0)
     best = int(np.argmin(cost))
-    return _Pass(predicted, predicted_cov, filtered, filtered_cov, best, scales[best])
+    old, new = (a[:, :, best].reshape(frames, 3, 6) for a in (before, after))
+    return _Pass(old, new, scales[:, best])

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from markermend.arrays import BoolArray, FloatArray, IntArray
+from markermend.arrays import BoolArray, FloatArray, IntArray, median_of_seen
 from markermend.repairs.body_frame import to_lab
 
 # Prior standard deviations in mm: of the place itself, of the non-linear part, and of the parts
@@ -184,7 +184,7 @@ def _solve(
     from scipy.linalg.lapack import dlauum
 
     learnt = len(view.target)
-    usual = np.median(view.target, axis=0)
+    usual = median_of_seen(view.target)
     covariance = _from_pose(view, learnt)
     covariance += alike
     covariance[np.diag_indices(learnt)] += noise
@@ -194,8 +194,8 @@ def _solve(
     explained = dtrmm(1.0, root, covariance[learnt:].T, lower=1, overwrite_b=1)
     own = root @ (view.target - usual)
     alone = PLACE_MM**2 + CURVED_MM**2 + sum(size**2 for size in TIME_MM)
-    alone = alone + np.sum(view.linear[learnt:] ** 2, axis=1)
-    variance = np.maximum(alone - np.sum(explained**2, axis=0), noise)
+    prior = alone + np.sum(view.linear[learnt:] ** 2, axis=1)
+    variance = np.maximum(prior - np.einsum("lw,lw->w", explained, explained), noise)
     mean = to_lab(usual + explained.T @ own, view.rotation[learnt:], view.centre[learnt:])
     weights = root.T @ own
     inverse, _ = dlauum(root, lower=1, overwrite_c=1)

@@ -123,11 +123,14 @@ def ties_of(evidence: Evidence, column: int, unusual: float = UNUSUAL) -> list[T
     At most three, the steadiest first, to named markers of the same subject
     """
     take = evidence.take
-    rows = np.flatnonzero(evidence.trusted[:, column].all(axis=1))
+    rows = np.flatnonzero(evidence.seen[:, column])
     rows = rows[:: max(1, len(rows) // LOOKED_AT)]
-    near = take.positions[rows]
-    apart = np.sqrt(((near - near[:, [column]]) ** 2).sum(axis=2))
-    apart[~evidence.trusted[rows].all(axis=2)] = np.nan
+    apart = np.zeros((len(rows), take.markers))
+    for axis in range(3):
+        near = take.positions[rows, :, axis]
+        apart += (near - near[:, [column]]) ** 2
+    np.sqrt(apart, out=apart)
+    apart[~evidence.seen[rows]] = np.nan
     subject = take.subject(take.labels[column])
     strangers = [is_unlabelled(n) or take.subject(n) != subject for n in take.labels]
     apart[:, strangers] = np.nan

@@ -105,7 +105,7 @@ def repair_local_regression(evidence: Evidence, artifact: Artifact, params: Any)
     """
     take = evidence.take
     marker, interval = take.index(artifact.marker), slice(artifact.start, artifact.stop)
-    seen = evidence.trusted[:, :, 0] & evidence.trusted[:, :, 1] & evidence.trusted[:, :, 2]
+    seen = evidence.seen.copy()
     seen[interval, marker] = False
     ranked, spread = rank_references(take, seen, marker, interval)
     places = pick_references(ranked, seen, marker, params.references)

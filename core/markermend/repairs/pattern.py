@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-import numpy as np
-
 from markermend.arrays import BoolArray
 from markermend.artifact import Artifact
 from markermend.repairs.body_frame import rank_references
@@ -41,7 +39,7 @@ def repair_pattern(evidence: Evidence, artifact: Artifact, params: Any) -> Repai
     """
     take, marker = evidence.take, evidence.take.index(artifact.marker)
     start, stop = artifact.start, artifact.stop
-    seen: BoolArray = np.all(evidence.trusted, axis=2)
+    seen = evidence.seen.copy()
     seen[start:stop, marker] = False
     donor, reason = _donor(evidence, seen, artifact, params.donor)
     if donor is None:

@@ -50,7 +50,7 @@ def repair_rigid(evidence: Evidence, artifact: Artifact, params: Any) -> Repair:
 
     take, marker = evidence.take, evidence.take.index(artifact.marker)
     start, stop = artifact.start, artifact.stop
-    seen: BoolArray = np.all(evidence.trusted, axis=2)
+    seen = evidence.seen
     siblings = (evidence.mesh or infer_mesh(take)).siblings(marker)
     group = [m for m in siblings if seen[start:stop, m].all()]
     if len(group) < LEAST_REFERENCES:

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import warnings
-
 import numpy as np
 
-from markermend.arrays import IntArray
+from markermend.arrays import IntArray, median_of_seen
 from markermend.take import Take
 
 NEAREST = 6
@@ -28,12 +26,10 @@ def nearest_markers(take: Take, markers: list[int]) -> IntArray:
     """
     some = take.positions[:: max(1, take.frames // _SAMPLES)][:, markers]
     count = len(markers)
-    apart = np.full((count, count), np.inf)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", RuntimeWarning)
-        for i in range(count):
-            distance = np.sqrt(((some - some[:, [i]]) ** 2).sum(axis=2))
-            apart[i] = np.nan_to_num(np.nanmedian(distance, axis=0), nan=np.inf)
+    apart = np.empty((count, count))
+    for i in range(count):
+        apart[i] = median_of_seen(np.sqrt(((some - some[:, [i]]) ** 2).sum(axis=2)))
+    apart[np.isnan(apart)] = np.inf
     np.fill_diagonal(apart, np.inf)
     k = min(NEAREST, count - 1)
     return np.argsort(apart, axis=1, kind="stable")[:, : max(k, 0)].astype(np.int64)

@@ -70,7 +70,7 @@ def repair_low_rank(evidence: Evidence, artifact: Artifact, params: Any) -> Repa
     frame of the interval, or the marker in fewer than 50 frames together with them.
     """
     take, start, stop = evidence.take, artifact.start, artifact.stop
-    trusted: BoolArray = np.all(evidence.trusted, axis=2)
+    trusted = evidence.seen.copy()
     marker = take.index(artifact.marker)
     trusted[start:stop, marker] = False
     columns = _columns(take, trusted, marker)

@@ -54,7 +54,7 @@ def neighbours(evidence: Evidence, artifact: Artifact) -> tuple[int, ...]:
     mesh = evidence.mesh or infer_mesh(take)
     parent = mesh.parent_marker(marker)
     family = ([] if parent is None else [parent]) + list(mesh.siblings(marker))
-    seen: BoolArray = np.all(evidence.trusted, axis=2)
+    seen = evidence.seen
     chosen = [m for m in family if seen[interval, m].mean() >= LEAST_SHARE]
     if len(chosen) < LEAST_NEIGHBOURS:
         ranked, _ = rank_references(take, seen, marker, interval)
@@ -94,7 +94,7 @@ def network_method(name: str, learn: Learn, count: Count) -> MethodFunction:
         inputs = input_vectors(around.reshape(take.frames, -1, 3))
         complete: BoolArray = np.all(known, axis=1)
         complete[1:] &= complete[:-1]
-        own: BoolArray = np.all(evidence.trusted[:, marker], axis=1)
+        own = evidence.seen[:, marker].copy()
         own[artifact.start : artifact.stop] = False
         rows = own & complete
         if rows.sum() < LEAST_ROWS:
