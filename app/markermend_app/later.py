@@ -31,3 +31,31 @@ class Later(QObject):
         """Have it done soon; what a signal tells is passed over."""
         if not self._timer.isActive():
             self._timer.start()
+
+
+class OneByOne(QObject):
+    """Does what was asked for one thing after the other, each in a later turn of its own.
+
+    Parameters
+    ----------
+    parent : with which it ends; what waits then is not done
+    """
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._waiting: dict[Callable[[], object], None] = {}
+        self._timer = QTimer(self, singleShot=True, interval=SOON_MS)
+        self._timer.timeout.connect(self._next)
+
+    def ask(self, do: Callable[[], object]) -> None:
+        """Have something done, behind what waits already; what waits is not asked for twice."""
+        self._waiting.setdefault(do)
+        if not self._timer.isActive():
+            self._timer.start()
+
+    def _next(self) -> None:
+        do = next(iter(self._waiting))
+        del self._waiting[do]
+        if self._waiting:
+            self._timer.start()
+        do()

@@ -479,10 +479,11 @@ def test_many_names_do_not_make_the_window_wider(bench):
     assert legend.chips[0].text() == "CLAV"
 
 
-def test_only_curves_with_something_to_show_are_made(bench):
+def test_only_curves_with_something_to_show_are_made(bench, qtbot):
     names = bench.document.session.original.labels
     bench.document.show(names)
     row = bench.panel.rows[0]
+    qtbot.waitUntil(lambda: len(row.values_of) == len(names))
     assert all("measured" in row.traces[n].made for n in names)
     assert not any({"filled", "edited"} & set(row.traces[n].made) for n in names if n != "CLAV")
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from operator import is_
 
 from markermend.arrays import ByteArray, FloatArray
 from markermend.review.session import Session
+from markermend.take import Take
 from markermend_app.panels.plots.quantity import Way, way_of
 from markermend_app.panels.plots.row import Shown
 
@@ -15,10 +17,12 @@ class Drawn:
 
     def __init__(self) -> None:
         self._known: dict[str, tuple[str | None, FloatArray | None, Shown]] = {}
+        self._sources: dict[str, tuple[Take, str | None, FloatArray | None, Way]] = {}
 
     def forget(self) -> None:
         """Start over with another take."""
         self._known.clear()
+        self._sources.clear()
 
     def note(self, changed: Iterable[str]) -> None:
         """Let go of markers whose samples changed, and of those measured to them."""
@@ -28,7 +32,9 @@ class Drawn:
 
     def keep(self, names: Iterable[str]) -> None:
         """Let go of all but these markers."""
-        self._known = {name: self._known[name] for name in names}
+        kept = tuple(names)
+        self._known = {name: self._known[name] for name in kept}
+        self._sources = {name: s for name, s in self._sources.items() if name in kept}
 
     def of(
         self, session: Session, name: str, partner: str | None, predicted: FloatArray | None
@@ -53,9 +59,19 @@ class Drawn:
                 # What was not repaired need not be worked out twice.
                 way = way_of(take, name, partner, predicted)
                 return way, way, origin
-            before = way_of(original, name, partner, predicted)
+            before = self._source(original, name, partner, predicted)
             return way_of(take, name, partner, predicted, before.positions), before, origin
 
-        shown = Shown(gather)
+        shown = Shown(take.frames, gather)
         self._known[name] = partner, predicted, shown
         return shown
+
+    def _source(
+        self, original: Take, name: str, partner: str | None, predicted: FloatArray | None
+    ) -> Way:
+        """A marker as it was in the file; whatever is done to it, that stays."""
+        known = self._sources.get(name)
+        asked = original, partner, predicted
+        if known is None or not all(map(is_, known[:3], asked)):
+            known = self._sources[name] = (*asked, way_of(original, name, partner, predicted))
+        return known[3]

@@ -8,7 +8,6 @@ from operator import is_
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QTimer
 
 from markermend.arrays import ByteArray, FloatArray
 from markermend.artifact import Artifact
@@ -19,6 +18,7 @@ from markermend_app.items.band import Band
 from markermend_app.items.curve import curve, lone_samples, wear
 from markermend_app.items.edges import Edges
 from markermend_app.items.intervals import Intervals
+from markermend_app.later import OneByOne
 from markermend_app.panels.plots.frame import PlotFrame
 from markermend_app.panels.plots.quantity import Quantity, Way
 from markermend_app.panels.plots.range import value_range
@@ -28,7 +28,7 @@ from markermend_app.words import tr
 
 _SPARE = 2
 """Markers whose empty curves are kept for the next ones: making curves takes long."""
-_AT_ONCE, _FEWEST = 200_000, 28_000
+_AT_ONCE, _FEWEST = 100_000, 28_000
 """Samples drawn at a time, where a marker counts for as many at least: curves take time to make."""
 _NONE: FloatArray = np.zeros(0)
 
@@ -46,11 +46,12 @@ class Shown:
 
     Parameters
     ----------
+    frames : of the take
     gather : gives ``now``, ``before`` and ``origin``
     """
 
-    def __init__(self, gather: Callable[[], tuple[Way, Way, ByteArray]]) -> None:
-        self._gather = gather
+    def __init__(self, frames: int, gather: Callable[[], tuple[Way, Way, ByteArray]]) -> None:
+        self.frames, self._gather = frames, gather
 
     @cached_property
     def _gathered(self) -> tuple[Way, Way, ByteArray]:
@@ -75,15 +76,20 @@ class Shown:
 class PlotRow(PlotFrame):
     """Everything that is drawn of one quantity.
 
+    Parameters
+    ----------
+    quantity : what is shown
+    turns : in which all rows draw what takes long
+
     Attributes
     ----------
-    quantity, title : what is shown, and what it is called
+    title : what the quantity is called
     intervals : the artifacts
     edges : those of the current artifact, to be dragged
     values_of : (frames,) values by marker, as far as they are known
     """
 
-    def __init__(self, quantity: Quantity) -> None:
+    def __init__(self, quantity: Quantity, turns: OneByOne) -> None:
         super().__init__()
         self.quantity = quantity
         self.title = tr(quantity.title)
@@ -100,9 +106,7 @@ class PlotRow(PlotFrame):
         self._asked: Sequence[object] = ()
         self._waiting: dict[str, Shown] = {}
         self._seen: tuple[float, float, Artifact | None] = (0.0, 1.0, None)
-        self._later = QTimer(self.view)
-        self._later.setSingleShot(True)
-        self._later.timeout.connect(self._draw_later)
+        self._turns = turns
         self._before = False
         for item in (self.intervals, self.band):
             self.plot.addItem(item, ignoreBounds=True)
@@ -137,21 +141,27 @@ class PlotRow(PlotFrame):
                     self._source_of[name] = sources[name]
             else:
                 self._waiting[name] = marker
-        self._draw_waiting()
+        # What the operator looks at is there at once, what is shown beside it may follow.
+        self._draw_waiting(int(next(iter(shown), None) in self._waiting))
         for name in self._waiting:
             self.traces[name].clear()
 
-    def _draw_waiting(self) -> None:
-        """Draw some of the markers that wait to be drawn; the rest when the window had its turn."""
-        for drawn, (name, marker) in enumerate(list(self._waiting.items()), start=1):
-            self.refresh(name, marker)
-            if self._waiting and (drawn + 1) * max(len(marker.origin), _FEWEST) > _AT_ONCE:
-                self._later.start()
+    def _draw_waiting(self, least: int) -> None:
+        """Draw at least so many of the markers that wait, and more where that does not take long.
+
+        The rest is drawn when the window and the other rows had their turns.
+        """
+        samples = 0
+        for drawn, (name, marker) in enumerate(list(self._waiting.items())):
+            samples += max(marker.frames, _FEWEST)
+            if drawn >= least and samples > _AT_ONCE:
+                self._turns.ask(self._draw_later)
                 break
+            self.refresh(name, marker)
 
     def _draw_later(self) -> None:
         """Draw more of those that wait, and make room for their values."""
-        self._draw_waiting()
+        self._draw_waiting(1)
         self.set_view(*self._seen)
 
     def refresh(self, name: str, shown: Shown) -> None:

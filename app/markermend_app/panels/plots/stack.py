@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 import pyqtgraph as pg
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt
 
+from markermend_app.later import OneByOne
 from markermend_app.panels.plots.beside import BesideRow, Channel
 from markermend_app.panels.plots.frame import TIME_HEIGHT, PlotFrame
 from markermend_app.panels.plots.quantity import QUANTITIES
@@ -53,6 +54,7 @@ class PlotStack(pg.GraphicsLayoutWidget):
         super().__init__()
         self._made = made
         self._kept: dict[str, PlotRow] = {}
+        self._turns = OneByOne(self)
         self.rows: tuple[PlotRow, ...] = ()
         self.beside: tuple[BesideRow, ...] = ()
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -74,7 +76,7 @@ class PlotStack(pg.GraphicsLayoutWidget):
         """Show these quantities, in this order."""
         for name in names:
             if name not in self._kept:
-                self._kept[name] = PlotRow(QUANTITIES[name])
+                self._kept[name] = PlotRow(QUANTITIES[name], self._turns)
                 self._made(self._kept[name])
         self._replace(tuple(self._kept[name] for name in names), self.beside)
 

@@ -1,0 +1,47 @@
+"""Work that waits for a turn of its own."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from PySide6.QtCore import QObject
+
+from markermend_app.later import Later, OneByOne
+
+
+def test_what_is_asked_for_often_in_one_turn_is_done_once(qtbot):
+    done, parent = [], QObject()
+    later = Later(lambda: done.append(1), parent)
+    for _ in range(3):
+        later.ask()
+    assert not done
+    qtbot.waitUntil(lambda: bool(done))
+    qtbot.wait(20)
+    assert done == [1]
+
+
+def test_things_that_wait_are_done_in_order_and_each_once(qtbot):
+    done, parent = [], QObject()
+    turns = OneByOne(parent)
+    first, second = (partial(done.append, i) for i in (1, 2))
+    for do in (first, second, first):
+        turns.ask(do)
+    qtbot.waitUntil(lambda: done == [1, 2])
+    turns.ask(first)
+    qtbot.wait(20)
+    assert done == [1, 2, 1]
+
+
+def test_what_asks_again_goes_behind_what_waits(qtbot):
+    done, parent = [], QObject()
+    turns = OneByOne(parent)
+
+    def first():
+        done.append("first")
+        if done.count("first") < 3:
+            turns.ask(first)
+
+    turns.ask(first)
+    turns.ask(lambda: done.append("second"))
+    qtbot.waitUntil(lambda: len(done) == 4)
+    assert done == ["first", "second", "first", "first"]
