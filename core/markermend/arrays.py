@@ -31,6 +31,20 @@ def runs(mask: NDArray[Any]) -> IntArray:
     return edges.reshape(-1, 2).astype(np.int64)
 
 
+def samples_of(positions: FloatArray, frames: IntArray, columns: IntArray) -> FloatArray:
+    """(frames, columns, 3) samples of some markers in some frames.
+
+    Several times as fast as indexing by frames and columns at once.
+
+    Parameters
+    ----------
+    positions : (frames, markers, 3), in C order as a take's are
+    frames, columns : which, (n,) and (k,)
+    """
+    markers = positions.shape[1]
+    return np.asarray(positions.reshape(-1, 3).take(frames[:, None] * markers + columns, axis=0))
+
+
 def median_of_seen(values: FloatArray) -> FloatArray:
     """Median along the first axis of what is not NaN; NaN where there is nothing.
 

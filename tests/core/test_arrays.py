@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from markermend.arrays import deviation_of_seen, median_of_seen
+from markermend.arrays import deviation_of_seen, median_of_seen, samples_of
 from markermend.take import Take
 from markermend.vertical import up_axis
 
@@ -20,6 +20,13 @@ def test_median_of_what_is_seen(rows: int) -> None:
     values[:, 2, 1] = np.nan
     assert np.isnan(median_of_seen(values)[2, 1])
     assert np.isnan(median_of_seen(values)).sum() == 1
+
+
+def test_samples_of_some_markers_in_some_frames() -> None:
+    positions = np.random.default_rng(0).normal(size=(20, 6, 3))
+    frames, columns = np.array([3, 3, 19, 0]), np.array([5, 0, 2])
+    found = samples_of(positions, frames, columns)
+    np.testing.assert_array_equal(found, positions[frames][:, columns])
 
 
 @pytest.mark.parametrize("frames", [1, 2, 7, 10, 400])

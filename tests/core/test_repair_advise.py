@@ -9,10 +9,12 @@ import numpy as np
 import pytest
 from recordings import read_named
 
+from markermend import mesh
 from markermend.artifact import Artifact, Kind
 from markermend.bench.gaps import BAND_90, read_cases
+from markermend.mesh import infer_mesh
 from markermend.repairs import advise, evidence_for, propose, propose_from
-from markermend.repairs.advice import CANDIDATES, COMPARED, MODELS
+from markermend.repairs.advice import CANDIDATES, COMPARED, MODELS, _hidden
 from markermend.simulation import simulate_clean
 from markermend.take import Take
 
@@ -54,6 +56,24 @@ def test_a_lone_marker_gets_the_best_curve_and_the_reason_for_the_rest() -> None
     without = {a.method: a.repair.reason for a in advice if not a.repair.patches}
     assert "local_regression" in without
     assert all(without.values())
+
+
+def test_the_structure_of_the_body_is_worked_out_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    take, gap = hide(wave_take(), 150, 200)
+    counted = []
+    monkeypatch.setattr(mesh, "infer_mesh", lambda take: counted.append(1) or infer_mesh(take))
+    assert "rigid" in {a.method for a in advise(evidence_for(take), gap)}
+    assert len(counted) == 1
+
+
+def test_a_trial_hides_the_marker_and_what_is_missing_with_it() -> None:
+    take, gap = hide(wave_take(), 150, 200)
+    other = Artifact("M3", "y", 160, 170, Kind.NOISE)
+    hidden = _hidden(evidence_for(take, [other]), gap, 300)
+    assert not hidden.trusted[300:350, 0].any()
+    assert not hidden.trusted[310:320, 3, 1].any()
+    assert hidden.trusted[310:320, 3, 0].all()
+    assert np.array_equal(hidden.seen, hidden.trusted.all(axis=2))
 
 
 @pytest.mark.parametrize("method", ["linear", "spline", "pma"])

@@ -25,6 +25,7 @@ from markermend.repairs import (
     repair_all,
 )
 from markermend.repairs.interpolation import too_few
+from markermend.repairs.result import without_own
 from markermend.take import Origin, Take
 
 RATE = 100.0
@@ -379,6 +380,9 @@ def test_evidence_excludes_missing_and_flagged(rigid: Take) -> None:
     expected[30:60, 2, 1] = False
     assert np.array_equal(evidence.trusted, expected)
     assert np.array_equal(evidence.seen, expected.all(axis=2))
+    own = without_own(evidence, Artifact("M5", "x", 40, 50, Kind.NOISE))
+    assert not own.trusted[38:52, 5, 0].any()
+    assert np.array_equal(own.seen, own.trusted.all(axis=2))
     for axis in range(3):
         expected[70 + axis, 5, axis] = False
     assert np.array_equal(replace(evidence, trusted=expected).seen, expected.all(axis=2))

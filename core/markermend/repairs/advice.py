@@ -31,6 +31,8 @@ Over 20,000 frames of 53 markers three trials take under a second; those of the 
 of low rank take several.
 """
 
+# Those that look at the body's structure.
+OF_MESH = ("rigid", "pattern")
 # A few trials cannot tell less than this apart: the usual choice stays first unless another
 # method is expected to do better by more.
 CLEARLY_BETTER = 0.8
@@ -95,11 +97,15 @@ def advise(
     invents nothing.
     """
     own = without_own(evidence, artifact)
+    names = candidates(own, artifact) if methods is None else tuple(methods)
+    if own.mesh is None and any(name in OF_MESH for name in names):
+        from markermend.mesh import infer_mesh
+
+        # Each trial would work it out anew.
+        own = replace(own, mesh=infer_mesh(own.take)).told(own.seen)
     places = _places(own, artifact, trials)
-    advice = []
     with threadpool_limits(1):
-        for name in candidates(own, artifact) if methods is None else methods:
-            advice.append(_measure(own, artifact, name, places))
+        advice = [_measure(own, artifact, name, places) for name in names]
         if choose(artifact) == "swap":
             method = find_method("swap")
             advice.insert(0, Advice(method.run(own, artifact, method.params()), 0))
@@ -213,12 +219,13 @@ def _trials(
 
 def _hidden(evidence: Evidence, artifact: Artifact, start: int) -> Evidence:
     """Evidence with the marker, and all that is missing during the artifact, hidden at a place."""
-    trusted = evidence.trusted.copy()
     marker = evidence.take.index(artifact.marker)
     there = slice(start, start + artifact.length)
-    trusted[there] &= evidence.trusted[artifact.start : artifact.stop]
-    trusted[there, marker] = False
-    return replace(evidence, trusted=trusted)
+    trusted, seen = evidence.trusted.copy(), evidence.seen.copy()
+    for hidden, known in ((trusted, evidence.trusted), (seen, evidence.seen)):
+        hidden[there] &= known[artifact.start : artifact.stop]
+        hidden[there, marker] = False
+    return replace(evidence, trusted=trusted).told(seen)
 
 
 def _places(evidence: Evidence, artifact: Artifact, count: int) -> list[int]:

@@ -53,11 +53,12 @@ def rank_references(
     both = (seen[every, columns] & seen[every, marker, None]).T
     often = both.sum(axis=1) >= 3
     columns, both = columns[often], both[often]
+    some = np.ascontiguousarray(take.positions[every])
     # Axis by axis and along frames: arithmetic on three numbers in a row is many times slower.
     distance = np.zeros(both.shape)
     for axis in range(3):
-        way = take.positions[every, :, axis].T[columns]
-        way -= take.positions[every, marker, axis]
+        way = some[:, :, axis].T[columns]
+        way -= some[:, marker, axis]
         way *= way
         distance += way
     np.sqrt(distance, out=distance)

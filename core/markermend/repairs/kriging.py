@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -121,7 +122,8 @@ def condition(
     known = len(near)
     noise = (NOISE * noise_mm) ** 2
     blocks = frames[:known] // max(block, 1)
-    nearness = _from_time(int(np.ptp(frames)) + 1, rate)
+    # Rounded up, so that most intervals of a take share it.
+    nearness = _from_time(1 << int(np.ptp(frames)).bit_length(), rate)
     said = [p for part in parts for p in _predict(part, frames, nearness, noise, blocks)]
     judged = near if block < SHORT_S * rate and near.any() else np.ones(known, dtype=bool)
     doubt = [_doubt(p.miss[judged], p.expected[judged]) for p in said]
@@ -230,6 +232,7 @@ def _from_pose(view: View, learnt: int) -> FloatArray:
     return np.asarray(total)
 
 
+@lru_cache(maxsize=4)
 def _from_time(frames: int, rate: float) -> FloatArray:
     """(frames,) covariance in mm² that comes from nearness in time, by how far apart frames are."""
     passed = np.arange(frames) / rate

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from markermend.arrays import BoolArray, FloatArray, IntArray
+from markermend.arrays import BoolArray, FloatArray, IntArray, samples_of
 from markermend.artifact import Artifact
 from markermend.repairs.body_frame import (
     align_each,
@@ -134,10 +134,10 @@ def repair_local_regression(evidence: Evidence, artifact: Artifact, params: Any)
             params,
         )
     frames = np.concatenate([known, np.arange(artifact.start, artifact.stop)])
-    cloud = take.positions[frames][:, references]
+    cloud = samples_of(take.positions, frames, references)
     reach = max(1, round(FORCE_S * take.rate))
     earlier, later = (
-        take.positions[np.clip(frames + step, 0, take.frames - 1)][:, references]
+        samples_of(take.positions, np.clip(frames + step, 0, take.frames - 1), references)
         for step in (-reach, reach)
     )
     # Where a reference is not seen a moment earlier or later, no force is as good as any.

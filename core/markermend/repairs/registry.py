@@ -52,6 +52,12 @@ class Evidence:
         seen.flags.writeable = False
         return seen
 
+    def told(self, seen: BoolArray) -> Evidence:
+        """The same, spared to work out :attr:`seen`, which takes a while in long takes."""
+        seen.flags.writeable = False
+        self.__dict__["seen"] = seen
+        return self
+
 
 @dataclass(frozen=True, eq=False)
 class Repair:

@@ -46,7 +46,9 @@ def without_own(evidence: Evidence, artifact: Artifact) -> Evidence:
         return evidence
     trusted = evidence.trusted.copy()
     trusted[rows, marker, axes] = False
-    return replace(evidence, trusted=trusted)
+    seen = evidence.seen.copy()
+    seen[rows, marker] = False
+    return replace(evidence, trusted=trusted).told(seen)
 
 
 def make_repair(

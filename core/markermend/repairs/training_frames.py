@@ -7,9 +7,11 @@ interval. In a movement that is rare in the take an even sample has hardly a fra
 
 from __future__ import annotations
 
+from itertools import combinations
+
 import numpy as np
 
-from markermend.arrays import BoolArray, FloatArray, IntArray
+from markermend.arrays import BoolArray, FloatArray, IntArray, samples_of
 from markermend.artifact import Artifact
 
 # Within so many seconds of the interval every frame is learnt from, further away every second and
@@ -75,14 +77,17 @@ def _most_alike(
     """Places in `others` of the `count` frames most like each of those asked for, each once."""
     if count == 0 or len(others) == 0:
         return np.zeros(0, dtype=np.int64)
-    i, j = np.triu_indices(len(references), 1)
-    # Along frames, since arithmetic on three numbers in a row is many times slower.
-    points = positions[np.concatenate([others, asked])[:, None], references].transpose(1, 2, 0)
+    points = samples_of(positions, np.concatenate([others, asked]), references).transpose(1, 0, 2)
     points = np.ascontiguousarray(points)
-    way = points[i] - points[j]
-    apart = np.sqrt(np.einsum("pkf,pkf->pf", way, way)).T
-    apart = apart / (apart.std(axis=0) + LEAST_MM)
-    known, wanted = apart[: len(others)], apart[len(others) :]
-    unlike = np.sum(known**2, axis=1)[:, None] - 2.0 * known @ wanted.T
+    pairs = list(combinations(points, 2))
+    apart = np.empty((len(pairs), points.shape[1]))
+    # Pair by pair, since arrays of all pairs at once do not fit where they would be quick.
+    for row, (one, other) in zip(apart, pairs, strict=True):
+        way = one - other
+        np.einsum("fk,fk->f", way, way, out=row)
+    np.sqrt(apart, out=apart)
+    apart /= apart.std(axis=1, keepdims=True) + LEAST_MM
+    known, wanted = apart[:, : len(others)], apart[:, len(others) :]
+    unlike = np.einsum("pf,pf->f", known, known) - 2.0 * wanted.T @ known
     count = min(count, len(others))
-    return np.unique(np.argpartition(unlike, count - 1, axis=0)[:count])
+    return np.unique(np.argpartition(unlike, count - 1, axis=1)[:, :count])

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from markermend.artifact import Artifact, Kind, Status, mark_damage
+from markermend.artifact import Artifact, Kind, Status, mark_damage, trusted_samples
 from markermend.mesh import Mesh
 from markermend.progress import Progress, quiet
 from markermend.repairs.registry import Evidence
@@ -44,10 +44,13 @@ def evidence_for(
         for a in artifacts
         if a.status is not Status.REPAIRED or not (believe_repairs or as_good_as_new(take, a))
     ]
-    trusted = np.repeat(take.present[:, :, None], 3, axis=2)
+    trusted = np.empty(take.positions.shape, dtype=bool)
+    for axis in range(3):
+        trusted[:, :, axis] = take.present
     mark_damage(trusted, take, doubtful, False)
     trusted.flags.writeable = False
-    return Evidence(take, trusted, mesh, progress or quiet)
+    evidence = Evidence(take, trusted, mesh, progress or quiet)
+    return evidence.told(trusted_samples(take, doubtful))
 
 
 def as_good_as_new(take: Take, artifact: Artifact) -> bool:
