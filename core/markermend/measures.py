@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from markermend.arrays import BoolArray, FloatArray, IntArray
+from markermend.arrays import BoolArray, FloatArray, IntArray, deviation_of_seen, median_of_seen
 
 _SAMPLED = 500
 _SPREADS, _LEAST_MM = 5.0, 10.0
@@ -117,9 +117,8 @@ def measure_lengths(positions: FloatArray, links: IntArray) -> Lengths:
     links = np.asarray(links, dtype=np.int64).reshape(-1, 2)
     some = positions[:: max(1, len(positions) // _SAMPLED)]
     long = distance(some[:, links[:, 0]], some[:, links[:, 1]])
-    seen = ~np.isnan(long).all(axis=0)
-    usual, spread = np.full(len(links), np.nan), np.full(len(links), np.nan)
-    if seen.any():
-        usual[seen] = np.nanmedian(long[:, seen], axis=0)
-        spread[seen] = np.nanmedian(np.abs(long[:, seen] - usual[seen]), axis=0)
+    if len(some):
+        usual, spread = median_of_seen(long), deviation_of_seen(long.T)
+    else:
+        usual, spread = np.full(len(links), np.nan), np.full(len(links), np.nan)
     return Lengths(links, usual, np.maximum(_SPREADS * _NORMAL * spread, _LEAST_MM))

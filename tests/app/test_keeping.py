@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import json
+import threading
+
 import numpy as np
 import pytest
 from driving import WAIT, key, proposed
@@ -14,6 +17,7 @@ from markermend.artifact import Artifact, Kind, Status
 from markermend.errors import MarkermendError
 from markermend.patch import Patch
 from markermend.review.edits import SetSamples
+from markermend.review.saving import Snapshot
 from markermend_app import settings
 from markermend_app.dialogs import ask as dialogs
 from markermend_app.dialogs import export as export_dialog
@@ -158,12 +162,39 @@ def test_an_export_whose_review_cannot_be_saved_still_ends(reviewed, monkeypatch
     def full(self):
         raise MarkermendError("The disk is full.")
 
-    monkeypatch.setattr("markermend.review.file.SessionFile.save", full)
+    monkeypatch.setattr("markermend.review.saving.Snapshot.write", full)
     target = tmp_path / "out.c3d"
     choice = export_dialog.ExportChoice(False, False)
     assert reviewed.commands._exporter.export_to(target, choice, wait=True)
     assert target.exists()
     assert shown == ["The disk is full."]
+
+
+def test_what_is_decided_while_the_review_is_saved_is_saved_too(
+    reviewed, monkeypatch, tmp_path, qtbot
+):
+    document, saver = reviewed.document, reviewed.commands._saver
+    file, go_on, really = document.file, threading.Event(), Snapshot.write
+    threads = []
+
+    def slow(self):
+        threads.append(threading.current_thread())
+        assert go_on.wait(20)
+        really(self)
+
+    monkeypatch.setattr(Snapshot, "write", slow)
+    target = tmp_path / "out.c3d"
+    reviewed.commands._exporter.export_to(target, export_dialog.ExportChoice(False, False))
+    qtbot.waitUntil(lambda: bool(threads), timeout=WAIT)
+    document.accept([document.queue[0]])
+    go_on.set()
+    saver.finish()
+    assert len(threads) == 2
+    assert threading.main_thread() not in threads
+    stored = json.loads(file.path.read_text(encoding="utf-8"))
+    assert len(stored["done"]) == len(document.session.history)
+    assert stored["exported"] == len(document.session.history) - 1
+    assert not list(file.path.parent.glob("*.part"))
 
 
 def test_closing_waits_for_an_export_under_way(reviewed, monkeypatch, tmp_path):

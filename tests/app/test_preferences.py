@@ -165,14 +165,14 @@ def test_a_preset_that_is_gone_is_told_in_a_sentence(page):
         detection.chosen_params(slow=False)
 
 
-def test_reviews_are_saved_as_often_as_was_chosen(page, window, monkeypatch):
-    saved = []
-    monkeypatch.setattr("markermend.review.file.SessionFile.save", lambda self: saved.append(1))
+def test_reviews_are_saved_as_often_as_was_chosen(page, window, qtbot):
+    path = window.document.file.path
+    written = path.stat().st_mtime_ns if path.exists() else None
     assert window.preferred.saving.interval() == 5 * 60_000
     page.autosave.setValue(2)
     assert window.preferred.saving.interval() == 2 * 60_000
     window.preferred.saving.timeout.emit()
-    assert saved == [1]
+    qtbot.waitUntil(lambda: path.exists() and path.stat().st_mtime_ns != written)
     page.autosave.setValue(0)
     assert not window.preferred.saving.isActive()
 

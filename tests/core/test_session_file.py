@@ -375,6 +375,50 @@ def test_a_long_step_that_could_not_be_written_is_saved_when_closing(tmp_path, m
     comes_back(kept, tmp_path)
 
 
+def test_a_snapshot_is_taken_over_unless_the_review_went_on_or_was_saved(tmp_path):
+    kept = open_session(make_take(), folder=tmp_path)
+    kept.session.mark(artifact())
+    taken = kept.snapshot()
+    taken.write()
+    kept.session.mark(artifact("C"))
+    assert not kept.take_over(taken), "the second mark would be lost"
+    taken = kept.snapshot()
+    taken.write()
+    kept.save()
+    assert not kept.take_over(taken), "the journal would not continue it"
+    taken = kept.snapshot()
+    taken.write()
+    assert kept.take_over(taken)
+    kept.session.mark(artifact("C", start=5, stop=9))
+    expected = state_of(kept.session)
+    die(kept)
+    again = open_session(make_take(), folder=tmp_path)
+    assert state_of(again.session) == expected
+    assert again.recovered == 1
+    late = again.snapshot()
+    late.write()
+    again.close()
+    assert not again.take_over(late)
+    assert not list(tmp_path.glob("*.part"))
+
+
+def test_a_snapshot_that_cannot_be_written_leaves_nothing(tmp_path, monkeypatch):
+    kept = open_session(make_take(), folder=tmp_path)
+    kept.session.mark(artifact())
+    taken = kept.snapshot()
+
+    def fails(handle):
+        raise OSError(28, "No space left on device")
+
+    kept._on_disk.wait()
+    with monkeypatch.context() as full:
+        full.setattr("markermend.review.saving.os.fsync", fails)
+        with pytest.raises(MarkermendError, match="No space left"):
+            taken.write()
+    assert not list(tmp_path.glob("*.part"))
+    comes_back(kept, tmp_path)
+
+
 def test_a_disk_that_fails_later_is_told_and_the_next_step_makes_it_good(tmp_path, monkeypatch):
     kept = open_session(make_take(), folder=tmp_path)
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from markermend.artifact import Artifact, Status
@@ -18,9 +18,11 @@ from markermend.review.file import SessionFile
 from markermend_app import detection, settings
 from markermend_app.background.jobs import Lane
 from markermend_app.background.loading import Opened, load, takes_folder
+from markermend_app.background.saver import Saver
 from markermend_app.dialogs import ask as dialogs
 from markermend_app.dialogs.file_filters import open_filter
 from markermend_app.document import Document
+from markermend_app.later import SOON_MS
 from markermend_app.telling import told
 from markermend_app.verbs.exporting import Exporter
 
@@ -40,7 +42,8 @@ class Commands(QObject):
         self._document = document
         self._lane = lane
         self._window = window
-        self._exporter = Exporter(document, lane, window)
+        self._saver = Saver(self)
+        self._exporter = Exporter(document, lane, self._saver, window)
         self._exporter.said.connect(self.said)
         self._exporter.replaced.connect(self.open_path)
         document.failed.connect(self._tell_refused)
@@ -84,6 +87,12 @@ class Commands(QObject):
             self._document.proposals.keep(opened.proposals)
             settings.add_recent(path)
             self._tell_opened()
+            # Once the take is painted: libraries that the worker may load hold the window up.
+            QTimer.singleShot(SOON_MS, self, lambda: go_on(opened))
+
+        def go_on(opened: Opened) -> None:
+            if self._document.file is not opened.file:
+                return
             if opened.file.session.artifacts:
                 self._look_at_first(opened.file, label)
             if opened.mesh is None:
@@ -124,9 +133,6 @@ class Commands(QObject):
     def _learn_body(self, file: SessionFile) -> None:
         """Look how the body moves, and for artifacts in a take that is new."""
         take = file.session.original
-        # The take is seen before the engine's libraries are loaded, which takes longer than
-        # reading it.
-        self._window.repaint()
 
         def work(progress: Progress) -> Any:
             from markermend.mesh import infer_mesh
@@ -195,10 +201,7 @@ class Commands(QObject):
         if document.file is None or document.session is None or not document.editable:
             return
         if document.session.history or document.session.undone:
-            try:
-                document.file.save()
-            except MarkermendError as error:
-                self.said.emit(told(str(error)))
+            self._saver.save(document.file, lambda error: self.said.emit(told(str(error))))
 
     def _save(self, file: SessionFile) -> bool:
         """Save the review; when that is not possible say why."""

@@ -9,13 +9,14 @@ from PySide6.QtCore import QEventLoop, QObject, Signal
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from markermend.artifact import Status
-from markermend.errors import MarkermendError, RangeError
+from markermend.errors import RangeError
 from markermend.files import Export
 from markermend.progress import Progress
 from markermend.take import Take
 from markermend_app import settings
 from markermend_app.background.jobs import Lane
 from markermend_app.background.loading import proposed_place
+from markermend_app.background.saver import Saver
 from markermend_app.dialogs import ask as dialogs
 from markermend_app.dialogs import export as export_dialog
 from markermend_app.dialogs.file_filters import export_filter
@@ -34,10 +35,10 @@ class Exporter(QObject):
     said = Signal(str)
     replaced = Signal(object)
 
-    def __init__(self, document: Document, lane: Lane, window: QWidget) -> None:
+    def __init__(self, document: Document, lane: Lane, saver: Saver, window: QWidget) -> None:
         super().__init__(window)
         self._document = document
-        self._lane = lane
+        self._lane, self._saver = lane, saver
         self._window = window
         self._writing = False
         lane.finished.connect(self._rest)
@@ -46,6 +47,7 @@ class Exporter(QObject):
         """Wait for an export under way; the window stays alive and it can be cancelled."""
         while self._writing and self._lane.busy:
             QApplication.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents)
+        self._saver.finish()
 
     def _rest(self) -> None:
         """Note that nothing is written any longer, be it done or cancelled."""
@@ -124,8 +126,10 @@ class Exporter(QObject):
                 session.mark_exported()
             self._document.history_changed.emit()
             self.said.emit(self._summary(export))
-            if self._document.session is session:
-                self._save()
+            if self._document.session is session and self._document.file is not None:
+                self._saver.save(
+                    self._document.file, lambda error: dialogs.show_problem(self._window, error)
+                )
                 if overwrite and not wait:
                     self.replaced.emit(target)
 
@@ -146,15 +150,9 @@ class Exporter(QObject):
         # A cancelled job answers nothing.
         while wait and not written and self._lane.busy:
             QApplication.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents)
+        if wait:
+            self._saver.finish()
         return any(written) if wait else True
-
-    def _save(self) -> None:
-        """Keep in the review that it was exported."""
-        try:
-            if self._document.file is not None:
-                self._document.file.save()
-        except MarkermendError as error:
-            dialogs.show_problem(self._window, error)
 
     def _summary(self, export: Export) -> str:
         """Say what was written."""

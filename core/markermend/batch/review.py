@@ -21,7 +21,7 @@ from markermend.batch.sources import find_takes
 from markermend.errors import DataError, FileFormatError
 from markermend.files import read
 from markermend.patch import Patch
-from markermend.review.file import source_hash
+from markermend.review.place import source_hash
 from markermend.review.session import Session
 from markermend.take import Take
 

@@ -14,7 +14,6 @@ opening gets a read-only review.
 from __future__ import annotations
 
 import contextlib
-import hashlib
 import json
 import os
 from collections.abc import Callable, Mapping
@@ -22,13 +21,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO, Any
 
-from markermend.artifact_json import to_dict
 from markermend.errors import DataError, FileFormatError, MarkermendError
 from markermend.review.carry import carry_over, marker_hashes
 from markermend.review.edits import samples_in
 from markermend.review.lock import open_locked
 from markermend.review.on_disk import OnDisk
-from markermend.review.place import index_entry, journal_path, own_path, session_path
+from markermend.review.place import index_entry, journal_path, own_path, session_path, source_hash
+from markermend.review.saving import Snapshot
 from markermend.review.session import Session
 from markermend.review.step import Step
 from markermend.review.steps_json import step_from_dict, step_to_dict
@@ -37,17 +36,6 @@ from markermend.take import Take
 VERSION = 2
 LONG = 50_000
 """Samples in a step that take some 10 ms to be written."""
-
-
-def source_hash(take: Take) -> str:
-    """SHA-256 of the take's source file, or of its samples when it has none."""
-    digest = hashlib.sha256()
-    if take.source is None:
-        digest.update(json.dumps([take.labels, take.rate, take.first_frame]).encode())
-        digest.update(take.positions.tobytes())
-        return digest.hexdigest()
-    with take.source.path.open("rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 @dataclass
@@ -78,44 +66,60 @@ class SessionFile:
     _on_disk: OnDisk = field(default_factory=OnDisk)
     _markers: Mapping[str, str] = field(default_factory=dict)
 
+    @property
+    def is_open(self) -> bool:
+        """Whether it has not been closed; what is open to be looked at only never is."""
+        return self._journal is not None
+
     def save(self) -> None:
         """Write the whole review to the session file and start the journal afresh."""
         if self.read_only:
             return
+        taken = self.snapshot(".part")
+        taken.write()
+        self.take_over(taken)
+
+    def snapshot(self, ending: str = ".beside.part") -> Snapshot:
+        """The review as it stands, to be written beside what goes on and then taken over.
+
+        Parameters
+        ----------
+        ending : of the name that what is written has until then
+        """
         done, undone = self.session.steps
-        document = {
-            "format": "markermend session",
-            "version": VERSION,
-            "generation": self.generation + 1,
-            "source": {
-                "sha256": self.hash,
-                "path": _source_path(self.session.original),
-                "markers": dict(self._markers),
-            },
-            "artifacts": [to_dict(a) for a in self.session.artifacts],
-            "done": [step_to_dict(s) for s in done],
-            "undone": [step_to_dict(s) for s in undone],
-            "exported": self.session.exported_at,
+        source = {
+            "sha256": self.hash,
+            "path": _source_path(self.session.original),
+            "markers": dict(self._markers),
         }
-        part = self.path.with_name(self.path.name + ".part")
-        try:
-            with part.open("w", encoding="utf-8") as file:
-                # Not json.dump, which writes piece by piece and takes several times as long.
-                file.write(json.dumps(document, allow_nan=False))
-                file.flush()
-                os.fsync(file.fileno())
-            os.replace(part, self.path)
-        except OSError as error:
-            with contextlib.suppress(OSError):
-                part.unlink(missing_ok=True)
-            raise MarkermendError(
-                f"The review could not be saved to “{self.path}” ({error.strerror})."
-            ) from error
+        return Snapshot(
+            path=self.path,
+            part=self.path.with_name(self.path.name + ending),
+            revision=self.session.revision,
+            generation=self.generation + 1,
+            head={"format": "markermend session", "version": VERSION, "source": source},
+            artifacts=self.session.artifacts,
+            done=done,
+            undone=undone,
+            exported=self.session.exported_at,
+        )
+
+    def take_over(self, taken: Snapshot) -> bool:
+        """Let a snapshot that was written be the session file, unless the review went on meanwhile.
+
+        Gives whether it is: what only the journal holds would be lost otherwise.
+        """
+        now = self.session.revision, self.generation + 1
+        if not self.is_open or (taken.revision, taken.generation) != now:
+            taken.discard()
+            return False
+        taken.put_in_place()
         self.generation += 1
         self._start_journal()
         # Without it a moved take would only lose the way to its old review.
         with contextlib.suppress(OSError):
             index_entry(self.hash).write_text(str(self.path), encoding="utf-8")
+        return True
 
     def close(self) -> None:
         """Let go of the lock; an empty journal is removed."""
@@ -150,8 +154,7 @@ class SessionFile:
         if self._journal is None:
             return
         # What it held, on the disk or not, is in the session file.
-        with contextlib.suppress(OSError):
-            self._on_disk.wait()
+        self._on_disk.settle()
         self._journal.truncate(0)
         self._torn = False
         head = {"generation": self.generation, "version": VERSION, "sha256": self.hash}

@@ -57,6 +57,13 @@ class OnDisk:
             thread.join()
         self._raise()
 
+    def settle(self) -> None:
+        """Return once nothing is left to be written, and forget what went wrong with it."""
+        thread = self._thread
+        if self._writing and thread is not None:
+            thread.join()
+        self._error = None
+
     def _raise(self) -> None:
         """Tell of what went wrong."""
         error, self._error = self._error, None

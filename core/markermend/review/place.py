@@ -1,7 +1,9 @@
-"""Where the review of a take lies on disk."""
+"""Where the review of a take lies on disk, and by what it is found again."""
 
 from __future__ import annotations
 
+import hashlib
+import json
 import os
 from pathlib import Path
 
@@ -9,6 +11,17 @@ from markermend.take import Take
 
 SUFFIX = ".markermend.json"
 JOURNAL_SUFFIX = ".markermend.journal"
+
+
+def source_hash(take: Take) -> str:
+    """SHA-256 of the take's source file, or of its samples when it has none."""
+    digest = hashlib.sha256()
+    if take.source is None:
+        digest.update(json.dumps([take.labels, take.rate, take.first_frame]).encode())
+        digest.update(take.positions.tobytes())
+        return digest.hexdigest()
+    with take.source.path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 def session_path(take: Take, digest: str, folder: Path | None) -> Path:
