@@ -88,17 +88,23 @@ class PlotStack(pg.GraphicsLayoutWidget):
         self._replace(self.rows, rows)
 
     def _replace(self, rows: tuple[PlotRow, ...], beside: tuple[BesideRow, ...]) -> None:
-        """Lay other rows out; to lay out anew takes long, and most takes show what the last did."""
-        if (rows, beside) == (self.rows, self.beside):
+        """Lay other rows out; those that stay where they are are left alone, which takes long."""
+        before, now = self.frames, (*rows, *beside)
+        if now == before:
             return
-        for frame in self.frames:
+        stay = next(
+            (i for i, (a, b) in enumerate(zip(before, now, strict=False)) if a is not b),
+            min(len(before), len(now)),
+        )
+        for frame in before[stay:]:
             self.ci.removeItem(frame.plot)
         self.rows, self.beside = rows, beside
-        last = len(self.frames) - 1
-        for i, frame in enumerate(self.frames):
-            self.ci.addItem(frame.plot, row=i, col=0)
-            frame.set_place(i == 0, i == last)
+        for i, frame in enumerate(now):
+            if i >= stay:
+                self.ci.addItem(frame.plot, row=i, col=0)
+            frame.set_place(i == 0, i == len(now) - 1)
         self.share_height()
+        self.ci.layout.activate()
 
     def share_height(self, *_: object) -> None:
         """Give all plots the same height, whoever carries the time axis."""
