@@ -28,7 +28,7 @@ from markermend_app.words import tr
 
 _SPARE = 2
 """Markers whose empty curves are kept for the next ones: making curves takes long."""
-_AT_ONCE, _FEWEST = 100_000, 28_000
+_AT_ONCE, _FEWEST = 60_000, 28_000
 """Samples drawn at a time, where a marker counts for as many at least: curves take time to make."""
 _NONE: FloatArray = np.zeros(0)
 
