@@ -126,7 +126,7 @@ def test_a_prior_fits_left_hands_and_refuses_strangers(clips):
     )
     damaged = corrupt_pose(pose, Noise(displacement=0.0, burst=20), seed=4)
     one, other = restore(damaged, prior=prior), restore(mirrored(damaged), prior=prior)
-    assert_allclose(mirrored(other.pose).positions, one.pose.positions, atol=1e-6)
+    assert_allclose(mirrored(other.pose).positions, one.pose.positions, atol=5e-3)
 
 
 def test_priors_are_kept_in_files(clips, tmp_path):

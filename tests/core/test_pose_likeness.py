@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from markermend.poses.likeness import by_likeness, moments_to_compare
+from markermend.poses.likeness import by_likeness, moments_to_compare, moving
 
 RATE, START, STOP = 30.0, 300, 330
 
@@ -27,8 +27,19 @@ def chosen() -> np.ndarray:
 def predicted(poses: np.ndarray, hidden: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     frames = chosen()
     weights = np.linalg.lstsq(poses[frames], hidden[frames], rcond=1e-6)[0]
-    trust = np.ones(poses.shape[1])
-    return by_likeness(poses, trust, weights, hidden[frames], frames, START, STOP, RATE)
+    return filled(poses, np.ones(poses.shape[1]), weights, hidden, frames)
+
+
+def filled(
+    poses: np.ndarray,
+    trust: np.ndarray,
+    weights: np.ndarray,
+    hidden: np.ndarray,
+    frames: np.ndarray,
+    noise: float = 0.0,
+) -> tuple[np.ndarray, np.ndarray]:
+    given = (np.float32(x) for x in (trust, weights, hidden[frames]))
+    return by_likeness(moving(np.float32(poses), RATE), *given, frames, START, STOP, RATE, noise)
 
 
 def test_movement_that_recurs_is_followed_where_it_bends() -> None:
@@ -63,10 +74,7 @@ def test_noise_of_what_was_seen_is_not_carried_on() -> None:
     weights = np.zeros((12, 2))
     off = [
         np.abs(
-            by_likeness(
-                poses, np.ones(12), weights, noisy[frames], frames, START, STOP, RATE, noise
-            )[0]
-            - hidden[START:STOP]
+            filled(poses, np.ones(12), weights, noisy, frames, noise)[0] - hidden[START:STOP]
         ).mean()
         for noise in (0.0, 0.1)
     ]
@@ -87,10 +95,7 @@ def test_channels_without_trust_have_no_part() -> None:
     spoilt[:, 3] = np.random.default_rng(6).normal(0.0, 1e3, 900)
     trust = (np.arange(12) != 3).astype(float)
     weights = trust[:, None] * np.ones((12, 2))
-    results = [
-        by_likeness(body, trust, weights, hidden[frames], frames, START, STOP, RATE)[0]
-        for body in (poses, spoilt)
-    ]
+    results = [filled(body, trust, weights, hidden, frames)[0] for body in (poses, spoilt)]
     assert results[1] == pytest.approx(results[0])
 
 

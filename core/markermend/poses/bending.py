@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from markermend.arrays import FloatArray, IntArray
+from markermend.arrays import Float32Array, FloatArray, IntArray
 from markermend.poses.normal import FEATURES
-from markermend.poses.quaternion import inverse, multiply, turn
+from markermend.poses.quaternion import inverse, multiply, rotation_vector, turn
 
 # Of each joint: three numbers say how it is turned in its parent's axes, three where it is.
 _LOCAL = 6
@@ -39,15 +39,19 @@ class Bends:
     _mean: FloatArray
     _directions: FloatArray
 
-    def slopes(self, frames: IntArray) -> FloatArray:
-        """(frames, joints · 7, n) how features of some frames change with coordinates."""
-        return _linear(
+    def slopes(self, frames: IntArray, at_once: int) -> Iterator[Float32Array]:
+        """(at_once, joints · 7, n) how features change with coordinates, for some frames in turn.
+
+        Single precision is enough for steps, which are small, and takes half the time.
+        """
+        yield from _linear(
             self._local[frames],
             self.poses[frames],
             self.parents,
             self.joints,
             self._middle,
-            self._directions,
+            self._directions.astype(np.float32),
+            at_once,
         )
 
     def features(self, at: FloatArray, like: FloatArray) -> FloatArray:
@@ -105,7 +109,7 @@ def _to_local(
     for n, joint in enumerate(joints):
         parent = parents[joint]
         own = multiply(inverse(middle[joint]), _relative(features, parents, joint))
-        local[:, n, :3] = Rotation.from_quat(own).as_rotvec()
+        local[:, n, :3] = rotation_vector(own)
         bone = features[:, joint, :3] - features[:, parent, :3]
         local[:, n, 3:] = turn(inverse(features[:, parent, 3:]), bone)
     return local.reshape(len(features), -1)
@@ -137,23 +141,41 @@ def _linear(
     parents: Sequence[int],
     joints: Sequence[int],
     middle: dict[int, FloatArray],
-    directions: FloatArray,
-) -> FloatArray:
-    """(frames, joints · 7, directions) how poses, given also as local, change along directions."""
-    frames, columns = len(local), directions.shape[1]
-    turning, moving = np.zeros((2, poses.shape[1], frames, 3, columns))
-    slopes = np.empty((frames, len(joints), FEATURES, columns))
-    for n, joint in enumerate(joints):
-        parent, k = parents[joint], _LOCAL * n
-        axes = Rotation.from_quat(poses[:, parent, 3:]).as_matrix()
-        own = Rotation.from_quat(middle[joint]).as_matrix()
-        bends = (own if parents[parent] < 0 else axes @ own) @ _left_jacobian(local[:, k : k + 3])
-        bone = _cross(poses[:, joint, :3] - poses[:, parent, :3])
-        turning[joint] = turning[parent] + bends @ directions[k : k + 3]
-        moving[joint] = moving[parent] - bone @ turning[parent] + axes @ directions[k + 3 : k + 6]
-        slopes[:, n, :3] = moving[joint]
-        slopes[:, n, 3:] = _by_turning(poses[:, joint, 3:]) @ turning[joint]
-    return slopes.reshape(frames, -1, columns)
+    directions: Float32Array,
+    at_once: int,
+) -> Iterator[Float32Array]:
+    """(at_once, joints · 7, directions) how poses, given also as local, change, some at a time."""
+    frames, columns, count = len(local), directions.shape[1], len(joints)
+    above = [parents[j] for j in joints]
+    # The small matrices of all joints and frames: (frames, joints, 3 or 4, 3).
+    shape = (frames, count, 3, 3)
+    frame = Rotation.from_quat(poses[:, above, 3:].reshape(-1, 4)).as_matrix().reshape(shape)
+    own = np.stack([Rotation.from_quat(middle[j]).as_matrix() for j in joints])
+    hung = np.array([parents[parent] < 0 for parent in above])[:, None, None]
+    jacobian = _left_jacobian(local.reshape(-1, _LOCAL)[:, :3]).reshape(shape)
+    bone = _cross((poses[:, joints, :3] - poses[:, above, :3]).reshape(-1, 3)).reshape(shape)
+    turned = _by_turning(poses[:, joints, 3:].reshape(-1, 4)).reshape(frames, count, 4, 3)
+    bends, axes, across, turns = (
+        np.asarray(m, dtype=np.float32)
+        for m in (np.where(hung, own, frame @ own) @ jacobian, frame, bone, turned)
+    )
+    for first in range(0, frames, at_once):
+        some = slice(first, min(first + at_once, frames))
+        size = some.stop - first
+        turning, moving = np.zeros((2, poses.shape[1], size, 3, columns), dtype=np.float32)
+        slopes = np.empty((size, count, FEATURES, columns), dtype=np.float32)
+        for n, joint in enumerate(joints):
+            parent, k = above[n], _LOCAL * n
+            # As one product of matrices each, which many small ones take far longer than.
+            bent, moved = (
+                (m[some, n].reshape(-1, 3) @ by).reshape(size, 3, columns)
+                for m, by in ((bends, directions[k : k + 3]), (axes, directions[k + 3 : k + 6]))
+            )
+            turning[joint] = turning[parent] + bent
+            moving[joint] = moving[parent] - across[some, n] @ turning[parent] + moved
+            slopes[:, n, :3] = moving[joint]
+            slopes[:, n, 3:] = turns[some, n] @ turning[joint]
+        yield slopes.reshape(size, -1, columns)
 
 
 def _cross(v: FloatArray) -> FloatArray:

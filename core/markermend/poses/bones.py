@@ -187,7 +187,8 @@ def fuse(features: FloatArray, bones: Bones, root: int) -> FloatArray:
     out = features.copy()
     # A joint never seen has no bones, and must not take the others along.
     never = np.isnan(right)
-    out[..., :3] = np.einsum("ij,njk->nik", np.linalg.inv(system), np.where(never, 0.0, right))
+    solved = np.tensordot(np.linalg.inv(system), np.where(never, 0.0, right), (1, 1))
+    out[..., :3] = solved.transpose(1, 0, 2)
     out[..., :3][never] = np.nan
     for parent, joint in _only_child(bones).items():
         if parent != root:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.poses.bridging import SIDE, bridge
@@ -39,11 +41,15 @@ class Moments:
     weight: float
     counts: FloatArray
 
-    def within_s(self, seconds: float) -> FloatArray:
-        """(channels, channels) of the nearest length in :data:`LENGTHS_S`, a known one."""
+    def nearest(self, seconds: float) -> int:
+        """Place of the nearest length in :data:`LENGTHS_S`, a known one."""
         near = np.abs(np.log(np.array(LENGTHS_S) / max(seconds, 1e-6)))
         near[self.counts <= 0] = np.inf
-        return np.asarray(self.within[int(np.argmin(near))])
+        return int(np.argmin(near))
+
+    def within_s(self, seconds: float) -> FloatArray:
+        """(channels, channels) of the nearest length in :data:`LENGTHS_S`, a known one."""
+        return np.asarray(self.within[self.nearest(seconds)])
 
     def of(self, channels: BoolArray | IntArray) -> Moments:
         """Moments of some of the channels, or of all in another order."""
@@ -80,7 +86,7 @@ def nearest_length(seconds: float) -> int:
     return int(np.argmin(np.abs(np.log(np.array(LENGTHS_S) / max(seconds, 1e-6)))))
 
 
-def deviations(values: FloatArray, length: int) -> FloatArray:
+def deviations(values: NDArray[Any], length: int) -> NDArray[Any]:
     """How far features stray from the bridge over windows all along a recording.
 
     Parameters
@@ -97,21 +103,23 @@ def deviations(values: FloatArray, length: int) -> FloatArray:
     step = max(length // _WINDOWS_A_LENGTH, 1)
     starts = np.arange(SIDE, len(values) - length - SIDE + 1, step)
     sides = np.r_[-SIDE:0, length : length + SIDE]
-    weights = bridge(length)[inside]
+    weights = bridge(length)[inside].astype(values.dtype)
     if not len(starts):
-        return np.empty((0, values.shape[1]))
+        return np.empty((0, values.shape[1]), dtype=values.dtype)
 
-    def at(offset: int) -> FloatArray:
+    def at(offset: int) -> NDArray[Any]:
         return values[starts[0] + offset : starts[-1] + offset + 1 : step]
 
     parts = []
     for weight, place in zip(weights, inside, strict=True):
-        line = sum(w * at(side) for w, side in zip(weight, sides, strict=True))
-        parts.append(at(place) - line)
+        stray = at(place).copy()
+        for share, side in zip(weight, sides, strict=True):
+            stray -= share * at(side)
+        parts.append(stray)
     return np.concatenate(parts)
 
 
-def learn(values: FloatArray, rate: float, lengths: Iterable[int] | None = None) -> Moments:
+def learn(values: NDArray[Any], rate: float, lengths: Iterable[int] | None = None) -> Moments:
     """Learn moments from a recording.
 
     Parameters

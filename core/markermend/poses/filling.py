@@ -2,21 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
-from scipy.linalg import cho_factor, cho_solve
+from numpy.typing import NDArray
 
-from markermend.arrays import BoolArray, FloatArray, IntArray, runs
+from markermend.arrays import BoolArray, Float32Array, FloatArray, IntArray, runs
 from markermend.poses.bridging import SIDE, around, bridge, bridged, known_alike, straight
 from markermend.poses.covariance import Moments, learn, pooled
-from markermend.poses.likeness import by_likeness, moments_to_compare
+from markermend.poses.likeness import (
+    FEW_MOMENTS,
+    MOMENTS,
+    by_likeness,
+    moments_to_compare,
+    moving,
+)
+from markermend.poses.solving import solved
 
 # Gaps up to this long are many and alike, and are crossed all at once; a rough result crosses gaps
 # up to this long by time alone.
 _SHORT_S, _ROUGH_S = 0.02, 0.1
-_PASSES = 2
 # Share of the deviations' estimate beside the levels', in gaps shorter and longer than this.
 _BRIEF_S, _BRIEF, _LONG = 0.3, 0.85, 0.5
 # Added to variances before regressing: absolute, and of a channel hidden part of the time.
@@ -28,6 +35,20 @@ _PASSING = 1.5
 
 
 @dataclass(frozen=True, eq=False)
+class Gap:
+    """Channels that are unknown over the same frames."""
+
+    start: int
+    stop: int
+    channels: IntArray
+
+    @property
+    def length(self) -> int:
+        """Frames."""
+        return self.stop - self.start
+
+
+@dataclass(frozen=True, eq=False)
 class Filled:
     """What was filled, and how sure it is.
 
@@ -35,21 +56,53 @@ class Filled:
     ----------
     values : (frames, channels), the known ones as they were
     variance : (frames, channels) expected squared error, 0 where known
+    base : (frames, channels) all gaps crossed by what stands beside them
+    gaps : all that there are
     lasting : some gaps are so long that to fill them again from a better estimate pays
     """
 
     values: FloatArray
     variance: FloatArray
+    base: FloatArray
+    gaps: list[Gap]
     lasting: bool
+
+    def and_more(self, known: FloatArray) -> Filled:
+        """The same with some channels more, which are known."""
+        values, base = (np.hstack([own, known]) for own in (self.values, self.base))
+        variance = np.pad(self.variance, ((0, 0), (0, known.shape[1])))
+        return replace(self, values=values, variance=variance, base=base)
+
+    def but(self, count: int) -> Filled:
+        """The same without the last channels."""
+        values, variance, base = (x[:, :-count] for x in (self.values, self.variance, self.base))
+        return replace(self, values=values, variance=variance, base=base)
 
 
 @dataclass(frozen=True, eq=False)
-class _Gap:
-    """Channels that are unknown over the same frames."""
+class _Look:
+    """What gaps are filled from, so precise as it takes.
 
-    start: int
-    stop: int
-    channels: IntArray
+    Attributes
+    ----------
+    estimate : (frames, channels) what the pass before made
+    moved : of :func:`markermend.poses.likeness.moving`; None where no alike moments are asked
+    base : (frames, channels) all gaps bridged
+    known : (channels, frames) bool
+    covariances : length of a gap to those that levels and deviations are regressed with
+    rate, cross, noise : as :func:`fill` has them
+    compared : moments that are asked besides those beside a gap
+    """
+
+    estimate: Float32Array
+    moved: Float32Array | None
+    base: FloatArray
+    known: BoolArray
+    covariances: dict[int, tuple[Float32Array, Float32Array]]
+    rate: float
+    cross: Callable[[int], FloatArray]
+    noise: float
+    compared: int
 
 
 def fill(
@@ -61,7 +114,7 @@ def fill(
     beside: FloatArray | None = None,
     noise: float = 0.0,
     rough: bool = False,
-    near: FloatArray | None = None,
+    near: Filled | None = None,
 ) -> Filled:
     """Fill the gaps of all channels.
 
@@ -75,8 +128,7 @@ def fill(
         nothing
     noise : standard deviation of what is left of noise in the known values
     rough : to look for noise: once, and short gaps by time alone
-    near : (frames, channels) what was made of an earlier result, to fill once more from it; short
-        gaps keep it
+    near : what was made of an earlier result, to fill lasting gaps once more from it
 
     Notes
     -----
@@ -84,8 +136,8 @@ def fill(
     the visible ones stray from theirs, with covariances within a time as long as the gap. Where
     values are noisy bridges are straight, since curves carry on what two frames do at a side. A
     regression on the levels of the visible channels, its residual bridged, is mixed in. Channels
-    hidden part of the time enter with what the pass before made of them. In the last pass, what the
-    regression on levels leaves in long gaps is told by alike moments instead
+    hidden part of the time enter with what the pass before made of them. A second pass fills gaps
+    that last, where what the regression on levels leaves is told by alike moments instead
     (:func:`markermend.poses.likeness.by_likeness`).
     """
     if beside is not None:
@@ -97,53 +149,69 @@ def fill(
             prior.and_more(more) if prior is not None else None,
             noise=noise,
             rough=rough,
-            near=np.hstack([near, beside]) if near is not None else None,
+            near=near and near.and_more(beside),
         )
-        return Filled(whole.values[:, :-more], whole.variance[:, :-more], whole.lasting)
-    base = bridged(values, known)
+        return whole.but(more)
     cross = straight if rough or noise > 0 else bridge
     short = max(round((_ROUGH_S if rough else _SHORT_S) * rate), 1)
-    variance = _time_variance(base, known, rate)
-    gaps = _gaps(known)
+    if near is None:
+        base, gaps = bridged(values, known), _gaps(known)
+        variance = _time_variance(base, known, rate)
+    else:
+        base, gaps, variance = near.base, near.gaps, near.variance.copy()
     if not rough and near is None:
-        brief = [gap for gap in gaps if gap.stop - gap.start <= short]
+        brief = [gap for gap in gaps if gap.length <= short]
         moments = pooled(learn(base, rate, range(1, short + 1)), prior)
         _cross_short(base, variance, known, brief, moments, rate, cross)
-    gaps = [gap for gap in gaps if gap.stop - gap.start > short]
-    estimate = base if near is None else np.where(known, base, near)
-    lengths = [gap.stop - gap.start for gap in gaps]
-    # In brief gaps a second pass changes nothing that shows.
-    lasting = max(lengths, default=0) >= _BRIEF_S * rate
-    passes = _PASSES if lasting and not rough and near is None else 1
-    for last in (False,) * (passes - 1) + (True,) if gaps else ():
-        moments = pooled(learn(estimate, rate, lengths), prior)
-        better = estimate.copy()
-        for gap in gaps:
-            alike = last and not rough
-            filled, unsure = _fill_gap(
-                gap, estimate, base, known, moments, rate, cross, alike, noise
-            )
-            better[gap.start : gap.stop, gap.channels] = filled
-            if last:
-                variance[gap.start : gap.stop, gap.channels] = unsure
-        estimate = better
-    return Filled(np.where(known, values, estimate), variance, lasting)
+    lengthy = [gap for gap in gaps if gap.length > short]
+    again = [] if rough else _lasting(lengthy, len(known), rate)
+    estimate = base if near is None else np.where(known, base, near.values)
+    seen_by_channel = np.ascontiguousarray(known.T)
+    passes = [lengthy, again] if near is None else [again]
+    for some in filter(len, passes):
+        single = np.asarray(estimate, dtype=np.float32)
+        lengths = {gap.length for gap in some}
+        look = _Look(
+            single,
+            moving(single, rate) if some is again else None,
+            base,
+            seen_by_channel,
+            _covariances(pooled(learn(single, rate, lengths), prior), lengths, rate),
+            rate,
+            cross,
+            noise,
+            FEW_MOMENTS if near is None else MOMENTS,
+        )
+        estimate = estimate.copy()
+        for gap in some:
+            part = (slice(gap.start, gap.stop), gap.channels)
+            estimate[part], variance[part] = _fill_gap(gap, look)
+    return Filled(np.where(known, values, estimate), variance, base, gaps, bool(again))
 
 
-def _gaps(known: BoolArray) -> list[_Gap]:
+def _lasting(gaps: Sequence[Gap], frames: int, rate: float) -> list[Gap]:
+    """Gaps that last, and those beside them; in others a second pass changes nothing that shows."""
+    during = np.zeros(frames, dtype=bool)
+    for gap in gaps:
+        if gap.length >= _BRIEF_S * rate:
+            during[gap.start : gap.stop] = True
+    return [gap for gap in gaps if during[gap.start : gap.stop].any()]
+
+
+def _gaps(known: BoolArray) -> list[Gap]:
     """All gaps, channels with the same frames together."""
     together: dict[tuple[int, int], list[int]] = {}
     for channels in known_alike(known):
         for start, stop in runs(~known[:, channels[0]]).tolist():
             together.setdefault((start, stop), []).extend(channels)
-    return [_Gap(*frames, np.sort(columns)) for frames, columns in together.items()]
+    return [Gap(*frames, np.sort(columns)) for frames, columns in together.items()]
 
 
 def _cross_short(
     base: FloatArray,
     variance: FloatArray,
     known: BoolArray,
-    gaps: Iterable[_Gap],
+    gaps: Iterable[Gap],
     moments: Moments,
     rate: float,
     cross: Callable[[int], FloatArray],
@@ -164,55 +232,67 @@ def _cross_short(
         hidden: BoolArray = np.any(~known[inside], axis=1)
         bridges = np.einsum("ls,gsc->glc", cross(length), base[starts + around(0, length)])
         told = np.where(hidden[:, None], 0.0, base[inside] - bridges) @ precision
-        for n, gap in enumerate(some):
-            unknown = np.flatnonzero(hidden[n])
-            own = np.searchsorted(unknown, gap.channels)
-            left = np.linalg.inv(precision[unknown[:, None], unknown])
-            strays = told[n][:, unknown] @ left[:, own]
-            base[gap.start : gap.stop, gap.channels] = bridges[n][:, gap.channels] - strays
-            variance[gap.start : gap.stop, gap.channels] = np.diag(left)[own]
+        counts = hidden.sum(axis=1)
+        for count in np.unique(counts).tolist():
+            alike = np.flatnonzero(counts == count)
+            unknown = np.nonzero(hidden[alike])[1].reshape(-1, count)
+            left = np.linalg.inv(precision[unknown[:, :, None], unknown[:, None]])
+            strays = np.take_along_axis(told[alike], unknown[:, None], axis=2) @ left
+            spread = np.diagonal(left, axis1=1, axis2=2)
+            for n, place in enumerate(alike.tolist()):
+                gap = some[place]
+                own = np.searchsorted(unknown[n], gap.channels)
+                part = (slice(gap.start, gap.stop), gap.channels)
+                base[part] = bridges[place][:, gap.channels] - strays[n][:, own]
+                variance[part] = spread[n, own]
 
 
-def _fill_gap(
-    gap: _Gap,
-    estimate: FloatArray,
-    base: FloatArray,
-    known: BoolArray,
-    moments: Moments,
-    rate: float,
-    cross: Callable[[int], FloatArray],
-    alike: bool,
-    noise: float,
-) -> tuple[FloatArray, FloatArray]:
+def _covariances(
+    moments: Moments, lengths: Iterable[int], rate: float
+) -> dict[int, tuple[Float32Array, Float32Array]]:
+    """Of levels and of deviations, for each length of a gap."""
+    found: dict[int, tuple[Float32Array, Float32Array]] = {}
+    nearest: dict[int, tuple[Float32Array, Float32Array]] = {}
+    for length in lengths:
+        place = moments.nearest(length / rate)
+        if place not in nearest:
+            within = moments.within[place]
+            levels = moments.whole + _PASSING * within
+            nearest[place] = levels.astype(np.float32), within.astype(np.float32)
+        found[length] = nearest[place]
+    return found
+
+
+def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
     """(length, channels) values of a gap and their variances; by alike moments if so wished."""
-    start, stop = gap.start, gap.stop
-    length, frames = stop - start, len(estimate)
-    hidden = np.mean(~known[start:stop], axis=0)
-    telling = hidden < _MOSTLY_HIDDEN
+    start, stop, length = gap.start, gap.stop, gap.length
+    frames, rate = len(look.estimate), look.rate
+    hidden = 1 - look.known[:, start:stop].sum(axis=1, dtype=np.float32) / length
+    telling = np.asarray(hidden < _MOSTLY_HIDDEN)
     telling[gap.channels] = False
     others = np.flatnonzero(telling)
     doubt = _DOUBT * hidden[others]
-    ends = np.array([start - 1, stop]).clip(0, frames - 1)
-    whole = moments.whole + _PASSING * moments.within_s(length / rate)
-    ridge = _LEVEL_RIDGE * np.trace(whole) / len(whole)
-    weights, left = _regress(whole, others, gap.channels, ridge, doubt)
-    if alike and length >= _BRIEF_S * rate:
-        told = np.asarray(known[:, gap.channels].all(axis=1))
-        chosen = moments_to_compare(told, start, stop, rate)
+    levels_by, strays_by = look.covariances[length]
+    ridge = _LEVEL_RIDGE * float(np.trace(levels_by)) / len(levels_by)
+    weights, left = _regress(levels_by, others, gap.channels, ridge, doubt)
+    if look.moved is not None and length >= _BRIEF_S * rate:
+        there = np.asarray(look.known[gap.channels].all(axis=0))
+        chosen = moments_to_compare(there, start, stop, rate, look.compared)
         if len(chosen):
-            trust, by = (
-                np.zeros(estimate.shape[1]),
-                np.zeros((estimate.shape[1], len(gap.channels))),
-            )
-            trust[others], by[others] = 1.0 - hidden[others], weights
-            levels = estimate[np.ix_(np.append(chosen, np.arange(start, stop)), others)] @ weights
-            left = estimate[np.ix_(chosen, gap.channels)] - levels[: len(chosen)]
+            trust = np.zeros(len(hidden), dtype=np.float32)
+            trust[others] = 1 - hidden[others]
+            by = np.zeros((len(hidden), len(gap.channels)), dtype=np.float32)
+            by[others] = weights
+            levels = look.estimate[chosen] @ by
+            targets = look.estimate[chosen[:, None], gap.channels] - levels
             strays, variance = by_likeness(
-                estimate, trust, by, left, chosen, start, stop, rate, noise
+                look.moved, trust, by, targets, chosen, start, stop, rate, look.noise
             )
-            return levels[len(chosen) :] + strays, variance
-    inside = estimate[start:stop][:, others] @ weights
-    beside = base[ends][:, gap.channels] - estimate[ends][:, others] @ weights
+            return look.estimate[start:stop] @ by + strays, variance
+    seen = look.estimate[start:stop, others]
+    inside = seen @ weights
+    ends = np.array([start - 1, stop]).clip(0, frames - 1)
+    beside = look.base[ends[:, None], gap.channels] - look.estimate[ends[:, None], others] @ weights
     if start == 0 or stop == frames:
         if start == 0 and stop == frames:
             raise ValueError("A channel is never known.")
@@ -221,30 +301,33 @@ def _fill_gap(
     shape = _arch(length)[:, None]
     if start < SIDE or stop + SIDE > frames:
         return levels, shape * left
-    ridge = _RIDGE
-    weights, left = _regress(moments.within_s(length / rate), others, gap.channels, ridge, doubt)
-    bridges = cross(length) @ estimate[around(start, stop)]
-    strays = (estimate[start:stop] - bridges)[:, others] @ weights
+    weights, left = _regress(strays_by, others, gap.channels, _RIDGE, doubt)
+    bridges = look.cross(length) @ look.estimate[around(start, stop)]
+    told = (seen - bridges[:, others]) @ weights
     share = _BRIEF if length < _BRIEF_S * rate else _LONG
     return (
-        share * (bridges[:, gap.channels] + strays) + (1.0 - share) * levels,
+        share * (bridges[:, gap.channels] + told) + (1.0 - share) * levels,
         shape * left,
     )
 
 
 def _regress(
-    covariance: FloatArray, inputs: IntArray, targets: IntArray, ridge: float, doubt: FloatArray
-) -> tuple[FloatArray, FloatArray]:
+    covariance: Float32Array,
+    inputs: IntArray,
+    targets: IntArray,
+    ridge: float,
+    doubt: Float32Array,
+) -> tuple[Float32Array, Float32Array]:
     """(inputs, targets) weights, and the variance of each target that they leave."""
     rows = covariance[inputs]
     among, across = rows[:, inputs], rows[:, targets]
     own = np.asarray(covariance[targets, targets])
     if not len(inputs):
         return across, own
-    among[np.diag_indices(len(inputs))] *= 1.0 + doubt
-    among[np.diag_indices(len(inputs))] += ridge
-    weights = cho_solve(cho_factor(among, check_finite=False), across, check_finite=False)
-    return np.asarray(weights), np.maximum(own - np.sum(across * weights, axis=0), 0.0)
+    among[np.diag_indices(len(inputs))] *= 1 + doubt
+    among[np.diag_indices(len(inputs))] += np.float32(ridge)
+    weights = solved(among, across)
+    return weights, np.maximum(own - np.sum(across * weights, axis=0), 0)
 
 
 def _time_variance(base: FloatArray, known: BoolArray, rate: float) -> FloatArray:

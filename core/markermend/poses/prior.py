@@ -27,6 +27,8 @@ WEIGHT = 300.0
 # Mean distance of joints from where the prior has them, in mean bone lengths, up to which it fits.
 # Single poses stray more.
 _ALIKE, _ALIKE_ONCE = 1.0, 1.6
+# Poses that tell where joints stand.
+_TELLING = 300
 _SHIPPED = ("models", "pose_prior.npz")
 
 
@@ -111,9 +113,18 @@ def fitting(pose: Pose, prior: Prior) -> tuple[Moments, bool] | None:
     order = np.array([at[name] for j, name in enumerate(names) if j != root])
     columns: IntArray = (order[:, None] * FEATURES + np.arange(FEATURES)).ravel()
     moments = prior.moments.of(columns)
-    apart = [_apart(body, moments) for body in (pose, mirrored(pose))]
+    some = _some(pose)
+    apart = [_apart(body, moments) for body in (some, mirrored(some))]
     limit = _ALIKE if pose.frames > 1 else _ALIKE_ONCE
     return (moments, apart[1] < apart[0]) if min(apart) < limit else None
+
+
+def _some(pose: Pose) -> Pose:
+    """So many poses of a recording as it takes to tell where its joints stand."""
+    step = -(-pose.frames // _TELLING)
+    return pose.with_samples(
+        pose.positions[::step], pose.rotations[::step], pose.confidence[::step]
+    )
 
 
 def right_handed(pose: Pose) -> tuple[Pose, bool]:

@@ -85,6 +85,14 @@ def unit(q: FloatArray) -> FloatArray:
     return np.asarray(q / np.where(length > 0, length, 1.0))
 
 
+def rotation_vector(q: FloatArray) -> FloatArray:
+    """(…, 3) axis times angle in radians, at most half a turn, of unit quaternions ``(…, 4)``."""
+    q = upright(q)
+    sine = np.sqrt(np.sum(q[..., :3] ** 2, axis=-1, keepdims=True))
+    angle = 2.0 * np.arctan2(sine, q[..., 3:])
+    return np.asarray(q[..., :3] * np.where(sine > 0, angle / np.where(sine > 0, sine, 1.0), 2.0))
+
+
 def between(a: FloatArray, b: FloatArray) -> FloatArray:
     """Return the shortest rotation that turns the direction of a into that of b.
 

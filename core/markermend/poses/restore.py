@@ -13,7 +13,7 @@ from markermend.poses.bones import Bones, find_bones, fuse, keep_lengths, swing,
 from markermend.poses.channels import Channels, steadied, to_channels, to_features, trusted_turns
 from markermend.poses.covariance import Moments
 from markermend.poses.faults import Fault, mend_faults
-from markermend.poses.filling import fill
+from markermend.poses.filling import Filled, fill
 from markermend.poses.normal import FEATURES, denormalise
 from markermend.poses.nuitrack import mirrored
 from markermend.poses.pose import Pose
@@ -149,14 +149,15 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     whole[:, usable] = filled.values
     whole[:, ~usable] = np.nan
     variance = np.full(channels.values.shape, np.nan)
-    unsure = np.where(known, 0.0, np.maximum(filled.variance, _SURE**2))
-    variance[:, usable] = unsure + (_LEFT * noise[usable]) ** 2
+    variance[:, usable] = _variance(filled, known, noise[usable])
     tell(0.7, "Keeping bones")
     features, bones = _agreed(whole, variance, channels, pose, known_joints, level)
     if filled.lasting:
         tell(0.75, "Filling again")
-        near = _columns(features, channels)[:, usable]
-        whole[:, usable] = filled_by(values, noise=_LEFT * level, near=near).values
+        near = replace(filled, values=_columns(features, channels)[:, usable])
+        filled = filled_by(values, noise=_LEFT * level, near=near)
+        whole[:, usable] = filled.values
+        variance[:, usable] = _variance(filled, known, noise[usable])
         features, bones = _agreed(whole, variance, channels, pose, known_joints, level)
     if level > _NOISY:
         tell(0.8, "Smoothing again")
@@ -167,6 +168,12 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
         features = _in_time(features, channels, noise, pose)
     features = _with_bones(features, known_joints, bones)
     return _finished(pose, features, channels, noise, variance)
+
+
+def _variance(filled: Filled, known: BoolArray, noise: FloatArray) -> FloatArray:
+    """(frames, channels) of errors of what was filled, and of what noise is left."""
+    unsure = np.where(known, 0.0, np.maximum(filled.variance, _SURE**2))
+    return unsure + (_LEFT * noise) ** 2
 
 
 def _columns(features: FloatArray, channels: Channels) -> FloatArray:

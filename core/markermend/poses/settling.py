@@ -9,9 +9,10 @@ import numpy as np
 from markermend.arrays import FloatArray
 from markermend.poses.bending import Bends, find_bends
 from markermend.poses.smoothing import smooth_bands
+from markermend.poses.solving import solved
 
 # Frames that share their slopes; groups of them that are solved at once.
-_ALIKE, _AT_ONCE = 6, 128
+_ALIKE, _AT_ONCE = 8, 32
 
 
 def settle(
@@ -91,22 +92,25 @@ def _solved(
     ``back`` is (frames, n): minus the step that would be most probable if features told nothing.
     """
     frames, joints, count = len(features), list(bends.joints), bends.at.shape[1]
-    left = (features - bends.poses)[:, joints].reshape(frames, -1)
     firsts = np.arange(0, frames, _ALIKE)
     counts = np.diff(np.append(firsts, frames))
     unsure = variance[:, joints].reshape(frames, -1)
     certain = 1.0 / np.sqrt(np.add.reduceat(unsure, firsts) / counts[:, None])
+    left = (features - bends.poses)[:, joints].reshape(frames, -1)
     moved, total = np.empty_like(bends.at), np.zeros((count, count))
-    for first in range(0, len(firsts), _AT_ONCE):
+    starts = range(0, len(firsts), _AT_ONCE)
+    for first, told in zip(starts, bends.slopes(firsts + counts // 2, _AT_ONCE), strict=True):
         some = slice(first, first + _AT_ONCE)
         rows = slice(firsts[first], firsts[some][-1] + counts[some][-1])
-        slopes = bends.slopes(firsts[some] + counts[some] // 2)
-        slopes *= certain[some, :, None]
+        # What is hardly known counts by 1 beside what is sure by a million: too much for less.
+        slopes = told * certain[some, :, None]
         across = slopes.transpose(0, 2, 1)
         wanted = across @ (_grouped(left[rows], _ALIKE) * certain[some, None]).transpose(0, 2, 1)
-        precision = across @ slopes + np.eye(count)
+        wanted -= _grouped(back[rows], _ALIKE).transpose(0, 2, 1)
+        precision = across @ slopes
+        precision[:, range(count), range(count)] += 1.0
         total += precision.sum(axis=0)
-        steps = np.linalg.solve(precision, wanted - _grouped(back[rows], _ALIKE).transpose(0, 2, 1))
+        steps = np.stack([solved(*one) for one in zip(precision, wanted, strict=True)])
         moved[rows] = steps.transpose(0, 2, 1).reshape(-1, count)[: len(moved[rows])]
     return moved, total / len(firsts)
 

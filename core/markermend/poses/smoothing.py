@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from math import comb
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.fft import dct, idct, next_fast_len
 from scipy.ndimage import uniform_filter1d
+from scipy.special import gammaincinv
 
-from markermend.arrays import BoolArray, FloatArray
+from markermend.arrays import BoolArray, Float32Array, FloatArray
 from markermend.poses.normal import FEATURES
 
 LEAST_NOISE = 1e-4
@@ -29,6 +32,8 @@ _CUTOFFS = np.geomspace(0.004, 0.4, 7)
 _WINDOW_S, _SHARP = 0.6, 0.1
 # The same where a pilot tells the risk, which chance then has no part in.
 _PILOT_WINDOW_S, _PILOT_SHARP = 0.3, 0.2
+# Channels smoothed at once.
+_AT_ONCE = 16
 # Middle of the slowest band, how much wider the next one is, and the last one's share of the rate.
 _SLOWEST_HZ, _WIDER, _FASTEST = 1.0, 2.5, 0.4
 
@@ -87,21 +92,20 @@ def noise_level(values: FloatArray, known: BoolArray) -> FloatArray:
 
 def _calm_power(third: FloatArray, whole: BoolArray) -> tuple[FloatArray, FloatArray]:
     """(channels,) mean square in calm moments, NaN where never known long enough, and blocks."""
-    from scipy.stats import chi2
-
     blocks, channels = len(third) // _BLOCK, third.shape[1]
     shape = (blocks, _BLOCK, channels)
     squared = np.where(whole, third, 0.0)[: blocks * _BLOCK].reshape(shape) ** 2
+    total = squared.sum(axis=1)
     count = whole[: blocks * _BLOCK].reshape(shape).sum(axis=1)
     power = np.full(channels, np.nan)
     for channel in range(channels):
         enough = count[:, channel] >= _BLOCK // 2
         if enough.any():
-            means = squared[enough][:, :, channel].sum(axis=1) / count[enough, channel]
+            means = total[enough, channel] / count[enough, channel]
             power[channel] = np.quantile(means, _CALM)
     worth = _BLOCK / _REPEATS
     known_for = np.count_nonzero(count >= _BLOCK // 2, axis=0).astype(float)
-    return power * worth / float(chi2.ppf(_CALM, worth)), known_for
+    return power * worth / float(2.0 * gammaincinv(0.5 * worth, _CALM)), known_for
 
 
 def smooth(values: FloatArray, noise: FloatArray, rate: float) -> FloatArray:
@@ -178,35 +182,43 @@ def smooth_each(values: FloatArray, rate: float, pilot: FloatArray | None = None
     rate : frames per second
     pilot : the same near the truth, by which risks are told; by the values where not given
     """
+    found = np.empty_like(values)
+    # So many at once as stay near at hand, and so precise as it takes to tell noise from movement.
+    for first in range(0, values.shape[1], _AT_ONCE):
+        some = np.s_[:, first : first + _AT_ONCE]
+        near = None if pilot is None else np.asarray(pilot[some], dtype=np.float32)
+        found[some] = _smooth_some(np.asarray(values[some], dtype=np.float32), rate, near)
+    return found
+
+
+def _smooth_some(values: Float32Array, rate: float, pilot: Float32Array | None) -> Float32Array:
+    """:func:`smooth_each` of some channels."""
     frames = len(values)
     guide = values if pilot is None else pilot
-    line = np.linspace(guide[0], guide[-1], frames)
+    line = np.linspace(guide[0], guide[-1], frames, dtype=np.float32)
     spectrum = _spectrum(values - line)
-    guiding = spectrum if pilot is None else _spectrum(pilot - line)
+    guiding = spectrum if pilot is None else _spectrum(guide - line)
     count = len(spectrum)
     pitch = (2.0 * np.sin(np.pi * np.arange(count) / (2 * count))) ** (2 * _ORDER)
     window_s, sharp = (_WINDOW_S, _SHARP) if pilot is None else (_PILOT_WINDOW_S, _PILOT_SHARP)
     window = min(2 * round(0.5 * window_s * rate) + 1, frames)
     # To leave a component as it is must be among the choices.
     total, weight = values.copy(), np.ones_like(values)
-    least = np.full(values.shape, 2.0 if pilot is None else 1.0)
+    least = np.full_like(values, 2.0 if pilot is None else 1.0)
     for cutoff in _CUTOFFS[frames * _CUTOFFS > 1.0]:
         gain = 1.0 / (1.0 + pitch / (2.0 * np.sin(np.pi * cutoff)) ** (2 * _ORDER))
-        out = _from_spectrum(spectrum * gain[:, None], frames) + line
-        taken = (
-            values - out
-            if pilot is None
-            else _from_spectrum(guiding * (1.0 - gain[:, None]), frames)
-        )
+        passed = gain.astype(np.float32)[:, None]
+        out = _from_spectrum(spectrum * passed, frames) + line
+        taken = values - out if pilot is None else _from_spectrum(guiding * (1 - passed), frames)
         risk = uniform_filter1d(taken**2, window, axis=0, mode="nearest")
-        risk += 2.0 * gain.mean() if pilot is None else np.mean(gain**2)
-        lower = np.maximum(least - risk, 0.0)
-        fall = np.exp(-sharp * window * lower)
-        least = np.minimum(least, risk)
-        share = np.exp(-sharp * window * (risk - least))
+        risk += float(2.0 * gain.mean() if pilot is None else np.mean(gain**2))
+        below = np.minimum(least, risk)
+        fall = np.exp(sharp * window * (below - least))
+        share = np.exp(sharp * window * (below - risk))
+        least = below
         total = fall * total + share * out
         weight = fall * weight + share
-    return total / weight
+    return np.asarray(total / weight)
 
 
 def smooth_bands(values: FloatArray, pilot: FloatArray, rate: float) -> FloatArray:
@@ -259,13 +271,13 @@ def _bands(count: int, rate: float) -> list[tuple[float, FloatArray]]:
     ]
 
 
-def _spectrum(values: FloatArray) -> FloatArray:
+def _spectrum(values: NDArray[Any]) -> NDArray[Any]:
     """Cosine transform, of the values mirrored on behind their end for as long as makes it fast."""
     more = min(next_fast_len(len(values), real=True), 2 * len(values)) - len(values)
     padded = np.pad(values, ((0, more), (0, 0)), mode="symmetric")
     return np.asarray(dct(padded, type=2, norm="ortho", axis=0))
 
 
-def _from_spectrum(spectrum: FloatArray, frames: int) -> FloatArray:
+def _from_spectrum(spectrum: NDArray[Any], frames: int) -> NDArray[Any]:
     """Return the first frames of what has a spectrum."""
     return np.asarray(idct(spectrum, type=2, norm="ortho", axis=0)[:frames])
