@@ -1,0 +1,31 @@
+"""Small systems solved without checks."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from markermend.poses.quaternion import rotation_vector
+from markermend.poses.solving import solved
+
+
+@pytest.mark.parametrize(("kind", "off"), [(np.float32, 1e-3), (np.float64, 1e-10)])
+def test_systems_are_solved_as_precisely_as_they_are_given(kind: type, off: float) -> None:
+    random = np.random.default_rng(1)
+    half = random.normal(size=(30, 60))
+    system, right = half @ half.T, random.normal(size=(30, 4))
+    found = solved(system.astype(kind), right.astype(kind))
+    assert found.dtype == kind
+    assert_allclose(found, np.linalg.solve(system, right), atol=off)
+
+
+def test_a_system_that_has_no_single_answer_is_told() -> None:
+    with pytest.raises(np.linalg.LinAlgError):
+        solved(np.ones((3, 3)) - np.eye(3), np.ones((3, 1)))
+
+
+def test_rotation_vectors_are_those_of_half_a_turn_at_most() -> None:
+    half = np.array([0.0, 0.3, 1.5, 1.7])
+    turns = np.stack([np.sin(half), 0 * half, 0 * half, np.cos(half)], axis=1)
+    told = rotation_vector(turns)
+    assert_allclose(told[:, 0], [0.0, 0.6, 3.0, 3.4 - 2 * np.pi], atol=1e-12)
+    assert (told[:, 1:] == 0).all()
