@@ -5,15 +5,19 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from markermend.artifact import Artifact, Kind
+from markermend.repairs import propose
 from markermend.repairs.body_frame import (
     align,
     align_each,
     alike,
     nearest_rotations,
+    rank_references,
     to_frame,
     to_frames,
     to_lab,
 )
+from markermend.take import Take
 
 
 def by_singular_values(matrices):
@@ -80,3 +84,13 @@ def test_frames_of_several_weights_are_those_of_each_alone():
         assert np.allclose(centre.T, origin, atol=1e-9)
         assert np.allclose(one.transpose(2, 0, 1), to_frame(points, turn, origin), atol=1e-9)
         assert np.allclose(weight @ to_frame(points, turn, origin), 0.0, atol=1e-9)
+
+
+@pytest.mark.parametrize("others", ["*{}", "Other:M{}"])
+def test_a_trajectory_without_named_company_has_no_references_and_is_repaired_all_the_same(others):
+    positions = np.cumsum(np.random.default_rng(0).normal(0.0, 1.0, (300, 5, 3)), axis=0)
+    positions[100:120, 0] = np.nan
+    take = Take(positions, ("*1", *(others.format(i) for i in range(2, 6))), 100.0)
+    columns, spread = rank_references(take, take.present, 0, slice(100, 120))
+    assert len(columns) == len(spread) == 0
+    assert propose(take, Artifact("*1", "xyz", 100, 120, Kind.GAP)).patches

@@ -8,7 +8,6 @@ from PySide6.QtCore import QEventLoop, QObject
 from PySide6.QtWidgets import QApplication
 
 from markermend.errors import MarkermendError
-from markermend.progress import Progress
 from markermend.review.file import SessionFile
 from markermend_app.background.jobs import Lane
 
@@ -31,9 +30,6 @@ class Saver(QObject):
             return
         taken = file.snapshot()
 
-        def work(_: Progress) -> None:
-            taken.write()
-
         def done(_: object) -> None:
             try:
                 if not file.take_over(taken) and file.is_open:
@@ -41,4 +37,6 @@ class Saver(QObject):
             except MarkermendError as error:
                 failed(error)
 
-        self._lane.submit("Saving", work, done, failed, lambda _: taken.discard())
+        self._lane.submit(
+            "Saving", lambda _: taken.write(), done, failed, lambda _: taken.discard()
+        )

@@ -102,7 +102,7 @@ def advise(
         from markermend.mesh import infer_mesh
 
         # Each trial would work it out anew.
-        own = replace(own, mesh=infer_mesh(own.take)).told(own.seen)
+        own = replace(own, mesh=infer_mesh(own.take)).with_seen(own.seen)
     places = _places(own, artifact, trials)
     with threadpool_limits(1):
         advice = [_measure(own, artifact, name, places) for name in names]
@@ -225,7 +225,7 @@ def _hidden(evidence: Evidence, artifact: Artifact, start: int) -> Evidence:
     for hidden, known in ((trusted, evidence.trusted), (seen, evidence.seen)):
         hidden[there] &= known[artifact.start : artifact.stop]
         hidden[there, marker] = False
-    return replace(evidence, trusted=trusted).told(seen)
+    return replace(evidence, trusted=trusted).with_seen(seen)
 
 
 def _places(evidence: Evidence, artifact: Artifact, count: int) -> list[int]:

@@ -46,7 +46,8 @@ def rank_references(
     spread : (k,) median absolute deviation of their distance, mm
     """
     subject = take.subject(take.labels[marker])
-    named = np.array([c for c in take.named if take.subject(take.labels[c]) == subject])
+    same = [c for c in take.named if take.subject(take.labels[c]) == subject]
+    named = np.array(same, dtype=np.int64)
     usable = named[np.all(seen[during, named], axis=0)]
     columns = usable[usable != marker]
     every = slice(None, None, max(STRIDE, take.frames // COMPARED))

@@ -237,7 +237,9 @@ def _from_time(frames: int, rate: float) -> FloatArray:
     """(frames,) covariance in mm² that comes from nearness in time, by how far apart frames are."""
     passed = np.arange(frames) / rate
     kernels = zip(TIME_MM, TIME_S, (_matern52, _matern32, _matern32), strict=True)
-    return np.asarray(sum(size**2 * matern(passed / scale) for size, scale, matern in kernels))
+    nearness = np.asarray(sum(size**2 * matern(passed / scale) for size, scale, matern in kernels))
+    nearness.flags.writeable = False
+    return nearness
 
 
 def _matern32(distance: FloatArray) -> FloatArray:

@@ -52,8 +52,13 @@ class Evidence:
         seen.flags.writeable = False
         return seen
 
-    def told(self, seen: BoolArray) -> Evidence:
-        """The same, spared to work out :attr:`seen`, which takes a while in long takes."""
+    def with_seen(self, seen: BoolArray) -> Evidence:
+        """Itself, spared to work out :attr:`seen`, which takes a while in long takes.
+
+        Parameters
+        ----------
+        seen : (frames, markers) bool, what ``trusted`` comes to; becomes read-only
+        """
         seen.flags.writeable = False
         self.__dict__["seen"] = seen
         return self

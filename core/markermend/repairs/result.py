@@ -48,7 +48,7 @@ def without_own(evidence: Evidence, artifact: Artifact) -> Evidence:
     trusted[rows, marker, axes] = False
     seen = evidence.seen.copy()
     seen[rows, marker] = False
-    return replace(evidence, trusted=trusted).told(seen)
+    return replace(evidence, trusted=trusted).with_seen(seen)
 
 
 def make_repair(

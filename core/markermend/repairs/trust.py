@@ -50,7 +50,7 @@ def evidence_for(
     mark_damage(trusted, take, doubtful, False)
     trusted.flags.writeable = False
     evidence = Evidence(take, trusted, mesh, progress or quiet)
-    return evidence.told(trusted_samples(take, doubtful))
+    return evidence.with_seen(trusted_samples(take, doubtful))
 
 
 def as_good_as_new(take: Take, artifact: Artifact) -> bool:

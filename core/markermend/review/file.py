@@ -127,7 +127,7 @@ class SessionFile:
             return
         try:
             self._on_disk.wait()
-        except OSError:
+        except Exception:
             self._torn = True
         if self._torn:
             with contextlib.suppress(MarkermendError):
@@ -179,8 +179,11 @@ class SessionFile:
 
         try:
             self._on_disk.keep(journal.fileno(), write, long)
-        except OSError as error:
+        except Exception as error:
+            # Whatever went wrong, a step is missing there.
             self._torn = True
+            if not isinstance(error, OSError):
+                raise
             raise MarkermendError(
                 f"The step is made, but could not be kept in “{journal.name}” "
                 f"({error.strerror}); free some space, or export now."

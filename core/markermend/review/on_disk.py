@@ -35,8 +35,9 @@ class OnDisk:
             or what else ``write`` raises, when this or what was kept before could not be written
             or brought there; told once
         """
-        self._raise()
         with self._lock:
+            # Under the lock: what failed in between must not be followed by anything.
+            self._raise()
             later = long or self._writing
             if later:
                 self._writes.append(write)

@@ -104,6 +104,7 @@ class PlotStack(pg.GraphicsLayoutWidget):
                 self.ci.addItem(frame.plot, row=i, col=0)
             frame.set_place(i == 0, i == len(now) - 1)
         self.share_height()
+        # Where rows stay, the scene would else lay them out only when it is painted next.
         self.ci.layout.activate()
 
     def share_height(self, *_: object) -> None:
