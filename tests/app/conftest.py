@@ -124,6 +124,7 @@ def review(qtbot, tmp_path):
         window.document.open(open_session(take, folder=tmp_path), infer_mesh(take))
         window.document.add_detected(artifacts, "truth")
         window.document.step(1)
+        qtbot.waitUntil(lambda: not window.tree._anew.waiting)
         return window
 
     return start

@@ -109,8 +109,9 @@ def test_the_difference_row_shows_how_far_a_repair_moved_what_was_measured(windo
     peak = document.current
     qtbot.keyClick(window, Qt.Key.Key_F)
     session = document.session
-    source = session.original.positions[:, session.original.index(peak.marker)]
-    way = way_of(session.take, peak.marker, source=source)
+    column = session.original.index(peak.marker)
+    source, now = (t.positions[:, column] for t in (session.original, session.take))
+    way = way_of(session.take, peak.marker, now, source=source)
     moved = QUANTITIES["difference"].of(way)
     assert moved[peak.start] == pytest.approx(25.0, abs=2.0)
     assert np.nanmax(np.delete(moved, peak.start)) == 0.0

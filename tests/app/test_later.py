@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from functools import partial
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, QTimer
+from shiboken6 import delete
 
 from markermend_app.later import Later, OneByOne
 
@@ -45,3 +46,36 @@ def test_what_asks_again_goes_behind_what_waits(qtbot):
     turns.ask(lambda: done.append("second"))
     qtbot.waitUntil(lambda: len(done) == 4)
     assert done == ["first", "second", "first", "first"]
+
+
+def test_whatever_waits_each_gets_a_turn_of_its_own_in_order(qtbot):
+    done, parent = [], QObject()
+    first, second = (Later(partial(done.append, i), parent) for i in (1, 2))
+    beat = QTimer(parent, interval=0)
+    beat.timeout.connect(lambda: done.append("beat"))
+    second.ask()
+    first.ask()
+    beat.start()
+    qtbot.waitUntil(lambda: 1 in done)
+    beat.stop()
+    assert [d for d in done if d != "beat"] == [2, 1]
+    assert "beat" in done[done.index(2) : done.index(1)]
+
+
+def test_what_is_done_at_once_is_not_done_later_too(qtbot):
+    done, parent = [], QObject()
+    later = Later(lambda: done.append(1), parent)
+    later.ask()
+    later.do()
+    qtbot.wait(20)
+    assert done == [1]
+    assert not later.waiting
+
+
+def test_what_ends_while_it_waits_is_not_done_and_holds_nobody_up(qtbot):
+    done, parent, gone = [], QObject(), QObject()
+    Later(lambda: done.append("gone"), gone).ask()
+    Later(lambda: done.append("here"), parent).ask()
+    delete(gone)
+    qtbot.waitUntil(lambda: bool(done))
+    assert done == ["here"]

@@ -203,6 +203,7 @@ def test_subjects_unlabelled_and_other_points_stand_apart(tmp_path, qtbot):
     tree = MarkerTree(document)
     qtbot.addWidget(tree)
     document.open(open_session(take, folder=tmp_path), Mesh(labels, (Group("Head", "A", (0, 1)),)))
+    qtbot.waitUntil(lambda: not tree._anew.waiting)
     top = [tree.view.model().index(i, 0).data() for i in range(tree.view.model().rowCount())]
     assert top == ["A", "B", "Unlabelled (1)", "Other points (1)", "Analog channels (1)"]
     names = visible(tree)
@@ -263,6 +264,7 @@ def test_the_next_take_is_shown_whole(qtbot, review, damaged):
     document.session.mark_exported()
     document.open(open_session(damaged[0]), document.mesh)
     assert tree.filter.text() == ""
+    qtbot.waitUntil(lambda: not tree._anew.waiting)
     assert tree._proxy.rowCount() > 0
 
 

@@ -23,6 +23,7 @@ from markermend.take import Take
 from markermend_app import detection, settings
 from markermend_app.background.preview import AUTO
 from markermend_app.background.proposals import Key
+from markermend_app.columns import lay_out
 from markermend_app.document import AHEAD
 
 if TYPE_CHECKING:
@@ -109,6 +110,7 @@ def load(path: Path, progress: Progress) -> SessionFile:
     """Read a take and open its review."""
     take = _read(path, part(progress, 0.0, 0.9))
     progress(0.9, "Opening the review")
+    lay_out(take)
     return open_session(take, folder=review_folder(path))
 
 
@@ -172,6 +174,7 @@ def open_prepared(ahead: Prepared, progress: Progress) -> Opened:
     """Open the review of a take that was prepared; what no longer holds is made anew."""
     if _stamp(ahead.item.path) != ahead.stamp:
         return load_item(ahead.item, progress)
+    lay_out(ahead.take)
     file = open_session(ahead.take, folder=review_folder(ahead.item.path))
     try:
         _begin(file, ahead.item, ahead.found)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -22,7 +23,7 @@ _FLOOR = 1e-12
 
 
 class SmoothPictures(pg.GraphicsLayoutWidget):
-    """Three plots: over time above, over frequency below.
+    """Three plots: over time above, over frequency below; :meth:`make_some` makes them.
 
     Attributes
     ----------
@@ -34,43 +35,63 @@ class SmoothPictures(pg.GraphicsLayoutWidget):
         super().__init__(parent)
         self.setAccessibleName(self.tr("Curve, spectrum and residuals before and after"))
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self._todo: list[Callable[[], None]] = [self._make_way, self._make_spectrum]
+        self._todo += [self._make_residual, self._finish]
+
+    def make_some(self) -> bool:
+        """Make one more of the plots, which takes long; whether some are left to be made."""
+        if self._todo:
+            self._todo.pop(0)()
+        return bool(self._todo)
+
+    def _make_way(self) -> None:
         self._time = TimeAxis()
         self.way = pg.PlotItem(axisItems={"bottom": self._time}, enableMenu=False)
-        self.spectrum, self.residual = (pg.PlotItem(enableMenu=False) for _ in range(2))
         self.addItem(self.way, 0, 0, 1, 2)
+        self._time.setHeight(TIME_HEIGHT)
+        prepare_plot(self.way)
+        self.way.getViewBox().setAutoVisible(y=True)
+        look = theme.current()
+        # Where both agree, what was there before shows on either side of what comes.
+        self.raw, self.smooth = curve(look.original, width=3), curve(look.accent)
+        self._prepare(self.way, self.raw, self.smooth)
+
+    def _make_spectrum(self) -> None:
+        look = theme.current()
+        self.spectrum = pg.PlotItem(enableMenu=False)
         self.addItem(self.spectrum, 1, 0)
+        self.spectrum.setLogMode(y=True)
+        self._power = {True: curve(look.original, width=3), False: curve(look.accent)}
+        self._prepare(self.spectrum, *self._power.values(), title=self.tr("Spectrum"))
+
+    def _make_residual(self) -> None:
+        look = theme.current()
+        self.residual = pg.PlotItem(enableMenu=False)
         self.addItem(self.residual, 1, 1)
+        self._taken, self._noise = curve(look.text), curve(look.muted)
+        self._chosen = pg.InfiniteLine(angle=90, movable=False)
+        items = self._taken, self._noise, self._chosen
+        self._prepare(self.residual, *items, title=self.tr("Residuals"))
+
+    def _prepare(self, plot: pg.PlotItem, *items: pg.GraphicsObject, title: str = "") -> None:
+        """Put curves into a plot; one with a title is over frequency, and stays as it is."""
+        if title:
+            self._say(plot, title)
+            plot.setMouseEnabled(False, False)
+            plot.setLabel("bottom", self.tr("Hz"))
+        plot.hideButtons()
+        plot.showGrid(x=True, y=True, alpha=1.0)
+        plot.getAxis("left").setWidth(72)
+        for item in items:
+            plot.addItem(item)
+
+    def _finish(self) -> None:
         self.ci.layout.setRowStretchFactor(0, 3)
         self.ci.layout.setRowStretchFactor(1, 2)
         for column in (0, 1):
             self.ci.layout.setColumnPreferredWidth(column, 100)
             self.ci.layout.setColumnStretchFactor(column, 1)
         self.ci.layout.setContentsMargins(8, 8, 12, 8)
-        self._time.setHeight(TIME_HEIGHT)
-        prepare_plot(self.way)
-        self._say(self.spectrum, self.tr("Spectrum"))
-        self._say(self.residual, self.tr("Residuals"))
-        for plot in (self.spectrum, self.residual):
-            plot.setMouseEnabled(False, False)
-            plot.setLabel("bottom", self.tr("Hz"))
-        self.spectrum.setLogMode(y=True)
-        for plot in (self.way, self.spectrum, self.residual):
-            plot.hideButtons()
-            plot.showGrid(x=True, y=True, alpha=1.0)
-            plot.getAxis("left").setWidth(72)
-        self.way.getViewBox().setAutoVisible(y=True)
-        look = theme.current()
-        # Where both agree, what was there before shows on either side of what comes.
-        self.raw, self.smooth = curve(look.original, width=3), curve(look.accent)
-        self._power = {True: curve(look.original, width=3), False: curve(look.accent)}
-        self._taken, self._noise = curve(look.text), curve(look.muted)
-        self._chosen = pg.InfiniteLine(angle=90, movable=False)
-        self.way.addItem(self.raw)
-        self.way.addItem(self.smooth)
-        for item in self._power.values():
-            self.spectrum.addItem(item)
-        for item in (self._taken, self._noise, self._chosen):
-            self.residual.addItem(item)
         self.restyle()
 
     def start_over(self) -> None:

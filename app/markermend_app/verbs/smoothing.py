@@ -41,7 +41,7 @@ class Smoothing(QObject):
         self._last: tuple[str, dict[str, Any]] = ("auto", {})
         self.dialog: SmoothDialog | None = None
         self._pictures: SmoothPictures | None = None
-        self._ahead = Later(self._plots, self)
+        self._ahead = Later(self._make_some, self)
         self._stale = False
         document.data_changed.connect(self._note_change)
         document.opened.connect(self._note_change)
@@ -86,7 +86,17 @@ class Smoothing(QObject):
         """What the dialogs draw in, one after the other."""
         if self._pictures is None:
             self._pictures = SmoothPictures(self._window)
+        while self._pictures.make_some():
+            pass
         return self._pictures
+
+    def _make_some(self) -> None:
+        """Make another plot of them in a turn of its own, unless all are there."""
+        if self._pictures is None:
+            self._pictures = SmoothPictures(self._window)
+            self._ahead.ask()
+        elif self._pictures.make_some():
+            self._ahead.ask()
 
     def _work_out(self, dialog: SmoothDialog, take: Take) -> None:
         """Smooth what the dialog says, on the worker."""

@@ -67,10 +67,12 @@ class MarkerModel(QStandardItemModel):
         self.setHeaderData(NAME, Qt.Orientation.Horizontal, text)
 
     def set_root(self, root: Node) -> None:
-        """Show other rows."""
+        """Show other rows; what is missing of markers that stay is known already."""
         self.removeRows(0, self.rowCount())
         self._root, self._items = root, {}
-        self._by_label = {n.label: n for n in root.all_markers()}
+        before, self._by_label = self._by_label, {n.label: n for n in root.all_markers()}
+        for label, node in self._by_label.items():
+            node.missing = before[label].missing if label in before else None
         for node in root.rows:
             self.appendRow(self._grown(node))
 

@@ -28,6 +28,7 @@ from PySide6.QtWidgets import (
 )
 
 from markermend.review.edits import Change
+from markermend.review.session import Session
 from markermend_app.document import Document
 from markermend_app.later import Later
 from markermend_app.panels.markers.badge import counts_width, hint
@@ -127,8 +128,10 @@ class MarkerTree(QWidget):
         whole.setContentsMargins(0, 0, 0, 0)
         whole.addWidget(self._pages)
 
+        self._anew = Later(self._rebuild, self)
+        self._counted: Session | None = None
         document.opened.connect(self._start_over)
-        document.mesh_changed.connect(self._rebuild)
+        document.mesh_changed.connect(self._anew.ask)
         self._changed: set[str] = set()
         self._following = False
         self._soon = Later(self._catch_up, self)
@@ -144,7 +147,10 @@ class MarkerTree(QWidget):
         """Show another take whole; the same one, of which markers were renamed, as it was."""
         if not self._document.renaming:
             self.filter.clear()
-        self._rebuild()
+        if self._document.session is None:
+            self._anew.do()
+        else:
+            self._anew.ask()
 
     def _rebuild(self) -> None:
         """Lay the rows out anew: another take, or another order."""
@@ -152,6 +158,7 @@ class MarkerTree(QWidget):
         self._pages.setCurrentIndex(0 if session is None else 1)
         self._say(skeleton=session is not None and session.original.skeleton)
         if session is None:
+            self._counted = None
             return
         root = grow(session.original, self._document.mesh)
         flat = self.worst_first.isChecked()
@@ -164,7 +171,10 @@ class MarkerTree(QWidget):
         self.view.setRootIsDecorated(not flat)
         self._expand()
         self._syncing = False
-        self._model.set_missing(session.take, session.original.labels)
+        if session is not self._counted or self._changed:
+            self._counted = session
+            self._changed.clear()
+            self._model.set_missing(session.take, session.original.labels)
         self._count()
         self._follow_shown()
 
@@ -243,6 +253,8 @@ class MarkerTree(QWidget):
 
     def _catch_up(self) -> None:
         """Bring up to date what changed; to lay the rows out anew does so, too."""
+        if self._anew.waiting:
+            return
         session = self._document.session
         changed, self._changed = self._changed, set()
         if session is not None and changed:
@@ -277,7 +289,7 @@ class MarkerTree(QWidget):
 
     def _selected(self, _: QItemSelection, __: QItemSelection) -> None:
         """Show what was selected."""
-        if self._syncing or self._choosing:
+        if self._syncing or self._choosing or self._anew.waiting:
             return
         labels = self._labels(self.view.selectionModel().selectedRows())
         if labels:

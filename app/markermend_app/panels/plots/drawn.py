@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable
-from operator import is_
 
 from markermend.arrays import ByteArray, FloatArray
+from markermend.review.edits import Change
 from markermend.review.session import Session
-from markermend.take import Take
+from markermend_app.columns import column_of
 from markermend_app.panels.plots.quantity import Way, way_of
 from markermend_app.panels.plots.row import Shown
 
@@ -17,24 +18,26 @@ class Drawn:
 
     def __init__(self) -> None:
         self._known: dict[str, tuple[str | None, FloatArray | None, Shown]] = {}
-        self._sources: dict[str, tuple[Take, str | None, FloatArray | None, Way]] = {}
+        self._written: frozenset[int] = frozenset()
+        self._touched: dict[str, set[tuple[int, int]]] = defaultdict(set)
 
-    def forget(self) -> None:
+    def forget(self, session: Session | None) -> None:
         """Start over with another take."""
         self._known.clear()
-        self._sources.clear()
+        self._touched.clear()
+        self._written = frozenset(() if session is None else session.state.written)
 
-    def note(self, changed: Iterable[str]) -> None:
+    def note(self, change: Change) -> None:
         """Let go of markers whose samples changed, and of those measured to them."""
-        names = set(changed)
+        names = set(change.markers)
+        for name in names:
+            self._touched[name].add((change.start, change.stop))
         for name in [n for n, k in self._known.items() if n in names or k[0] in names]:
             del self._known[name]
 
     def keep(self, names: Iterable[str]) -> None:
         """Let go of all but these markers."""
-        kept = tuple(names)
-        self._known = {name: self._known[name] for name in kept}
-        self._sources = {name: s for name, s in self._sources.items() if name in kept}
+        self._known = {name: self._known[name] for name in names}
 
     def of(
         self, session: Session, name: str, partner: str | None, predicted: FloatArray | None
@@ -54,24 +57,28 @@ class Drawn:
         take, original, column = session.take, session.original, session.take.index(name)
 
         def gather() -> tuple[Way, Way, ByteArray]:
-            origin = take.origin[:, column].copy()
+            read = column_of(original, column)
             if column not in session.state.written:
                 # What was not repaired need not be worked out twice.
-                way = way_of(take, name, partner, predicted)
-                return way, way, origin
-            before = self._source(original, name, partner, predicted)
-            return way_of(take, name, partner, predicted, before.positions), before, origin
+                way = way_of(take, name, read[0], partner, predicted)
+                return way, way, read[1]
+            before = way_of(original, name, read[0], partner, predicted)
+            positions, origin = self._as_it_stands(session, name, read)
+            return way_of(take, name, positions, partner, predicted, read[0]), before, origin
 
         shown = Shown(take.frames, gather)
         self._known[name] = partner, predicted, shown
         return shown
 
-    def _source(
-        self, original: Take, name: str, partner: str | None, predicted: FloatArray | None
-    ) -> Way:
-        """A marker as it was in the file; whatever is done to it, that stays."""
-        known = self._sources.get(name)
-        asked = original, partner, predicted
-        if known is None or not all(map(is_, known[:3], asked)):
-            known = self._sources[name] = (*asked, way_of(original, name, partner, predicted))
-        return known[3]
+    def _as_it_stands(
+        self, session: Session, name: str, read: tuple[FloatArray, ByteArray]
+    ) -> tuple[FloatArray, ByteArray]:
+        """What was read of a marker, with what was written to it since."""
+        take, column, touched = session.take, session.take.index(name), self._touched[name]
+        if column in self._written or sum(b - a for a, b in touched) > take.frames:
+            return column_of(take, column)
+        positions, origin = read[0].copy(order="K"), read[1].copy()
+        for start, stop in touched:
+            positions[start:stop] = take.positions[start:stop, column]
+            origin[start:stop] = take.origin[start:stop, column]
+        return positions, origin

@@ -55,6 +55,7 @@ class Way:
 def way_of(
     take: Take,
     marker: str,
+    positions: FloatArray,
     partner: str | None = None,
     predicted: FloatArray | None = None,
     source: FloatArray | None = None,
@@ -65,6 +66,8 @@ def way_of(
     ----------
     take : the recording
     marker : its label
+    positions : (frames, 3) mm, its samples, each axis without a break in memory: every row reads
+        them several times
     partner : the marker that distances are measured to
     predicted : (frames, 3) mm, where the body says the marker is
     source : (frames, 3) mm, the samples before any repair; by default the way's own
@@ -75,8 +78,6 @@ def way_of(
     if take.cameras is not None:
         cameras = partial(_counted, take.cameras[:, column], take.origin[:, column])
     other = None if partner is None else take.positions[:, take.index(partner)]
-    # Every row reads them several times, which is slow across other markers' and axes' samples.
-    positions = np.asfortranarray(take.positions[:, column])
     source = positions if source is None else source
     return Way(positions, take.rate, residuals, cameras, other, predicted, source)
 

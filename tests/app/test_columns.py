@@ -1,0 +1,52 @@
+"""Markers read one by one look like those of the take, whatever is done to them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from markermend.review import hand
+from markermend.review.session import Session
+from markermend_app.columns import column_of, lay_out
+from markermend_app.panels.plots.drawn import Drawn
+
+
+@pytest.mark.parametrize("laid", [True, False])
+def test_a_column_is_the_markers_samples(damaged, laid):
+    take = damaged[0]
+    if laid:
+        lay_out(take)
+    for i in range(take.markers):
+        positions, origin = column_of(take, i)
+        np.testing.assert_array_equal(positions, take.positions[:, i])
+        np.testing.assert_array_equal(origin, take.origin[:, i])
+        assert positions.flags.f_contiguous
+
+
+@pytest.mark.parametrize("laid", [True, False])
+def test_a_marker_is_drawn_as_it_stands_after_every_step_and_back(damaged, laid):
+    take = damaged[0]
+    if laid:
+        lay_out(take)
+    session, drawn, rng = Session(take), Drawn(), np.random.default_rng(2)
+    hand.cut(session, "LWRB", 1, 9)
+    drawn.forget(session)
+
+    def check():
+        for i, name in enumerate(take.labels):
+            shown = drawn.of(session, name, None, None)
+            np.testing.assert_array_equal(shown.now.positions, session.positions[:, i])
+            np.testing.assert_array_equal(shown.origin, session.take.origin[:, i])
+            np.testing.assert_array_equal(shown.before.positions, take.positions[:, i])
+
+    check()
+    for start in range(10, 370, 30):
+        name = str(rng.choice(take.labels[1:]))
+        drawn.note(hand.cut(session, name, start, start + int(rng.integers(5, 25))))
+        check()
+    for _ in range(12):
+        drawn.note(session.undo())
+        check()
+    for _ in range(12):
+        drawn.note(session.redo())
+        check()
