@@ -30,7 +30,6 @@ def test_a_marker_is_drawn_as_it_stands_after_every_step_and_back(damaged, laid)
         lay_out(take)
     session, drawn, rng = Session(take), Drawn(), np.random.default_rng(2)
     hand.cut(session, "LWRB", 1, 9)
-    drawn.forget(session)
 
     def check():
         for i, name in enumerate(take.labels):
@@ -42,11 +41,11 @@ def test_a_marker_is_drawn_as_it_stands_after_every_step_and_back(damaged, laid)
     check()
     for start in range(10, 370, 30):
         name = str(rng.choice(take.labels[1:]))
-        drawn.note(hand.cut(session, name, start, start + int(rng.integers(5, 25))))
+        drawn.note(hand.cut(session, name, start, start + int(rng.integers(5, 25))).markers)
         check()
     for _ in range(12):
-        drawn.note(session.undo())
+        drawn.note(session.undo().markers)
         check()
     for _ in range(12):
-        drawn.note(session.redo())
+        drawn.note(session.redo().markers)
         check()

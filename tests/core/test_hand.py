@@ -51,15 +51,33 @@ def test_cutting_opens_a_gap_that_joins_the_one_beside_it():
         hand.cut(session, "B", 12, 15)
 
 
-def test_hand_work_copies_only_the_markers_it_touches():
+def test_what_a_repair_returns_to_is_hand_work_where_there_is_some_and_else_what_was_read():
     session = Session(make_take())
-    hand.cut(session, "B", 20, 28)
-    state, read = session.state, session.original.positions
-    own = [not np.shares_memory(state.base(i)[0], read) for i in range(session.original.markers)]
-    assert own == [label == "B" for label in session.original.labels]
-    session.undo()
-    column = session.original.index("B")
-    assert np.array_equal(state.base(column)[0], read[:, column], equal_nan=True)
+    read, frames = session.original.positions, session.original.frames
+    rng, column = np.random.default_rng(4), session.original.index("B")
+    wanted = [read[:, column].copy()]
+    for start in rng.integers(0, frames - 8, 20).tolist():
+        stop = start + 8
+        if np.isnan(wanted[-1][start:stop, 0]).all():
+            continue
+        hand.cut(session, "B", start, stop)
+        wanted.append(wanted[-1].copy())
+        wanted[-1][start:stop] = np.nan
+    assert len(wanted) > 5
+    base = session.state.base
+    while True:
+        np.testing.assert_array_equal(base.read(column, 0, frames)[0], wanted.pop())
+        low, high = sorted(rng.integers(0, frames, 2).tolist())
+        whole = base.read(column, 0, frames)
+        for part, every in zip(base.read(column, low, high), whole, strict=True):
+            np.testing.assert_array_equal(part, every[low:high])
+        if not wanted:
+            break
+        session.undo()
+    np.testing.assert_array_equal(whole[0], read[:, column])
+    np.testing.assert_array_equal(whole[1], session.original.origin[:, column])
+    for i in set(range(session.original.markers)) - {column}:
+        np.testing.assert_array_equal(base.read(i, 0, frames)[0], read[:, i])
 
 
 def test_a_filled_cut_that_is_reopened_is_cut_again():

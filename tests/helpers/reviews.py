@@ -38,7 +38,11 @@ def state_of(session: Session) -> tuple:
     return (
         session.positions.tobytes(),
         session.origin.tobytes(),
-        *(a.tobytes() for i in range(session.original.markers) for a in session.state.base(i)),
+        *(
+            a.tobytes()
+            for i in range(session.original.markers)
+            for a in session.state.base.read(i, 0, session.original.frames)
+        ),
         session.original.labels,
         session.artifacts,
         tuple(sorted((i, n.method) for i, n in session.notes.items())),

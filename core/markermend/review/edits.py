@@ -14,6 +14,7 @@ from markermend.arrays import ByteArray, FloatArray
 from markermend.artifact import Artifact
 from markermend.errors import DataError
 from markermend.patch import Patch, apply_patch
+from markermend.review.base import Base
 from markermend.take import Take
 
 
@@ -51,7 +52,7 @@ class State:
         self.positions: FloatArray = take.positions.copy()
         self.origin: ByteArray = take.origin.copy()
         self.written: dict[int, set[tuple[int, int]]] = {}
-        self._base: dict[int, tuple[FloatArray, ByteArray]] = {}
+        self.base = Base(take)
         self.artifacts: dict[str, Artifact] = {}
         self.notes: dict[str, RepairNote] = {}
 
@@ -79,23 +80,6 @@ class State:
             return original.viewing(positions, origin)
 
         return make
-
-    def base(self, column: int) -> tuple[FloatArray, ByteArray]:
-        """What a repair that is taken back returns to: samples as read, or as hand work left them.
-
-        Returns
-        -------
-        (frames, 3) float64 mm and (frames,) uint8 of a marker, not to be changed
-        """
-        read = self.original.positions[:, column], self.original.origin[:, column]
-        return self._base.get(column, read)
-
-    def own_base(self, column: int) -> tuple[FloatArray, ByteArray]:
-        """The same, to be changed by hand work; a copy of this marker's samples only."""
-        if column not in self._base:
-            positions, origin = self.base(column)
-            self._base[column] = positions.copy(), origin.copy()
-        return self._base[column]
 
 
 @dataclass(frozen=True)
@@ -129,10 +113,7 @@ class SetBase:
 
     def apply(self, state: State) -> SetBase:
         """Write the patches; each names all axes, so that none can fail."""
-        undo = []
-        for patch in self.patches:
-            positions, origin = state.own_base(state.original.index(patch.marker))
-            undo.append(apply_patch(positions[:, None], origin[:, None], 0, patch))
+        undo = [state.base.write(state.original.index(p.marker), p) for p in self.patches]
         return SetBase(tuple(reversed(undo)))
 
 

@@ -93,8 +93,7 @@ def _markers(state: State, artifact: Artifact) -> tuple[str, ...]:
 def _restoring(state: State, marker: str, axes: str, start: int, stop: int) -> Patch:
     """Patch that puts the samples back as they were before any repair."""
     column = state.original.index(marker)
-    base_positions, base_origin = state.base(column)
-    before = base_positions[start:stop]
+    before, base_origin = state.base.read(column, start, stop)
     # Where the working copy gained or lost whole samples, one axis cannot go back alone.
     if (np.isnan(before[:, 0]) != np.isnan(state.positions[start:stop, column, 0])).any():
         axes = AXES
@@ -103,7 +102,7 @@ def _restoring(state: State, marker: str, axes: str, start: int, stop: int) -> P
     untouched = state.positions[start:stop, column][:, others] == before[:, others]
     origin = np.where(
         untouched.all(axis=1),
-        base_origin[start:stop],
+        base_origin,
         state.origin[start:stop, column],
     )
     return Patch(marker, axes, start, stop, values, origin.astype(np.uint8))

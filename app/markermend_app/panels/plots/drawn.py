@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 
 from markermend.arrays import ByteArray, FloatArray
-from markermend.review.edits import Change
 from markermend.review.session import Session
+from markermend.take import Take
 from markermend_app.columns import column_of
 from markermend_app.panels.plots.quantity import Way, way_of
 from markermend_app.panels.plots.row import Shown
@@ -18,20 +17,14 @@ class Drawn:
 
     def __init__(self) -> None:
         self._known: dict[str, tuple[str | None, FloatArray | None, Shown]] = {}
-        self._written: frozenset[int] = frozenset()
-        self._touched: dict[str, set[tuple[int, int]]] = defaultdict(set)
 
-    def forget(self, session: Session | None) -> None:
+    def forget(self) -> None:
         """Start over with another take."""
         self._known.clear()
-        self._touched.clear()
-        self._written = frozenset(() if session is None else session.state.written)
 
-    def note(self, change: Change) -> None:
+    def note(self, changed: Iterable[str]) -> None:
         """Let go of markers whose samples changed, and of those measured to them."""
-        names = set(change.markers)
-        for name in names:
-            self._touched[name].add((change.start, change.stop))
+        names = set(changed)
         for name in [n for n, k in self._known.items() if n in names or k[0] in names]:
             del self._known[name]
 
@@ -57,28 +50,31 @@ class Drawn:
         take, original, column = session.take, session.original, session.take.index(name)
 
         def gather() -> tuple[Way, Way, ByteArray]:
-            read = column_of(original, column)
-            if column not in session.state.written:
+            read, written = column_of(original, column), session.state.written.get(column)
+            if written is None:
                 # What was not repaired need not be worked out twice.
                 way = way_of(take, name, read[0], partner, predicted)
                 return way, way, read[1]
             before = way_of(original, name, read[0], partner, predicted)
-            positions, origin = self._as_it_stands(session, name, read)
+            positions, origin = _as_it_stands(take, column, read, written)
             return way_of(take, name, positions, partner, predicted, read[0]), before, origin
 
         shown = Shown(take.frames, gather)
         self._known[name] = partner, predicted, shown
         return shown
 
-    def _as_it_stands(
-        self, session: Session, name: str, read: tuple[FloatArray, ByteArray]
-    ) -> tuple[FloatArray, ByteArray]:
-        """What was read of a marker, with what was written to it since."""
-        take, column, touched = session.take, session.take.index(name), self._touched[name]
-        if column in self._written or sum(b - a for a, b in touched) > take.frames:
-            return column_of(take, column)
-        positions, origin = read[0].copy(order="K"), read[1].copy()
-        for start, stop in touched:
-            positions[start:stop] = take.positions[start:stop, column]
-            origin[start:stop] = take.origin[start:stop, column]
-        return positions, origin
+
+def _as_it_stands(
+    take: Take,
+    column: int,
+    read: tuple[FloatArray, ByteArray],
+    written: Collection[tuple[int, int]],
+) -> tuple[FloatArray, ByteArray]:
+    """What was read of a marker, with the frames that were written to since."""
+    if sum(stop - start for start, stop in written) > take.frames:
+        return column_of(take, column)
+    positions, origin = read[0].copy(order="K"), read[1].copy()
+    for start, stop in written:
+        positions[start:stop] = take.positions[start:stop, column]
+        origin[start:stop] = take.origin[start:stop, column]
+    return positions, origin

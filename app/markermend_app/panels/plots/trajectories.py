@@ -186,7 +186,7 @@ class TrajectoryPanel(QWidget):
     def _opened(self) -> None:
         """Start over with another take."""
         self.predictions.forget()
-        self._known.forget(self.document.session)
+        self._known.forget()
         self.chosen_partner = None
         self._lay_rows()
         if (take := self.take) is not None and not self.document.renaming:
@@ -268,7 +268,7 @@ class TrajectoryPanel(QWidget):
         """Take note of changed samples: which artifact is under review is told next."""
         if self.document.session is None:
             return
-        self._known.note(change)
+        self._known.note(change.markers)
         everyone = self.partner in change.markers and self.canvas.row("distance") is not None
         self._stale |= set(self.document.shown if everyone else change.markers)
         self.predictions.note(samples=True)
