@@ -13,7 +13,9 @@ reviewed in every round.
 
 How long the event loop is held up is told by a timer of 10 ms. The clock's time holds what other
 threads and processes took; the processor's time of the window's own thread does not. On a busy
-machine only the latter means anything. Of every wait it is told where the window's thread was.
+machine only the latter means anything. Of every wait it is told where the window's thread was, and
+what the host of a virtual machine took away of its processors meanwhile: then even a thread's own
+time is longer than its work.
 
 A machine that is shared with others is not always as fast: after each round it is told how long a
 fixed piece of work takes, by which figures of different days can be compared.
@@ -164,10 +166,16 @@ def tell(operator: Operator, turns: Turns, memory: list[int]) -> None:
         )
     for unit in ("processor", "clock"):
         over = [s for s in turns.stalls if getattr(s, unit) > STALL_S]
-        print(f"{len(over)} waits over {STALL_S * 1e3:g} ms by the {unit}")  # noqa: T201
+        robbed = sum(s.stolen > 0 for s in over)
+        print(  # noqa: T201
+            f"{len(over)} waits over {STALL_S * 1e3:g} ms by the {unit}, "
+            f"{robbed} of them while the host took processors away"
+        )
         for stall in sorted(over, key=lambda s: -getattr(s, unit))[:30]:
             print(f"  {stall}")  # noqa: T201
     told("longest wait, processor", max(map(max, turns.processor.values())), STALL_S)
+    own = [s.processor for s in turns.stalls if not s.stolen]
+    told("the same while the host took nothing away", max(own, default=0.0), STALL_S)
     told("longest wait, clock", max(map(max, turns.clock.values())), STALL_S)
     for label, values in (
         ("clock", operator.next_clock),

@@ -26,19 +26,21 @@ class Stall:
     ----------
     doing : what the operator did
     clock, processor : seconds that it took, of which the window's own thread worked
+    stolen : seconds that the host of a virtual machine took away from its processors meanwhile
     seen : where the thread was, and how often the watcher found it there
     """
 
     doing: str
     clock: float
     processor: float
+    stolen: float = 0.0
     seen: Counter[str] = field(default_factory=Counter)
 
     def __str__(self) -> str:
         places = "; ".join(f"{n}x {place}" for place, n in self.seen.most_common(3))
         return (
-            f"{self.processor * 1e3:6.1f} ms processor {self.clock * 1e3:7.1f} ms clock, "
-            f"{self.doing}: {places or 'not seen'}"
+            f"{self.processor * 1e3:6.1f} ms processor {self.clock * 1e3:7.1f} ms clock "
+            f"{self.stolen * 1e3:4.0f} ms stolen, {self.doing}: {places or 'not seen'}"
         )
 
 
@@ -46,7 +48,8 @@ class Turns:
     """A heart that beats every 10 ms and notes when it was kept from it, and by what.
 
     The clock's time holds what other threads and processes took; the processor's time of the
-    window's own thread does not.
+    window's own thread does not. But where a virtual machine's host takes its processors away, both
+    grow: what the host says of that is noted beside them.
     """
 
     def __init__(self) -> None:
@@ -55,6 +58,7 @@ class Turns:
         self.processor: dict[str, list[float]] = defaultdict(list)
         self.stalls: list[Stall] = []
         self._seen: Counter[str] = Counter()
+        self._stolen = self._stolen_last = stolen()
         self._last = time.perf_counter(), time.thread_time()
         self._thread = threading.get_ident()
         self._timer = QTimer()
@@ -73,14 +77,16 @@ class Turns:
         self.clock[self.doing].append(clock)
         self.processor[self.doing].append(processor)
         if max(clock, processor) > NOTED_S:
-            self.stalls.append(Stall(self.doing, clock, processor, self._seen))
-        self._last, self._seen = now, Counter()
+            taken = stolen() - self._stolen_last
+            self.stalls.append(Stall(self.doing, clock, processor, taken, self._seen))
+        self._last, self._seen, self._stolen_last = now, Counter(), self._stolen
 
     def _watch(self) -> None:
         """Look where the thread is whenever it is held for long."""
         with tempfile.TemporaryFile("w+") as file:
             while True:
                 time.sleep(BEAT_S)
+                self._stolen = stolen()
                 if time.perf_counter() - self._last[0] > NOTED_S:
                     file.seek(0)
                     file.truncate()
@@ -88,6 +94,18 @@ class Turns:
                     faulthandler.dump_traceback(file, all_threads=True)
                     file.seek(0)
                     self._seen[place(file.read(), self._thread)] += 1
+
+
+def stolen() -> float:
+    """Seconds that the host took away from a virtual machine's processors since it began, if any.
+
+    Counted in hundredths of a second, over all processors.
+    """
+    counts = Path("/proc/stat")
+    if not counts.exists():
+        return 0.0
+    with counts.open() as file:
+        return int(file.readline().split()[8]) / 100
 
 
 def place(dump: str, thread: int) -> str:
