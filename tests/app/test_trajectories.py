@@ -13,6 +13,8 @@ from PySide6.QtWidgets import QMenu
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend.mesh import infer_mesh
+from markermend.patch import Patch
+from markermend.review import hand
 from markermend.review.file import open_session
 from markermend.take import Event, Take
 from markermend_app.document import Document
@@ -513,3 +515,29 @@ def test_many_markers_are_drawn_one_after_the_other_each_in_its_place(make, qtbo
     bench.document.show(labels[:1])
     qtbot.wait(50)
     assert set(row.values_of) == {labels[0]}
+
+
+def test_beside_the_foremost_marker_changes_and_repairs_of_others_may_follow(
+    make, qtbot, monkeypatch
+):
+    rng = np.random.default_rng(3)
+    labels = ("A", "B", "C")
+    bench = make(Take(rng.normal(0, 100, (300, 3, 3)), labels, 100.0), mesh=False)
+    monkeypatch.setattr("markermend_app.panels.plots.row._AT_ONCE", 1)
+    document, row = bench.document, bench.panel.rows[0]
+    document.show(labels)
+    assert set(row.values_of) == {"A"}
+    patch = Patch("C", "xyz", 100, 110, np.zeros((10, 3)))
+    row.show_proposal([patch], None)
+    assert not row.proposed
+    qtbot.waitUntil(lambda: len(row.values_of) == 3)
+    assert len(row.proposed) == 1, "what a repair would make of it comes with the marker"
+    np.testing.assert_array_equal(row.proposed[0].yData[1:-1], np.zeros(10))
+    smoothed, samples = rng.normal(0, 100, (300, 3, 3)), document.session.take.origin.copy()
+    document.do(lambda s: hand.replace_samples(s, "Smooth", labels, 0, smoothed, samples))
+    document.stay()
+    drawn = [row.values_of[n][0] == smoothed[0, i, 0] for i, n in enumerate(labels)]
+    assert drawn == [True, False, False]
+    qtbot.waitUntil(lambda: row.values_of["C"][0] == smoothed[0, 2, 0])
+    for i, name in enumerate(labels):
+        np.testing.assert_array_equal(row.values_of[name], smoothed[:, i, 0])

@@ -104,6 +104,7 @@ class PlotRow(PlotFrame):
         self._source_of: dict[str, FloatArray] = {}
         self._shown: dict[str, Shown] = {}
         self._asked: Sequence[object] = ()
+        self._offered: tuple[Sequence[Patch], Banded | None] = ((), None)
         self._waiting: dict[str, Shown] = {}
         self._seen: tuple[float, float, Artifact | None] = (0.0, 1.0, None)
         self._turns = turns
@@ -146,6 +147,12 @@ class PlotRow(PlotFrame):
         for name in self._waiting:
             self.traces[name].clear()
 
+    def renew(self, changed: Mapping[str, Shown]) -> None:
+        """Draw markers anew whose samples changed, the foremost now, others perhaps later."""
+        waiting = {**self._waiting, **changed}
+        self._waiting = {name: waiting[name] for name in self.traces if name in waiting}
+        self._draw_waiting(int(next(iter(self.traces), None) in changed))
+
     def _draw_waiting(self, least: int) -> None:
         """Draw at least so many of the markers that wait, and more where that does not take long.
 
@@ -160,8 +167,9 @@ class PlotRow(PlotFrame):
             self.refresh(name, marker)
 
     def _draw_later(self) -> None:
-        """Draw more of those that wait, and make room for their values."""
+        """Draw more of those that wait, what a repair would make of them, and make room for it."""
         self._draw_waiting(1)
+        self.show_proposal(*self._offered)
         self.set_view(*self._seen)
 
     def refresh(self, name: str, shown: Shown) -> None:
@@ -238,6 +246,7 @@ class PlotRow(PlotFrame):
 
     def show_proposal(self, patches: Sequence[Patch], banded: Banded | None) -> None:
         """Draw what a repair would put here, and how far off it, or what it did put, may be."""
+        self._offered = patches, banded
         markers = [p.marker for p in (*patches, *(banded or ())[:1])]
         asked = (*patches, *(banded or ()), *map(self._shown.get, markers))
         if same_objects(asked, self._asked):

@@ -275,12 +275,11 @@ class TrajectoryPanel(QWidget):
 
     def _catch_up(self) -> None:
         """Draw anew what has changed since it was drawn."""
-        stale = [name for name in self.document.shown if name in self._stale]
+        stale = {name: self._drawn(name) for name in self.document.shown if name in self._stale}
         self._stale.clear()
-        for name in stale:
-            drawn = self._drawn(name)
+        if stale:
             for row in self.rows:
-                row.refresh(name, drawn)
+                row.renew(stale)
         self.cross.read_out(self.document.frame)
 
     def _show_artifacts(self) -> None:
