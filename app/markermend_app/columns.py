@@ -7,7 +7,7 @@ long now and then, which the window's thread has no time for.
 
 from __future__ import annotations
 
-from weakref import WeakKeyDictionary
+import weakref
 
 import numpy as np
 
@@ -16,11 +16,12 @@ from markermend.take import Take
 
 _BLOCK = 1024
 """Frames turned at a time: as many as stay in the processor's own memory."""
-_laid: WeakKeyDictionary[Take, tuple[FloatArray, ByteArray]] = WeakKeyDictionary()
+_laid: dict[int, tuple[FloatArray, ByteArray]] = {}
+"""By the array of positions, which a take shares with what it is under other names."""
 
 
 def lay_out(take: Take) -> None:
-    """Keep a copy of a take marker by marker, for as long as there is the take."""
+    """Keep a copy of a take marker by marker, as long as its samples are held by anything."""
     positions = np.empty((take.markers, 3, take.frames))
     origin = np.empty((take.markers, take.frames), dtype=np.uint8)
     for start in range(0, take.frames, _BLOCK):
@@ -28,7 +29,9 @@ def lay_out(take: Take) -> None:
         positions[:, :, part] = take.positions[part].transpose(1, 2, 0)
         origin[:, part] = take.origin[part].T
     positions.flags.writeable = origin.flags.writeable = False
-    _laid[take] = positions, origin
+    key = id(take.positions)
+    _laid[key] = positions, origin
+    weakref.finalize(take.positions, _laid.pop, key)
 
 
 def column_of(take: Take, column: int) -> tuple[FloatArray, ByteArray]:
@@ -39,7 +42,7 @@ def column_of(take: Take, column: int) -> tuple[FloatArray, ByteArray]:
     (frames, 3) float64 mm, NaN = missing, each axis without a break in memory; and (frames,) uint8,
     see :class:`markermend.take.Origin`
     """
-    laid = _laid.get(take)
+    laid = _laid.get(id(take.positions))
     if laid is None:
         return np.asfortranarray(take.positions[:, column]), take.origin[:, column].copy()
     return laid[0][column].T, laid[1][column]

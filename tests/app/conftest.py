@@ -7,6 +7,7 @@ import gc
 import numpy as np
 import pytest
 from driving import WAIT
+from plots import Bench
 from PySide6.QtCore import QCoreApplication, QEvent, QSettings
 
 import markermend as mm
@@ -159,3 +160,40 @@ def reviewed(window, take_path, qtbot):
     qtbot.waitUntil(lambda: not window.lane.busy, timeout=WAIT)
     qtbot.waitUntil(lambda: window.document.current is not None, timeout=WAIT)
     return window
+
+
+@pytest.fixture
+def open_plots(qtbot, tmp_path):
+    """Open a take with artifacts in a panel."""
+    from markermend_app.panels.plots.trajectories import TrajectoryPanel
+
+    made = []
+
+    def build(take: Take, artifacts=(), mesh=True) -> Bench:
+        document = Document()
+        document.open(open_session(take, folder=tmp_path), infer_mesh(take) if mesh else None)
+        panel = TrajectoryPanel(document)
+        qtbot.addWidget(panel)
+        panel.resize(900, 600)
+        panel.show()
+        qtbot.waitExposed(panel)
+        if artifacts:
+            document.add_detected(artifacts, "test")
+            document.set_queue([a.id for a in document.session.artifacts])
+        made.append((panel, document))
+        return Bench(panel, document)
+
+    yield build
+    for panel, document in made:
+        document.open(None, None)
+        panel.predictions.close()
+        document.proposals.close()
+
+
+@pytest.fixture
+def bench(open_plots, damaged):
+    """The damaged box with its first marker shown."""
+    take, artifacts = damaged
+    bench = open_plots(take, artifacts)
+    bench.document.show(["CLAV"])
+    return bench

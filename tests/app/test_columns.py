@@ -7,7 +7,8 @@ import pytest
 
 from markermend.review import hand
 from markermend.review.session import Session
-from markermend_app.columns import column_of, lay_out
+from markermend.take import Take
+from markermend_app.columns import _laid, column_of, lay_out
 from markermend_app.panels.plots.drawn import Drawn
 
 
@@ -21,6 +22,19 @@ def test_a_column_is_the_markers_samples(damaged, laid):
         np.testing.assert_array_equal(positions, take.positions[:, i])
         np.testing.assert_array_equal(origin, take.origin[:, i])
         assert positions.flags.f_contiguous
+
+
+def test_what_was_laid_out_serves_under_other_names_and_goes_with_the_samples(damaged):
+    take = Take(damaged[0].positions.copy(), damaged[0].labels, damaged[0].rate)
+    before = len(_laid)
+    lay_out(take)
+    held = column_of(take, 1)[0]
+    renamed = take.renamed({"CLAV": "CHEST"})
+    del take
+    assert np.shares_memory(column_of(renamed, 1)[0], held)
+    assert len(_laid) == before + 1
+    del renamed
+    assert len(_laid) == before
 
 
 @pytest.mark.parametrize("laid", [True, False])

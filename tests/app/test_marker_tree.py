@@ -264,6 +264,7 @@ def test_the_next_take_is_shown_whole(qtbot, review, damaged):
     document.session.mark_exported()
     document.open(open_session(damaged[0]), document.mesh)
     assert tree.filter.text() == ""
+    assert tree._proxy.rowCount() == 0, "nobody can ask for a marker of the take before"
     qtbot.waitUntil(lambda: not tree._anew.waiting)
     assert tree._proxy.rowCount() > 0
 

@@ -166,10 +166,10 @@ def tell(operator: Operator, turns: Turns, memory: list[int]) -> None:
         )
     for unit in ("processor", "clock"):
         over = [s for s in turns.stalls if getattr(s, unit) > STALL_S]
-        robbed = sum(s.stolen > 0 for s in over)
+        stolen = sum(s.stolen > 0 for s in over)
         print(  # noqa: T201
             f"{len(over)} waits over {STALL_S * 1e3:g} ms by the {unit}, "
-            f"{robbed} of them while the host took processors away"
+            f"{stolen} of them while the host took processors away"
         )
         for stall in sorted(over, key=lambda s: -getattr(s, unit))[:30]:
             print(f"  {stall}")  # noqa: T201

@@ -23,7 +23,7 @@ _FLOOR = 1e-12
 
 
 class SmoothPictures(pg.GraphicsLayoutWidget):
-    """Three plots: over time above, over frequency below; :meth:`make_some` makes them.
+    """Three plots: over time above, over frequency below; :meth:`make_one` makes them.
 
     Attributes
     ----------
@@ -38,7 +38,7 @@ class SmoothPictures(pg.GraphicsLayoutWidget):
         self._todo: list[Callable[[], None]] = [self._make_way, self._make_spectrum]
         self._todo += [self._make_residual, self._finish]
 
-    def make_some(self) -> bool:
+    def make_one(self) -> bool:
         """Make one more of the plots, which takes long; whether some are left to be made."""
         if self._todo:
             self._todo.pop(0)()
@@ -62,7 +62,8 @@ class SmoothPictures(pg.GraphicsLayoutWidget):
         self.addItem(self.spectrum, 1, 0)
         self.spectrum.setLogMode(y=True)
         self._power = {True: curve(look.original, width=3), False: curve(look.accent)}
-        self._prepare(self.spectrum, *self._power.values(), title=self.tr("Spectrum"))
+        self._over_frequency(self.spectrum, self.tr("Spectrum"))
+        self._prepare(self.spectrum, *self._power.values())
 
     def _make_residual(self) -> None:
         look = theme.current()
@@ -70,15 +71,17 @@ class SmoothPictures(pg.GraphicsLayoutWidget):
         self.addItem(self.residual, 1, 1)
         self._taken, self._noise = curve(look.text), curve(look.muted)
         self._chosen = pg.InfiniteLine(angle=90, movable=False)
-        items = self._taken, self._noise, self._chosen
-        self._prepare(self.residual, *items, title=self.tr("Residuals"))
+        self._over_frequency(self.residual, self.tr("Residuals"))
+        self._prepare(self.residual, self._taken, self._noise, self._chosen)
 
-    def _prepare(self, plot: pg.PlotItem, *items: pg.GraphicsObject, title: str = "") -> None:
-        """Put curves into a plot; one with a title is over frequency, and stays as it is."""
-        if title:
-            self._say(plot, title)
-            plot.setMouseEnabled(False, False)
-            plot.setLabel("bottom", self.tr("Hz"))
+    def _over_frequency(self, plot: pg.PlotItem, title: str) -> None:
+        """Say so, and let the mouse move nothing in it."""
+        self._say(plot, title)
+        plot.setMouseEnabled(False, False)
+        plot.setLabel("bottom", self.tr("Hz"))
+
+    def _prepare(self, plot: pg.PlotItem, *items: pg.GraphicsObject) -> None:
+        """Put curves into a plot."""
         plot.hideButtons()
         plot.showGrid(x=True, y=True, alpha=1.0)
         plot.getAxis("left").setWidth(72)

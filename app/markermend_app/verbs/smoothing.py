@@ -41,7 +41,7 @@ class Smoothing(QObject):
         self._last: tuple[str, dict[str, Any]] = ("auto", {})
         self.dialog: SmoothDialog | None = None
         self._pictures: SmoothPictures | None = None
-        self._ahead = Later(self._make_some, self)
+        self._ahead = Later(self._make_ahead, self)
         self._stale = False
         document.data_changed.connect(self._note_change)
         document.opened.connect(self._note_change)
@@ -84,18 +84,21 @@ class Smoothing(QObject):
 
     def _plots(self) -> SmoothPictures:
         """What the dialogs draw in, one after the other."""
-        if self._pictures is None:
-            self._pictures = SmoothPictures(self._window)
-        while self._pictures.make_some():
+        while self._make_one():
             pass
+        assert self._pictures is not None
         return self._pictures
 
-    def _make_some(self) -> None:
-        """Make another plot of them in a turn of its own, unless all are there."""
+    def _make_one(self) -> bool:
+        """Make them, then one more of their plots at a time; whether some are left to be made."""
         if self._pictures is None:
             self._pictures = SmoothPictures(self._window)
-            self._ahead.ask()
-        elif self._pictures.make_some():
+            return True
+        return self._pictures.make_one()
+
+    def _make_ahead(self) -> None:
+        """Make them bit by bit, each in a turn of its own."""
+        if self._make_one():
             self._ahead.ask()
 
     def _work_out(self, dialog: SmoothDialog, take: Take) -> None:

@@ -26,7 +26,18 @@ class Base:
         self._own: dict[int, tuple[IntArray, FloatArray, ByteArray]] = {}
 
     def read(self, column: int, start: int, stop: int) -> tuple[FloatArray, ByteArray]:
-        """Frames of a marker: (stop - start, 3) float64 mm and (stop - start,) uint8, copies."""
+        """Frames of a marker.
+
+        Parameters
+        ----------
+        column : the marker
+        start, stop : half-open interval of 0-based frames
+
+        Returns
+        -------
+        (stop - start, 3) float64 mm, NaN = missing; and (stop - start,) uint8, see
+        :class:`markermend.take.Origin`; copies
+        """
         positions = self._take.positions[start:stop, column].copy()
         origin = self._take.origin[start:stop, column].copy()
         if column in self._own:
@@ -37,7 +48,7 @@ class Base:
         return positions, origin
 
     def write(self, column: int, patch: Patch) -> Patch:
-        """Write a patch that names all axes, and return the one that undoes it."""
+        """Write a patch that names all axes, so that it cannot fail; returns what undoes it."""
         start, stop = patch.start, patch.stop
         positions, origin = self.read(column, start, stop)
         here = replace(patch, start=0, stop=stop - start)

@@ -39,7 +39,7 @@ from markermend_app.panels.markers.marker_model import (
     OPEN,
     MarkerModel,
 )
-from markermend_app.panels.markers.rows import flatten, grow
+from markermend_app.panels.markers.rows import Node, flatten, grow
 from markermend_app.panels.markers.tree_view import CountsDelegate, Filter, TreeView
 from markermend_app.panels.own_ends import OwnEnds
 from markermend_app.panels.queue.filter_line import FilterLine
@@ -145,12 +145,13 @@ class MarkerTree(QWidget):
 
     def _start_over(self) -> None:
         """Show another take whole; the same one, of which markers were renamed, as it was."""
-        if not self._document.renaming:
-            self.filter.clear()
-        if self._document.session is None:
+        if self._document.renaming or self._document.session is None:
             self._anew.do()
-        else:
-            self._anew.ask()
+            return
+        self.filter.clear()
+        # Until then nobody can ask for a marker of the take before.
+        self._model.set_root(Node(""))
+        self._anew.ask()
 
     def _rebuild(self) -> None:
         """Lay the rows out anew: another take, or another order."""
@@ -253,8 +254,6 @@ class MarkerTree(QWidget):
 
     def _catch_up(self) -> None:
         """Bring up to date what changed; to lay the rows out anew does so, too."""
-        if self._anew.waiting:
-            return
         session = self._document.session
         changed, self._changed = self._changed, set()
         if session is not None and changed:
@@ -289,7 +288,7 @@ class MarkerTree(QWidget):
 
     def _selected(self, _: QItemSelection, __: QItemSelection) -> None:
         """Show what was selected."""
-        if self._syncing or self._choosing or self._anew.waiting:
+        if self._syncing or self._choosing:
             return
         labels = self._labels(self.view.selectionModel().selectedRows())
         if labels:
