@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.signal import firwin
 
 import markermend as mm
 from markermend.artifact import Artifact, Kind
 from markermend.detectors.joint import JointParams, slow
 from markermend.detectors.joint.bands import clipped, filters, split
-from markermend.detectors.joint.bank import KINDS, bank, scores, shape_of
+from markermend.detectors.joint.bank import KINDS, bank, local_level, scores, shape_of
 from markermend.detectors.joint.drift import scan
 from markermend.detectors.joint.explained import explained
 from markermend.detectors.joint.judge import Judge, evidence, load_judge, quiet_levels
@@ -89,12 +90,27 @@ def test_scores_of_pure_noise_are_standard_normal():
 
 def test_bands_add_up_and_weigh_by_their_own_noise():
     assert filters().sum(axis=0) == pytest.approx(np.eye(41)[20], abs=1e-12)
+    assert filters()[0] == pytest.approx(firwin(41, 1 / 12), abs=1e-12)
     rng = np.random.default_rng(0)
     hiss, slow = rng.standard_normal(4000), np.sin(np.arange(4000) / 12.0)
     calm, loud = split(hiss)[1], split(hiss + 20 * slow)[1]
     assert np.median(calm, axis=1) == pytest.approx(1.15, rel=0.3)
     assert np.median(loud[0]) < 0.02 * np.median(calm[0])
     assert np.median(loud[3]) == pytest.approx(np.median(calm[3]), rel=0.1)
+
+
+def test_the_level_around_is_a_quantile_of_what_counts_there():
+    rng = np.random.default_rng(5)
+    score = np.abs(rng.standard_normal((700, 9))) + np.linspace(0.5, 4.0, 700)[:, None]
+    score[-150:] = 0.0
+    some, level = score[::10, ::3], local_level(score)
+    for t in (0, 75, 300, 675):
+        before = some[max(t - 250, 0) // 10 : max(t - 60, 0) // 10]
+        after = some[(t + 60) // 10 : (t + 250) // 10]
+        counts = np.sort(np.concatenate([before, after]).ravel())
+        counts = counts[counts > 0]
+        assert level[t] == pytest.approx(max(counts[int(0.8 * len(counts))] / 1.28, 0.7))
+    assert (local_level(np.zeros((400, 3))) == 1.0).all()
 
 
 def test_scores_are_those_of_the_exact_filters():

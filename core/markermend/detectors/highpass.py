@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import numpy as np
 from scipy.ndimage import median_filter
-from scipy.signal import savgol_filter
 
 from markermend.arrays import FloatArray
 
@@ -84,6 +83,8 @@ def savgol_low_pass(signal: FloatArray, order: int, window: int) -> FloatArray:
     -------
     As large as ``signal``, which comes back as it is where it is shorter than the window
     """
+    from scipy.signal import savgol_filter
+
     if len(signal) < window:
         return signal.copy()
     return np.asarray(savgol_filter(signal, window, order, axis=0), dtype=np.float64)

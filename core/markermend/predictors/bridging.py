@@ -5,7 +5,6 @@ from __future__ import annotations
 from functools import partial
 
 import numpy as np
-from scipy.interpolate import Akima1DInterpolator, CubicSpline
 
 from markermend.arrays import BoolArray, FloatArray, IntArray, runs
 
@@ -40,6 +39,9 @@ def bridge(signal: FloatArray, known: BoolArray) -> FloatArray:
 
 def _bridged(at: IntArray, values: FloatArray, holes: BoolArray) -> FloatArray:
     """One channel, complete: known values at their frames, holes bridged."""
+    # Takes a third of a second to load, in every process of a search.
+    from scipy.interpolate import Akima1DInterpolator, CubicSpline
+
     frames = np.arange(len(holes))
     if len(at) < LEAST_KNOWN:
         return np.asarray(values[np.abs(frames[:, None] - at).argmin(axis=1)])

@@ -20,6 +20,7 @@ STIFFER = (1.0, 10.0)
 """Factors on the ridge, of which the smallest left-out error chooses."""
 LARGEST = 3.0
 """Errors count up to so many times their median, so that damage does not choose."""
+COORDINATES = 3
 
 
 def distance_spreads(positions: FloatArray, usable: BoolArray) -> FloatArray:
@@ -76,19 +77,20 @@ def predict_cross_fitted(
     inputs = complete(motion.to_local(points).reshape(len(rows), -1))
     goal = np.nan_to_num(motion.to_local(positions[rows, marker][:, None])[:, 0])
     features, ridge = expand(inputs, weight)
+    both = np.hstack([features, goal])
     edges = np.append(np.arange(0, len(rows), BLOCK), len(rows))
     learnt = weight > 0
     first, best, error = np.inf, ridge, None
-    rest = _rest(features, goal, weight, edges)
+    rest = _rest(both, weight, edges)
     for factor in STIFFER:
-        e = np.linalg.norm(goal - _left_out(features, rest, factor * ridge, edges), axis=1)
+        e = np.linalg.norm(goal - _left_out(both, rest, factor * ridge, edges), axis=1)
         middle = float(np.median(e[learnt]))
         cost = float(np.minimum(e[learnt], LARGEST * middle).mean())
         if cost < first:
             first, best, error = cost, factor * ridge, e
     assert error is not None
     weight /= np.maximum(1.0, error / max(2.0 * float(np.median(error[learnt])), 1e-9))
-    local = _left_out(features, _rest(features, goal, weight, edges), best, edges)
+    local = _left_out(both, _rest(both, weight, edges), best, edges)
     predicted[rows] = motion.to_lab(local[:, None])[:, 0]
     return predicted
 
@@ -107,32 +109,34 @@ class _Rest:
     mass: FloatArray
 
 
-def _rest(features: FloatArray, goal: FloatArray, weight: FloatArray, edges: IntArray) -> _Rest:
-    """Add up what is learnt from for each block."""
-    both = np.hstack([features, goal])
-    weighted = features * weight[:, None]
-    blocks = list(pairwise(edges))
-    grams = np.empty((len(blocks), features.shape[1], both.shape[1]))
+def _rest(both: FloatArray, weight: FloatArray, edges: IntArray) -> _Rest:
+    """Add up what is learnt from for each block, from features beside the goal.
+
+    Block by block, so that what is added up stays in the processor's cache.
+    """
+    blocks, count = list(pairwise(edges)), both.shape[1] - COORDINATES
+    grams = np.empty((len(blocks), count, both.shape[1]))
     for gram, (a, b) in zip(grams, blocks, strict=True):
-        np.matmul(weighted[a:b].T, both[a:b], out=gram)
+        np.matmul((both[a:b, :count] * weight[a:b, None]).T, both[a:b], out=gram)
     masses = np.array([weight[a:b].sum() for a, b in blocks])
-    mass = np.maximum(masses.sum() - _with_neighbours(masses), 1.0)
-    rest = _with_neighbours(grams)
-    return _Rest(np.subtract(grams.sum(axis=0), rest, out=rest), mass)
+    total, rest, mass = grams.sum(axis=0), np.empty_like(grams), np.empty_like(masses)
+    for i in range(len(blocks)):
+        beside = slice(max(i - 1, 0), i + 2)
+        np.subtract(total, grams[beside].sum(axis=0), out=rest[i])
+        mass[i] = max(masses.sum() - masses[beside].sum(), 1.0)
+    return _Rest(rest, mass)
 
 
-def _with_neighbours(values: FloatArray) -> FloatArray:
-    """Each block's added to those of the blocks beside it."""
-    total = values.copy()
-    total[1:] += values[:-1]
-    total[:-1] += values[1:]
-    return total
-
-
-def _left_out(features: FloatArray, rest: _Rest, ridge: FloatArray, edges: IntArray) -> FloatArray:
+def _left_out(both: FloatArray, rest: _Rest, ridge: FloatArray, edges: IntArray) -> FloatArray:
     """Weighted ridge regression, each block by a fit without it and the blocks beside it."""
-    count = features.shape[1]
-    gram = rest.gram[:, :, :count] + rest.mass[:, None, None] * np.diag(ridge)
-    solved = np.linalg.solve(gram, rest.gram[:, :, count:])
-    each = zip(pairwise(edges), solved, strict=True)
-    return np.concatenate([features[a:b] @ s for (a, b), s in each])
+    from scipy.linalg.lapack import dposv
+
+    count = len(ridge)
+    said = np.empty((len(both), COORDINATES))
+    for (a, b), gram, mass in zip(pairwise(edges), rest.gram, rest.mass, strict=True):
+        left, right = gram[:, :count] + np.diag(mass * ridge), gram[:, count:]
+        _, solved, failed = dposv(left, right)
+        if failed:
+            solved = np.linalg.solve(left, right)
+        np.matmul(both[a:b, :count], solved, out=said[a:b])
+    return said

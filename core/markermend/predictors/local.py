@@ -15,6 +15,7 @@ from threadpoolctl import threadpool_limits
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.errors import DataError
+from markermend.rotations import nearest_rotations
 
 FRAME_MARKERS = 6
 INPUT_MARKERS = 12
@@ -210,9 +211,7 @@ def _fit(pose: FloatArray, references: FloatArray, seen: BoolArray) -> Motion:
     centre = (weight[:, None] @ points)[:, 0]
     pose_centre = weight @ pose
     arms = (points - centre[:, None]) * weight[:, :, None]
-    left, _, right = np.linalg.svd((pose - pose_centre[:, None]).transpose(0, 2, 1) @ arms)
-    right[:, 2] *= np.sign(np.linalg.det(left) * np.linalg.det(right))[:, None]
-    turn = left @ right
+    turn = nearest_rotations((pose - pose_centre[:, None]).transpose(0, 2, 1) @ arms)
     return Motion(turn, centre - (pose_centre[:, None] @ turn)[:, 0])
 
 

@@ -159,15 +159,14 @@ def local_level(score: FloatArray, inner: int = 60, outer: int = 250) -> FloatAr
     The 80th percentile of ``score``, (frames, n) magnitudes, 60 to 250 frames away, over 1.28.
     """
     some = score[::10, ::3]
-    frames = len(score)
-    level = np.empty(len(range(0, frames, 25)))
-    for n, t in enumerate(range(0, frames, 25)):
-        left = some[max(0, (t - outer) // 10) : max(0, (t - inner) // 10)]
-        right = some[(t + inner) // 10 : (t + outer) // 10]
-        around = np.concatenate([left, right]).ravel()
-        around = around[around > 0]
-        k = int(0.8 * len(around))
-        level[n] = np.partition(around, k)[k] / 1.28 if len(around) else 1.0
-    return np.asarray(
-        np.maximum(np.interp(np.arange(frames), np.arange(0, frames, 25), level), 0.7)
-    )
+    at = np.arange(0, len(score), 25)
+    sides = [(at + side) // 10 for side in (-outer, inner)]
+    row = np.hstack([side[:, None] + np.arange((outer - inner) // 10) for side in sides])
+    within = (row >= 0) & (row < len(some))
+    around = some[np.where(within, row, 0)] * within[:, :, None]
+    # Sorted, what is not there comes first, and so do scores of 0, which do not count.
+    around = np.sort(around.reshape(len(at), -1), axis=1)
+    count = np.count_nonzero(around, axis=1)
+    place = around.shape[1] - count + (0.8 * count).astype(int)
+    level = np.where(count > 0, around[np.arange(len(at)), place - (count == 0)] / 1.28, 1.0)
+    return np.asarray(np.maximum(np.interp(np.arange(len(score)), at, level), 0.7))

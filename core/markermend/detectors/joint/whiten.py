@@ -64,8 +64,9 @@ def whiten(residual: FloatArray, movers: FloatArray, trusted: BoolArray) -> Whit
     for _ in range(PASSES):
         weighted = columns * weight[:, None]
         grams = np.stack([weighted[a:b].T @ both[a:b] for a, b in pairwise(edges)])
-        own = _around(grams, 1)
-        gram = _around(grams, AROUND) - own + WHOLE_WEIGHT * (grams.sum(axis=0) - own)
+        total = np.cumsum(np.concatenate([np.zeros_like(grams[:1]), grams]), axis=0)
+        own = _around(total, 1)
+        gram = _around(total, AROUND) - own + WHOLE_WEIGHT * (total[-1] - own)
         left = gram[:, :, :count]
         size = np.trace(left, axis1=1, axis2=2) / count
         left = left + (1e-5 * size + 1e-12)[:, None, None] * np.eye(count)
@@ -102,15 +103,13 @@ def _local_sigma(error: FloatArray) -> FloatArray:
     """Robust standard deviation over 65 frames, worked out every eighth, (frames,) mm."""
     half = SIGMA_WINDOW // 2
     windows = sliding_window_view(np.pad(np.abs(error), half, mode="reflect"), SIGMA_WINDOW)
-    level = np.median(windows[::STRIDE], axis=1) / 0.6745 + DUST_MM
+    middle = np.partition(windows[::STRIDE], half, axis=1)[:, half]
+    level = middle / 0.6745 + DUST_MM
     frames = np.arange(len(error))
     return np.asarray(np.interp(frames, frames[::STRIDE], level))
 
 
-def _around(grams: FloatArray, reach: int) -> FloatArray:
-    """Sum over the blocks up to ``reach`` away, itself included."""
-    total = np.cumsum(np.concatenate([np.zeros_like(grams[:1]), grams]), axis=0)
-    at = np.arange(len(grams))
-    return np.asarray(
-        total[np.minimum(at + reach + 1, len(grams))] - total[np.maximum(at - reach, 0)]
-    )
+def _around(total: FloatArray, reach: int) -> FloatArray:
+    """Sum over the blocks up to ``reach`` away, itself included, of sums of all before each."""
+    at = np.arange(len(total) - 1)
+    return np.asarray(total[np.minimum(at + reach + 1, len(at))] - total[np.maximum(at - reach, 0)])
