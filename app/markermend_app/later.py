@@ -39,6 +39,11 @@ class Later(QObject):
         self.waiting = False
         self._do()
 
+    def catch_up(self) -> None:
+        """Do it now if it waits."""
+        if self.waiting:
+            self.do()
+
 
 class OneByOne(QObject):
     """Does what was asked for one thing after the other, each in a later turn of its own.

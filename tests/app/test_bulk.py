@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from driving import WAIT, settled
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QPushButton
 
@@ -11,7 +12,6 @@ from markermend.artifact import Artifact, Kind, Status
 from markermend.review.file import open_session
 from markermend.take import Take
 
-WAIT = 20_000
 SHIFT, CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
 
 
@@ -147,6 +147,7 @@ def test_a_note_is_written_with_keys_and_shown_in_the_queue(peaks, qtbot):
     qtbot.keyClicks(line, "far from it")
     qtbot.keyClick(line, Qt.Key.Key_Return)
     assert document.session.artifact(here).note == "far from it"
+    settled(qtbot)
     row = peaks.queue.model.row_of(here)
     assert "far from it" in peaks.queue.model.text(peaks.queue.model.rows[row], 10)
     # The review keys work again at once.

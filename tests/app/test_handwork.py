@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from driving import answer_with
+from driving import answer_with, settled
 from plots import SHIFT, Bench
 from PySide6.QtCore import QPoint, QPointF, Qt, QTimer
 from PySide6.QtGui import QContextMenuEvent
@@ -298,6 +298,7 @@ def test_nudges_of_one_edge_are_one_step_that_tells_where_it_ended(window, qtbot
     document.show([artifact.marker])
 
     def told_last():
+        settled(qtbot)
         return window.history.model.index(len(document.session.history)).data()
 
     for _ in range(3):

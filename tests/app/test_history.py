@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from driving import settled
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QFont
 
@@ -27,10 +28,31 @@ def click(qtbot, panel, row):
     qtbot.mouseClick(panel.view.viewport(), Qt.MouseButton.LeftButton, pos=at)
 
 
+def test_only_what_is_new_gets_new_rows(qtbot, panel, document):
+    ids = [a.id for a in document.session.artifacts]
+    settled(qtbot)
+    came, went, anew = [], [], []
+    panel.model.rowsInserted.connect(lambda _, first, last: came.append((first, last)))
+    panel.model.rowsRemoved.connect(lambda _, first, last: went.append((first, last)))
+    panel.model.modelReset.connect(lambda: anew.append(True))
+    document.accept(ids[:1])
+    document.reject(ids[1:2])
+    settled(qtbot)
+    assert (came, went) == ([(2, 3)], [])
+    document.undo()
+    settled(qtbot)
+    assert rows(panel)[3].startswith("Reject peak")
+    document.reject(ids[2:3])
+    settled(qtbot)
+    assert (came, went) == ([(2, 3), (3, 3)], [(3, 3)])
+    assert not anew
+
+
 def test_click_travels_back_and_forth(qtbot, panel, document):
     ids = [a.id for a in document.session.artifacts]
     document.accept(ids[:1])
     document.reject(ids[1:2])
+    settled(qtbot)
     steps = [
         "As opened",
         "Detect (paper)",
@@ -40,6 +62,7 @@ def test_click_travels_back_and_forth(qtbot, panel, document):
     assert rows(panel) == steps
     click(qtbot, panel, 1)
     assert document.session.history == ("Detect (paper)",)
+    settled(qtbot)
     assert rows(panel) == steps
     assert panel.view.currentIndex().row() == 1
     font = Qt.ItemDataRole.FontRole
@@ -51,4 +74,5 @@ def test_click_travels_back_and_forth(qtbot, panel, document):
     assert document.session.history == ()
     assert document.session.artifacts == ()
     document.redo()
+    settled(qtbot)
     assert panel.view.currentIndex().row() == 1

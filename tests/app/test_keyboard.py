@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from driving import key
+from driving import key, settled
 from PySide6.QtCore import QItemSelectionModel, Qt, QTimer
 from PySide6.QtWidgets import QApplication, QLabel, QLineEdit
 
@@ -25,6 +25,7 @@ def focus():
 
 def test_f6_goes_round_through_all_open_panels_and_shift_f6_back(window, qtbot):
     window.document.accept([window.document.current.id])
+    settled(qtbot)
     assert focus() is window.trajectories.canvas
     way = [
         window.overview,

@@ -6,6 +6,7 @@ import time
 
 import numpy as np
 import pytest
+from driving import settled
 from PySide6.QtCore import Qt
 
 from markermend.artifact import Artifact, Kind, Status
@@ -86,8 +87,9 @@ def test_click_puts_an_artifact_under_review(qtbot, queue, document):
     assert document.shown == ("LELB",)
 
 
-def test_cursor_follows_the_current_artifact(queue, document):
+def test_cursor_follows_the_current_artifact(queue, document, qtbot):
     document.select(document.queue[1])
+    settled(qtbot)
     assert queue.view.currentIndex().row() == 1
     assert [i.row() for i in queue.view.selectionModel().selectedRows()] == [1]
 
@@ -103,14 +105,25 @@ def test_double_click_repairs(qtbot, queue, document):
     assert queue.model.index(0, REPAIR).data()
 
 
-def test_decided_rows_leave_the_open_list_and_the_next_one_is_current(queue, document):
+def test_decided_rows_leave_the_open_list_and_the_next_one_is_current(queue, document, qtbot):
     document.select(document.queue[0])
     document.accept_current()
+    settled(qtbot)
     assert markers(queue) == ["LWRA", "LELB", "C7"]
     assert document.current.marker == "LWRA"
     assert queue.progress.text() == "1 of 4 decided"
     queue.status.setCurrentIndex(3)
     assert queue.model.rows[-1].marker == "CLAV"
+
+
+def test_keys_that_come_at_once_mean_the_rows_as_they_are_by_then(qtbot, queue, document):
+    click(qtbot, queue, 0)
+    for marker in ("CLAV", "LWRA"):
+        document.accept_current()
+        assert markers(queue)[0] == marker, "the rows follow in a turn of their own"
+        qtbot.keyClick(queue.view, Qt.Key.Key_Shift)
+        assert markers(queue)[0] != marker
+        assert queue.selected() == [document.current.id]
 
 
 def test_keys_mean_all_rows_when_several_are_selected(qtbot, queue, document):
@@ -172,8 +185,9 @@ def test_keyboard_leaves_the_filter_line(qtbot, queue, document):
     qtbot.waitUntil(queue.view.hasFocus)
 
 
-def test_says_why_nothing_is_listed(queue, document):
+def test_says_why_nothing_is_listed(queue, document, qtbot):
     document.reject([a.id for a in document.session.artifacts])
+    settled(qtbot)
     assert queue._hint.isVisible()
     assert "All 4 artifacts are decided" in queue._hint.text()
     document.open(None, None)
@@ -187,15 +201,17 @@ def test_says_so_when_detection_found_nothing(tmp_path, damaged, qtbot):
     document.open(open_session(damaged[0], folder=tmp_path), None)
     assert "D looks for artifacts" in queue._hint.text()
     document.add_detected([], "paper")
+    settled(qtbot)
     assert "Nothing was found" in queue._hint.text()
     document.open(None, None)
     document.proposals.close()
 
 
-def test_class_change_updates_the_row_in_place(queue, document):
+def test_class_change_updates_the_row_in_place(queue, document, qtbot):
     peak = next(a for a in document.session.artifacts if a.kind is Kind.PEAK)
     row = queue.model.row_of(peak.id)
     document.change(peak.id, kind=Kind.NOISE)
+    settled(qtbot)
     assert queue.model.index(row, KIND).data() == "Noise"
 
 
@@ -217,11 +233,13 @@ def test_two_thousand_artifacts_stay_quick_and_keep_their_place(tmp_path, qtbot)
     document.add_detected(found, "paper")
     queue.view.sortByColumn(FRAMES, Qt.SortOrder.AscendingOrder)
     document.select(document.queue[1200])
+    settled(qtbot)
     bar = queue.view.verticalScrollBar()
     before = bar.value()
     assert before > 500
     start = time.process_time()
     document.reject([document.queue[1205]])
+    settled(qtbot)
     assert time.process_time() - start < 0.3
     assert abs(bar.value() - before) <= 1
     assert len(queue.model.rows) == 1999

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtWidgets import QApplication, QLineEdit
+
+from markermend_app.later import Later
 
 WAIT = 20_000
 
@@ -11,6 +13,13 @@ WAIT = 20_000
 def key(qtbot, window, what, modifier=Qt.KeyboardModifier.NoModifier):
     """Press a key in the window."""
     qtbot.keyClick(window, what, modifier)
+
+
+def settled(qtbot):
+    """Let everything that waits for a turn of its own have it."""
+    parent, done = QObject(), []
+    Later(lambda: done.append(True), parent).ask()
+    qtbot.waitUntil(lambda: bool(done), timeout=WAIT)
 
 
 def proposed(qtbot, window):

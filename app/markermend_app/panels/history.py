@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import takewhile
+from operator import is_
 from typing import Any
 
 from PySide6.QtCore import QAbstractListModel, QModelIndex, QPersistentModelIndex, QSize, Qt
@@ -17,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from markermend.review.step import Step, stretch
 from markermend_app.document import Document
+from markermend_app.later import Later
 from markermend_app.panels.markers.badge import hint
 from markermend_app.panels.own_ends import OwnEnds
 from markermend_app.style import theme
@@ -50,8 +53,9 @@ class HistoryPanel(QWidget):
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.addWidget(self._pages)
-        document.history_changed.connect(self._refresh)
-        theme.watcher.changed.connect(self._refresh)
+        soon = Later(self._refresh, self)
+        document.history_changed.connect(soon.ask)
+        theme.watcher.changed.connect(self.model.repaint)
         self._refresh()
 
     def _refresh(self) -> None:
@@ -88,10 +92,22 @@ class _Steps(QAbstractListModel):
 
     def set_steps(self, done: tuple[Step, ...], undone: tuple[Step, ...], first_frame: int) -> None:
         """Show other steps, those undone as redo would bring them back."""
-        self.beginResetModel()
-        self._steps, self._done = (*done, *undone), len(done)
-        self._first_frame = first_frame
-        self.endResetModel()
+        steps, before = (*done, *undone), self._steps
+        first_row = 1 + sum(takewhile(bool, map(is_, steps, before)))
+        self._done, self._first_frame = len(done), first_frame
+        if first_row <= len(before):
+            self.beginRemoveRows(QModelIndex(), first_row, len(before))
+            self._steps = before[: first_row - 1]
+            self.endRemoveRows()
+        if first_row <= len(steps):
+            self.beginInsertRows(QModelIndex(), first_row, len(steps))
+            self._steps = steps
+            self.endInsertRows()
+        self.repaint()
+
+    def repaint(self) -> None:
+        """Have the rows painted anew that are seen."""
+        self.dataChanged.emit(self.index(0), self.index(len(self._steps)))
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
         """Steps, and the take as opened."""

@@ -22,6 +22,7 @@ from markermend.artifact import Kind, Status
 from markermend_app.actions import shortcuts
 from markermend_app.actions.menus import entry
 from markermend_app.document import Document
+from markermend_app.later import Later
 from markermend_app.panels.markers.badge import hint, kind_icon
 from markermend_app.panels.queue.filter_line import FilterLine
 from markermend_app.panels.queue.model import (
@@ -73,7 +74,9 @@ class ReviewQueue(QWidget):
         super().__init__(parent)
         self._document = document
         self._doing = ""
-        self._syncing = self._choosing = False
+        self._listed: tuple[str, ...] = ()
+        self._syncing = self._choosing = self._stale = False
+        self._soon = Later(self._catch_up, self)
         self.model = QueueModel(self)
         self.view = QueueView()
         self.view.setAccessibleName(self.tr("Review queue"))
@@ -100,13 +103,14 @@ class ReviewQueue(QWidget):
         self.view.selectionModel().currentRowChanged.connect(self._row_changed)
         self.view.clicked.connect(self._clicked)
         self.view.doubleClicked.connect(lambda _: document.repair_current())
+        self.view.touched.connect(self._soon.catch_up)
         self.view.verb.connect(self.apply)
         self.view.customContextMenuRequested.connect(self._show_menu)
         self.model.order_changed.connect(self._order_changed)
         document.opened.connect(self._reset)
-        document.artifacts_changed.connect(self._refresh)
-        document.history_changed.connect(self._explain)
-        document.current_changed.connect(self._follow_current)
+        document.artifacts_changed.connect(self._artifacts_changed)
+        document.history_changed.connect(self._soon.ask)
+        document.current_changed.connect(self._current_changed)
         theme.watcher.changed.connect(self._recolour)
         shortcuts.watcher.changed.connect(self._explain)
         self._recolour()
@@ -240,9 +244,33 @@ class ReviewQueue(QWidget):
         self.filter.set_text(self.tr("Filter by joint") if joints else self.tr("Filter by marker"))
         self._refresh()
 
+    def _artifacts_changed(self) -> None:
+        """Take decisions over soon, and at once artifacts that came or went."""
+        session = self._document.session
+        ids = () if session is None else tuple(a.id for a in session.artifacts)
+        if ids == self._listed:
+            self._stale = True
+            self._soon.ask()
+        else:
+            self._refresh()
+
+    def _current_changed(self) -> None:
+        """Put the cursor soon on the artifact under review, unless it was chosen here."""
+        if not self._choosing:
+            self._soon.ask()
+
+    def _catch_up(self) -> None:
+        """Show what was decided and what is under review now."""
+        if self._stale:
+            self._refresh()
+        self._follow_current()
+        self._explain()
+
     def _refresh(self) -> None:
         """Take over artifacts and decisions; the view stays where it is."""
+        self._stale = False
         session = self._document.session
+        self._listed = () if session is None else tuple(a.id for a in session.artifacts)
         bar = self.view.verticalScrollBar()
         at, chosen = bar.value(), set(self.selected())
         self._syncing = True
@@ -271,6 +299,7 @@ class ReviewQueue(QWidget):
 
     def _filter(self) -> None:
         """List what the filters ask for."""
+        self._soon.catch_up()
         self._syncing = True
         self.model.set_wanted(
             Wanted(
@@ -308,9 +337,7 @@ class ReviewQueue(QWidget):
             self._follow_current()
 
     def _follow_current(self, *, scroll: bool = True) -> None:
-        """Put the cursor on the artifact under review, unless it was chosen here."""
-        if self._choosing:
-            return
+        """Put the cursor on the artifact under review."""
         current = self._document.current
         row = None if current is None else self.model.row_of(current.id)
         selection = self.view.selectionModel()
