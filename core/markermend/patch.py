@@ -10,7 +10,7 @@ import numpy as np
 from markermend.arrays import ByteArray, FloatArray
 from markermend.artifact import axis_columns
 from markermend.errors import DataError
-from markermend.take import Origin, Take
+from markermend.take import AXES, Origin, Take
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,16 +60,19 @@ def apply_patch(positions: FloatArray, origin: ByteArray, column: int, patch: Pa
     axes = axis_columns(patch.axes)
     before = positions[rows, column].copy()
     was = origin[rows, column].copy()
-    after = before.copy()
-    after[:, axes] = patch.values
+    whole = patch.axes == AXES
+    if whole:
+        after = np.ascontiguousarray(patch.values, dtype=np.float64)
+    else:
+        after = before.copy()
+        after[:, axes] = patch.values
     absent = np.isnan(after)
-    if (absent.any(axis=1) != absent.all(axis=1)).any():
+    if (absent[:, :1] != absent[:, 1:]).any():
         raise DataError(
             f"Changing only axis “{patch.axes}” of {patch.marker} would leave samples half missing."
         )
-    if patch.origin is not None:
-        now = patch.origin.copy()
-    else:
+    now = patch.origin
+    if now is None:
         now = was.copy()
         # Comparing bits, so that a value "replaced by itself" stays measured.
         changed = (after.view(np.int64) != before.view(np.int64)).any(axis=1)
@@ -79,7 +82,8 @@ def apply_patch(positions: FloatArray, origin: ByteArray, column: int, patch: Pa
         now[absent[:, 0]] = Origin.MISSING
     positions[rows, column] = after
     origin[rows, column] = now
-    return Patch(patch.marker, patch.axes, patch.start, patch.stop, before[:, axes], was)
+    known = before if whole else before[:, axes]
+    return Patch(patch.marker, patch.axes, patch.start, patch.stop, known, was)
 
 
 def write_patches(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from driving import settled
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
@@ -34,6 +35,7 @@ def test_hold_walk_let_go_and_repair(window, qtbot):
     assert comparison.shown
     qtbot.waitUntil(lambda: bool(comparison.candidates), timeout=WAIT)
     panel = window.candidates
+    settled(qtbot)
     assert panel.isVisible()
     assert "F repairs" in panel.said.text()
     errors = [c.error_mm for c in comparison.candidates if c.error_mm is not None]
@@ -55,6 +57,7 @@ def test_hold_walk_let_go_and_repair(window, qtbot):
     assert document.proposal.method == chosen
     QTest.keyRelease(window, Qt.Key.Key_C)
     qtbot.waitUntil(lambda: not comparison.shown)
+    settled(qtbot)
     assert not panel.isVisible()
     assert panel._lines == []
     qtbot.keyClick(window, Qt.Key.Key_F)

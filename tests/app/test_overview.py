@@ -6,6 +6,7 @@ import threading
 
 import numpy as np
 import pytest
+from driving import settled
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtTest import QTest
@@ -291,7 +292,7 @@ def test_what_lies_under_the_mouse_is_named(overview):
     assert overview.describe(_point(overview, 20, 7)).startswith("T10 · Frame 121")
 
 
-def test_a_repair_takes_the_shade_away(overview):
+def test_a_repair_takes_the_shade_away(overview, qtbot):
     from markermend.patch import Patch
     from markermend.repairs.registry import Repair
 
@@ -300,6 +301,7 @@ def test_a_repair_takes_the_shade_away(overview):
     assert overview._levels(overview._take, 600)[0].any()
     patch = Patch("CLAV", "xyz", 60, 90, np.zeros((30, 3)))
     overview.document.repair_many([(gap.id, Repair("test", (patch,)))], "")
+    settled(qtbot)
     assert not overview._levels(overview._take, 600)[0].any()
 
 
@@ -358,7 +360,7 @@ def test_long_takes_with_many_markers_are_quick(make):
     assert panel.document.session.artifact(artifacts[3].id).status is Status.ACCEPTED
 
 
-def test_what_is_missing_is_counted_anew_where_samples_changed_only(overview, monkeypatch):
+def test_what_is_missing_is_counted_anew_where_samples_changed_only(overview, monkeypatch, qtbot):
     counted = []
 
     def count(origin, *more):
@@ -369,6 +371,7 @@ def test_what_is_missing_is_counted_anew_where_samples_changed_only(overview, mo
     monkeypatch.setattr("markermend_app.panels.overview.missing.missing_share", count)
     document = overview.document
     document.do(lambda s: hand.cut(s, "C7", 10, 60))
+    settled(qtbot)
     overview.grab()
     assert counted == [1]
     take, (width, span, share) = document.session.take, overview._missing._known

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from driving import settled
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
@@ -359,7 +360,7 @@ def test_cameras_that_were_never_counted_are_no_row(panel, damaged):
     )
 
 
-def test_markers_that_stay_are_not_drawn_anew(panel, monkeypatch):
+def test_markers_that_stay_are_not_drawn_anew(panel, monkeypatch, qtbot):
     document, drawn = panel.document, []
     refresh = PlotRow.refresh
 
@@ -373,6 +374,8 @@ def test_markers_that_stay_are_not_drawn_anew(panel, monkeypatch):
     x = panel.rows[0]
     kept = x.traces["CLAV"].item("measured").yData
     document.do(lambda s: hand.cut(s, "CLAV", 100, 110))
+    assert drawn == ["STRN"] * 3 + ["CLAV"], "the first row now, the others soon"
+    settled(qtbot)
     assert drawn == ["STRN"] * 3 + ["CLAV"] * 3
     assert np.isfinite(kept[100:110]).all()
     assert np.isnan(x.traces["CLAV"].item("measured").yData[100:110]).all()
@@ -383,10 +386,35 @@ def test_markers_that_stay_are_not_drawn_anew(panel, monkeypatch):
     assert np.isnan(x.value_at("CLAV", 105))
 
 
-def test_distances_are_drawn_anew_when_their_partner_moves(panel):
+def test_distances_are_drawn_anew_when_their_partner_moves(panel, qtbot):
     document = panel.document
     panel.choose_partner("STRN")
+    settled(qtbot)
     before = panel.rows[-1].value_at("CLAV", 100)
     document.do(lambda s: hand.cut(s, "STRN", 95, 105))
+    settled(qtbot)
     assert np.isfinite(before)
     assert np.isnan(panel.rows[-1].value_at("CLAV", 100))
+
+
+def test_rows_below_the_third_are_drawn_soon(panel, qtbot):
+    document = panel.document
+    panel.choose_rows(["x", "y", "z", "speed"])
+    document.show(["STRN"])
+    speed_row = panel.rows[-1]
+    assert speed_row.value_at("STRN", 100) is None
+    settled(qtbot)
+    assert speed_row.value_at("STRN", 100) is not None
+
+
+def test_a_long_change_is_drawn_soon_in_every_row(panel, monkeypatch, qtbot):
+    monkeypatch.setattr("markermend_app.panels.plots.trajectories._MUCH", 50)
+    document = panel.document
+    document.show(["CLAV"])
+    document.do(lambda s: hand.cut(s, "CLAV", 100, 190))
+    assert all(np.isfinite(row.values_of["CLAV"][101]) for row in panel.rows)
+    settled(qtbot)
+    assert all(np.isnan(row.values_of["CLAV"][101]) for row in panel.rows)
+    document.undo()
+    settled(qtbot)
+    assert all(np.isfinite(row.values_of["CLAV"][101]) for row in panel.rows)

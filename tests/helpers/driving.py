@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QObject, Qt, QTimer
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QApplication, QLineEdit
 
-from markermend_app.later import Later
+from markermend_app.later import _queue
 
 WAIT = 20_000
 
@@ -17,9 +17,7 @@ def key(qtbot, window, what, modifier=Qt.KeyboardModifier.NoModifier):
 
 def settled(qtbot):
     """Let everything that waits for a turn of its own have it."""
-    parent, done = QObject(), []
-    Later(lambda: done.append(True), parent).ask()
-    qtbot.waitUntil(lambda: bool(done), timeout=WAIT)
+    qtbot.waitUntil(lambda: not _queue()._waiting, timeout=WAIT)
 
 
 def proposed(qtbot, window):

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 from markermend_app import units
 from markermend_app.actions import shortcuts
 from markermend_app.items.curve import curve, wear
+from markermend_app.later import Later
 from markermend_app.panels.plots.row import PlotRow, same_objects
 from markermend_app.panels.plots.trajectories import TrajectoryPanel
 from markermend_app.style import theme
@@ -45,7 +46,7 @@ class Candidates(QFrame):
         self.said = QLabel()
         self.said.setProperty("role", "small")
         grid.addWidget(self.said, MOST, 0, 1, 3)
-        comparison.changed.connect(self._refresh)
+        comparison.changed.connect(Later(self._refresh, self).ask)
         self.hide()
 
     def _refresh(self) -> None:

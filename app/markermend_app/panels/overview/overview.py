@@ -62,7 +62,8 @@ class Overview(QWidget):
     def __init__(self, document: Document, first: Lane | None = None) -> None:
         super().__init__()
         self.document = document
-        self._soon = Later(self.update, self)
+        self._soon = Later(self._catch_up, self)
+        self._changed: set[int] = set()
         self._view = (0.0, 0.0)
         self._span = (0.0, 1.0)
         self.residuals = Residuals(first, self)
@@ -140,6 +141,7 @@ class Overview(QWidget):
         take = self._take
         self._rows = None if take is None else arrange(take.markers, self.document.mesh)
         self._missing.forget()
+        self._changed.clear()
         self._reread()
 
     def _reread(self) -> None:
@@ -161,9 +163,15 @@ class Overview(QWidget):
     def _refresh(self, change: Change) -> None:
         """Paint changed samples anew."""
         self.residuals.note(change)
-        if (take := self._take) is not None:
-            self._missing.note(take, [self._column_of[m] for m in change.markers])
+        self._changed |= {self._column_of[m] for m in change.markers}
         self._repaint()
+
+    def _catch_up(self) -> None:
+        """Count what is missing of markers that changed, and paint."""
+        if (take := self._take) is not None and self._changed:
+            self._missing.note(take, sorted(self._changed))
+        self._changed.clear()
+        self.update()
 
     def _repaint(self, *_: object) -> None:
         """Paint the picture anew when it is next needed."""

@@ -118,8 +118,8 @@ class PlotRow(PlotFrame):
 
     # Curves
 
-    def show_markers(self, shown: Mapping[str, Shown]) -> None:
-        """Draw these markers and no others."""
+    def show_markers(self, shown: Mapping[str, Shown], soon: bool = False) -> None:
+        """Draw these markers and no others: the foremost now, or all of them soon."""
         for trace in self._pool[max(len(shown), _SPARE) :]:
             trace.remove()
         del self._pool[max(len(shown), _SPARE) :]
@@ -143,32 +143,32 @@ class PlotRow(PlotFrame):
             else:
                 self._waiting[name] = marker
         # What the operator looks at is there at once, what is shown beside it may follow.
-        self._draw_waiting(int(next(iter(shown), None) in self._waiting))
+        self._draw_waiting(next(iter(shown), None) in self._waiting, soon)
         for name in self._waiting:
             self.traces[name].clear()
 
-    def renew(self, changed: Mapping[str, Shown]) -> None:
-        """Draw markers anew whose samples changed, the foremost now, others perhaps later."""
+    def renew(self, changed: Mapping[str, Shown], soon: bool = False) -> None:
+        """Draw markers anew whose samples changed: the foremost now, or all of them soon."""
         waiting = {**self._waiting, **changed}
         self._waiting = {name: waiting[name] for name in self.traces if name in waiting}
-        self._draw_waiting(int(next(iter(self.traces), None) in changed))
+        self._draw_waiting(next(iter(self.traces), None) in changed, soon)
 
-    def _draw_waiting(self, least: int) -> None:
-        """Draw at least so many of the markers that wait, and more where that does not take long.
+    def _draw_waiting(self, foremost: bool, soon: bool = False) -> None:
+        """Draw the foremost marker that waits, and more where that does not take long; or all soon.
 
         The rest is drawn when the window and the other rows had their turns.
         """
         samples = 0
         for drawn, (name, marker) in enumerate(list(self._waiting.items())):
             samples += max(marker.frames, _FEWEST)
-            if drawn >= least and samples > _AT_ONCE:
+            if soon or (samples > _AT_ONCE and not (foremost and not drawn)):
                 self._turns.ask(self._draw_later)
                 break
             self.refresh(name, marker)
 
     def _draw_later(self) -> None:
         """Draw more of those that wait, what a repair would make of them, and make room for it."""
-        self._draw_waiting(1)
+        self._draw_waiting(True)
         self.show_proposal(*self._offered)
         self.set_view(*self._seen)
 

@@ -33,6 +33,9 @@ from markermend_app.panels.plots.stack import PlotStack
 from markermend_app.panels.staying_menu import StayingMenu
 from markermend_app.style import theme
 
+_MUCH = 20_000
+"""Frames of which more take long to draw, where they changed."""
+
 
 class TrajectoryPanel(QWidget):
     """Stacked plots that share one time axis.
@@ -58,7 +61,7 @@ class TrajectoryPanel(QWidget):
         self._view = (0.0, 1.0)
         self._known = Drawn()
         self._stale: set[str] = set()
-        self._unframed = False
+        self._unframed = self._much = False
         self.setAccessibleName(self.tr("Trajectories"))
 
         self.header = PlotHeader()
@@ -231,8 +234,8 @@ class TrajectoryPanel(QWidget):
             drawn = {name: self._drawn(name) for name in shown}
             self._known.keep(shown)
             self._stale.clear()
-            for row in self.rows:
-                row.show_markers(drawn)
+            for i, row in enumerate(self.rows):
+                row.show_markers(drawn, soon=i >= len(COORDINATES))
             self._name_distance()
             self._show_artifacts()
             self._show_proposal()
@@ -271,6 +274,7 @@ class TrajectoryPanel(QWidget):
         self._known.note(change.markers)
         everyone = self.partner in change.markers and self.canvas.row("distance") is not None
         self._stale |= set(self.document.shown if everyone else change.markers)
+        self._much |= change.stop - change.start > _MUCH
         self.predictions.note(samples=True)
 
     def _catch_up(self) -> None:
@@ -278,8 +282,9 @@ class TrajectoryPanel(QWidget):
         stale = {name: self._drawn(name) for name in self.document.shown if name in self._stale}
         self._stale.clear()
         if stale:
-            for row in self.rows:
-                row.renew(stale)
+            for i, row in enumerate(self.rows):
+                row.renew(stale, soon=i > 0 or self._much)
+            self._much = False
         self.cross.read_out(self.document.frame)
 
     def _show_artifacts(self) -> None:
