@@ -17,6 +17,10 @@ def lane(qapp):
     made.close()
 
 
+def never_mind(result):
+    """Pass a result over."""
+
+
 def never(error):
     pytest.fail(f"unexpected: {error}")
 
@@ -74,11 +78,19 @@ def test_cancel_stops_running_and_waiting_jobs(lane, qtbot):
     ran = []
     lane.submit("endless", endless, ran.append, never)
     lane.submit("waiting", lambda progress: ran.append("waiting"), ran.append, never)
-    assert started.wait(5)
+    qtbot.waitUntil(started.is_set)
     lane.cancel()
     assert ended.wait(5)
     qtbot.waitUntil(lambda: not lane.busy)
     assert ran == []
+
+
+def test_a_job_begins_after_the_turn_that_asked_for_it(lane, qtbot):
+    started = threading.Event()
+    lane.submit("work", lambda progress: started.set(), never_mind, never)
+    assert lane.busy
+    assert not started.wait(0.1)
+    qtbot.waitUntil(started.is_set)
 
 
 def test_jobs_run_in_order(lane, qtbot):
@@ -99,7 +111,7 @@ def test_what_a_cancelled_job_came_to_is_handed_back(lane, qtbot):
 
     let_go = []
     lane.submit("deaf", deaf, lambda _: pytest.fail("not done"), never, let_go.append)
-    assert finishing.wait(5)
+    qtbot.waitUntil(finishing.is_set)
     lane.cancel()
     go_on.set()
     qtbot.waitUntil(lambda: not lane.busy)

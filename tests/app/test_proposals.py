@@ -53,7 +53,7 @@ def slow(qapp, damaged, monkeypatch):
 def test_artifacts_passed_by_are_not_worked_on(slow, qtbot):
     proposals, ask, artifacts, begun, entered, go_on = slow
     ask(artifacts[0])
-    assert entered.wait(5)
+    qtbot.waitUntil(entered.is_set)
     for artifact in artifacts[1:]:
         ask(artifact)
     go_on.set()
@@ -66,7 +66,7 @@ def test_a_proposal_under_way_while_samples_move_is_not_used(slow, qtbot):
     proposals, ask, artifacts, begun, entered, go_on = slow
     first = artifacts[0]
     ask(first)
-    assert entered.wait(5)
+    qtbot.waitUntil(entered.is_set)
     proposals.invalidate(Change((artifacts[1].marker,), 0, 10), 100.0)
     ask(first)
     go_on.set()
@@ -90,7 +90,7 @@ def test_a_proposal_under_way_goes_on_while_damage_it_knows_of_is_repaired(slow,
     proposals, ask, artifacts, begun, entered, go_on = slow
     first, other = artifacts[:2]
     ask(first)
-    assert entered.wait(5)
+    qtbot.waitUntil(entered.is_set)
     proposals.invalidate(Change((other.marker,), other.start, other.stop, artifacts=True), 100.0)
     ask(first)
     go_on.set()
