@@ -77,15 +77,22 @@ class _Queue(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._waiting: list[Later] = []
+        self._asked = False
         self._timer = QTimer(self, singleShot=True, interval=SOON_MS)
         self._timer.timeout.connect(self._next)
 
     def append(self, later: Later) -> None:
         self._waiting.append(later)
         if not self._timer.isActive():
+            self._asked = True
             self._timer.start()
 
     def _next(self) -> None:
+        if self._asked:
+            # Run out while the turn that asked went on, the timer is still of that turn.
+            self._asked = False
+            self._timer.start()
+            return
         later = self._waiting.pop(0)
         if self._waiting:
             self._timer.start()

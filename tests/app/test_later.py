@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from functools import partial
 
 from PySide6.QtCore import QObject, QTimer
@@ -79,3 +80,17 @@ def test_what_ends_while_it_waits_is_not_done_and_holds_nobody_up(qtbot):
     delete(gone)
     qtbot.waitUntil(lambda: bool(done))
     assert done == ["here"]
+
+
+def test_it_is_no_part_of_a_long_turn_that_asked_for_it(qtbot):
+    done, parent = [], QObject()
+    later = Later(lambda: done.append("later"), parent)
+
+    def long():
+        later.ask()
+        QTimer.singleShot(5, lambda: done.append("what came meanwhile"))
+        time.sleep(0.03)
+
+    QTimer.singleShot(0, long)
+    qtbot.waitUntil(lambda: "later" in done)
+    assert done == ["what came meanwhile", "later"]

@@ -13,11 +13,11 @@ from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from PySide6.QtCore import QObject, Qt, Signal
 
 from markermend.errors import Cancelled
 from markermend.progress import Progress, heeded
-from markermend_app.later import SOON_MS
+from markermend_app.later import OneByOne
 
 Work = Callable[[Progress], Any]
 Callbacks = tuple[Callable[[Any], None], Callable[[Exception], None], Callable[[Any], None]]
@@ -45,6 +45,7 @@ class Lane(QObject):
         self._waiting: dict[int, Callbacks] = {}
         self._stop: dict[int, threading.Event] = {}
         self._closed = False
+        self._turns = OneByOne(self)
         self._ended.connect(self._deliver, Qt.ConnectionType.QueuedConnection)
 
     @property
@@ -90,8 +91,8 @@ class Lane(QObject):
                 error = caught
             self._ended.emit(number, result, error)
 
-        # Beside a worker the window draws half as fast: it draws first what asked for this.
-        QTimer.singleShot(SOON_MS, self, partial(self._begin, run))
+        # Beside a worker the window draws half as fast: first it draws what waits already.
+        self._turns.ask(partial(self._begin, run))
 
     def cancel(self) -> None:
         """Ask every job that runs or waits to stop."""
