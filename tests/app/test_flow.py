@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from driving import settled
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtTest import QTest
@@ -79,7 +80,8 @@ class Paints(QObject):
 def test_a_decision_is_told_and_painted_once(hundred, qtbot):
     document = hundred.document
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
-    QApplication.processEvents()
+    qtbot.waitUntil(lambda: not document.proposals._lane.busy, timeout=WAIT)
+    settled(qtbot)
     paints = Paints(hundred.trajectories.canvas.viewport())
     told = []
     document.current_changed.connect(lambda: told.append(document.current))

@@ -72,6 +72,7 @@ class Scene(QWidget):
         self.setAccessibleName(self.tr("3D view"))
         self._make_buttons()
         self._soon = Later(self.update, self)
+        self._entered, self._afresh = Later(self._enter, self), True
 
         document.opened.connect(self._opened)
         document.mesh_changed.connect(self._link)
@@ -86,6 +87,7 @@ class Scene(QWidget):
         document.shown_changed.connect(self._shown_changed)
         theme.watcher.changed.connect(self.update)
         self._opened()
+        self._entered.catch_up()
 
     def sizeHint(self) -> QSize:
         """Room for a body."""
@@ -152,18 +154,26 @@ class Scene(QWidget):
     def _opened(self) -> None:
         """Another take, or none."""
         session = self._document.session
-        self.stage, kept = None, self._document.renaming
-        self._vertical = self._vertical if kept else None
+        self.stage = None
+        if not self._document.renaming:
+            self._vertical, self._afresh = None, True
         self.follower.start()
         self.buttons.setVisible(session is not None)
         self.drop_tool()
+        self.seen.forget()
+        self._entered.ask()
+
+    def _enter(self) -> None:
+        """Work out the room of the take, and look at all of it unless it is known."""
+        session = self._document.session
         if session is not None:
             take = session.original
             self.stage = set_stage(take, self._vertical)
             self.seen.take_over(take, min(RADIUS_MM, 0.008 * self.stage.size))
-            if not kept:
+            if self._afresh:
                 self.camera = Camera()
                 self.reset()
+        self._afresh = False
         self.seen.forget()
         self.update()
 
