@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import pyqtgraph as pg
@@ -13,7 +14,7 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 from markermend_app import units
 from markermend_app.actions import shortcuts
 from markermend_app.items.curve import curve, wear
-from markermend_app.later import Later
+from markermend_app.later import Later, OneByOne
 from markermend_app.panels.plots.row import PlotRow, same_objects
 from markermend_app.panels.plots.trajectories import TrajectoryPanel
 from markermend_app.style import theme
@@ -47,6 +48,7 @@ class Candidates(QFrame):
         self.said.setProperty("role", "small")
         grid.addWidget(self.said, MOST, 0, 1, 3)
         comparison.changed.connect(Later(self._refresh, self).ask)
+        self._turns = OneByOne(self)
         self.hide()
 
     def _refresh(self) -> None:
@@ -55,10 +57,7 @@ class Candidates(QFrame):
         self.setVisible(c.shown)
         found, place = (c.candidates or ()) if c.shown else (), c.place
         self._draw(found)
-        for _, line, i in self._lines:
-            chosen = i == place
-            wear(line, theme.marker_color(i + 1), width=2 if chosen else 1)
-            line.setZValue(17 if chosen else 16)
+        self._style()
         if not c.shown:
             return
         from markermend.repairs import REPAIRS
@@ -108,15 +107,31 @@ class Candidates(QFrame):
             row.plot.removeItem(line)
         self._lines.clear()
         self._drawn = wanted
+        for row in self._panel.rows if found else ():
+            # Making so many curves takes long.
+            self._turns.ask(partial(self._draw_in, row, wanted, found))
+
+    def _draw_in(self, row: PlotRow, wanted: Sequence[object], found: Sequence[Any]) -> None:
+        """Draw the candidates in a row, unless others are wanted meanwhile."""
+        if wanted is not self._drawn:
+            return
         for i, advice in enumerate(found):
-            for row in self._panel.rows:
-                for patch in advice.repair.patches:
-                    joined = row.joined(patch)
-                    if joined is not None:
-                        line = curve(theme.marker_color(i + 1))
-                        line.setData(*joined)
-                        row.plot.addItem(line, ignoreBounds=True)
-                        self._lines.append((row, line, i))
+            for patch in advice.repair.patches:
+                joined = row.joined(patch)
+                if joined is not None:
+                    line = curve(theme.marker_color(i + 1))
+                    line.setData(*joined)
+                    row.plot.addItem(line, ignoreBounds=True)
+                    self._lines.append((row, line, i))
+        self._style()
+
+    def _style(self) -> None:
+        """Let the one that is walked to stand out."""
+        place = self._comparison.place
+        for _, line, i in self._lines:
+            chosen = i == place
+            wear(line, theme.marker_color(i + 1), width=2 if chosen else 1)
+            line.setZValue(17 if chosen else 16)
 
 
 def _stroke(color: QColor) -> QPixmap:
