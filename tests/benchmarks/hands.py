@@ -214,6 +214,7 @@ class Operator:
         self.document.step(1)
         spin(self.proposed, 0.2)
         self.window.trajectories.choose_rows(chosen)
+        wait(50)
         self.document.show(before)
         wait(50)
 
