@@ -318,6 +318,19 @@ def test_real_movement_is_restored(shared_data, noise):
         assert np.mean(error[seen]) < 0.45 * np.mean(far(damaged, truth)[seen])
 
 
+def test_three_ways_of_smoothing_are_nearer_than_the_last(shared_data, monkeypatch):
+    whole = to_nuitrack(mm.read_pose(shared_data / "poses" / "02_05.amc"))
+    truth = whole.with_samples(whole.positions[:480], whole.rotations[:480], whole.confidence[:480])
+    damaged = corrupt_pose(truth, Noise(burst=20), seed=2)
+    by_three = restore(damaged).pose
+    monkeypatch.setattr("markermend.poses.restore._BEFORE", 0.0)
+    monkeypatch.setattr("markermend.poses.restore._AT_FIRST", 0.0)
+    by_last = restore(damaged).pose
+    seen = damaged.seen.copy()
+    seen[:, 0] = False
+    assert far(by_three, truth)[seen].mean() < 0.998 * far(by_last, truth)[seen].mean()
+
+
 def test_csv_keeps_what_it_is_given(tmp_path):
     pose = hide(arm(40), slice(5, 9), 2)
     path = tmp_path / "joints.csv"

@@ -18,7 +18,7 @@ from markermend.poses.normal import FEATURES, denormalise
 from markermend.poses.nuitrack import mirrored
 from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior, fitting, shipped_prior
-from markermend.poses.quaternion import signed_like
+from markermend.poses.quaternion import signed_like, unit
 from markermend.poses.settling import settle, settle_in_time
 from markermend.poses.smoothing import LEAST_NOISE, noise_level, smooth, smooth_again
 from markermend.poses.stance import stance
@@ -40,6 +40,8 @@ _SURE, _ROUNDS = 2e-3, 2
 # Where nothing is noisy the way a body bends may change what was filled only so much: its squared
 # errors count as this share of themselves.
 _FIRM = 0.25
+# Shares of what two earlier steps made in the mean of what was seen and smoothed in three ways.
+_BEFORE, _AT_FIRST = 0.3, 0.1
 _LEAST_FRAMES = 3
 # Poses that it takes to tell how a body bends.
 _SETTLES = 30
@@ -161,11 +163,13 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
         features, bones = _agreed(whole, variance, channels, pose, known_joints, level)
     if level > _NOISY:
         tell(0.8, "Smoothing again")
+        first = features
         pilot = _columns(features, channels)[:, usable]
         again = np.where(known, channels.values[:, usable], pilot)
         whole[:, usable] = smooth_again(again, pilot, noise[usable], pose.rate)
         features, bones = _agreed(whole, variance, channels, pose, known_joints, level)
-        features = _in_time(features, channels, noise, pose)
+        last = _in_time(features, channels, noise, pose)
+        features = _between(last, features, first, known_joints)
     features = _with_bones(features, known_joints, bones)
     return _finished(pose, features, channels, noise, variance)
 
@@ -232,6 +236,21 @@ def _in_time(features: FloatArray, channels: Channels, noise: FloatArray, pose: 
     variance = np.ones(features.shape)
     variance[:, channels.joints] = (noise**2).reshape(-1, FEATURES)
     return settle_in_time(measured, variance, features, pose.parents, pose.order, pose.rate)
+
+
+def _between(
+    last: FloatArray, before: FloatArray, first: FloatArray, known: tuple[BoolArray, BoolArray]
+) -> FloatArray:
+    """(frames, joints, 7) mean of what three ways of smoothing made of what is known.
+
+    Each keeps other noise and takes other movement, so that their mean is nearer than the last,
+    which is the nearest of them. What was filled is best as the last has it.
+    """
+    mean = (1.0 - _BEFORE - _AT_FIRST) * last + _BEFORE * before + _AT_FIRST * first
+    out = last.copy()
+    out[..., :3][known[0]] = mean[..., :3][known[0]]
+    out[..., 3:][known[1]] = unit(mean[..., 3:][known[1]])
+    return out
 
 
 def _with_bones(
