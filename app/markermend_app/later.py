@@ -89,7 +89,7 @@ class _Queue(QObject):
 
     def _next(self) -> None:
         if self._asked:
-            # Run out while the turn that asked went on, the timer is still of that turn.
+            # Run out while the turn that asked went on, it would be ahead of what came meanwhile.
             self._asked = False
             self._timer.start()
             return

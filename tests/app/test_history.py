@@ -48,6 +48,15 @@ def test_only_what_is_new_gets_new_rows(qtbot, panel, document):
     assert not anew
 
 
+def test_a_key_that_comes_at_once_means_the_step_that_stands_there_by_then(qtbot, panel, document):
+    document.accept([document.session.artifacts[0].id])
+    settled(qtbot)
+    panel.view.setFocus()
+    document.undo()
+    qtbot.keyClick(panel.view, Qt.Key.Key_Return)
+    assert document.session.history == ("Detect (paper)",)
+
+
 def test_click_travels_back_and_forth(qtbot, panel, document):
     ids = [a.id for a in document.session.artifacts]
     document.accept(ids[:1])

@@ -144,6 +144,7 @@ def test_home_and_end_are_the_ends_of_the_list_that_has_the_keyboard(window, qtb
     document, steps = window.document, window.history.view
     for artifact in document.session.artifacts[:3]:
         document.accept([artifact.id])
+    settled(qtbot)
     frame, count = document.frame, window.history.model.rowCount()
     steps.setFocus()
     key(qtbot, steps, Qt.Key.Key_Home)

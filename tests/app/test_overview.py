@@ -305,6 +305,22 @@ def test_a_repair_takes_the_shade_away(overview, qtbot):
     assert not overview._levels(overview._take, 600)[0].any()
 
 
+def test_what_is_painted_while_a_count_waits_is_painted_anew(overview, qtbot):
+    from markermend.patch import Patch
+    from markermend.repairs.registry import Repair
+
+    document = overview.document
+    gap = next(a for a in document.session.artifacts if a.kind is Kind.GAP)
+    patch = Patch("CLAV", "xyz", 60, 90, np.zeros((30, 3)))
+    document.repair_many([(gap.id, Repair("test", (patch,)))], "")
+    overview.grab()
+    settled(qtbot)
+    now = overview.grab().toImage()
+    overview._opened()
+    settled(qtbot)
+    assert overview.grab().toImage() == now
+
+
 def test_the_part_in_view_is_framed(overview):
     def colors() -> set[str]:
         image = overview.grab().toImage()

@@ -418,3 +418,7 @@ def test_a_long_change_is_drawn_soon_in_every_row(panel, monkeypatch, qtbot):
     document.undo()
     settled(qtbot)
     assert all(np.isfinite(row.values_of["CLAV"][101]) for row in panel.rows)
+    # A long change of what is not shown makes nothing wait that is.
+    document.do(lambda s: hand.cut(s, "T10", 100, 190))
+    document.do(lambda s: hand.cut(s, "CLAV", 100, 110))
+    assert np.isnan(panel.rows[0].values_of["CLAV"][101])

@@ -6,6 +6,7 @@ import math
 import re
 
 import pytest
+from driving import settled
 from PySide6.QtCore import QAbstractTableModel, QPoint, QPointF, Qt
 from PySide6.QtGui import QColor, QWheelEvent
 from PySide6.QtWidgets import (
@@ -121,11 +122,14 @@ def test_lengths_keep_their_precision():
     assert units.scaled("N") == ("N", 1.0, 0)
 
 
-def test_the_axis_that_points_up_is_set_for_this_take_and_the_next(page, window, damaged, tmp_path):
+def test_the_axis_that_points_up_is_set_for_this_take_and_the_next(
+    page, window, damaged, tmp_path, qtbot
+):
     choose(page.vertical, "y")
     assert window.scene.stage.up == 1
     window.document.session.mark_exported()
     window.document.open(open_session(damaged[0], folder=tmp_path / "next"), None)
+    settled(qtbot)
     assert window.scene.stage.up == 1
 
 

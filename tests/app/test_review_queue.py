@@ -126,6 +126,22 @@ def test_keys_that_come_at_once_mean_the_rows_as_they_are_by_then(qtbot, queue, 
         assert queue.selected() == [document.current.id]
 
 
+def test_the_walk_knows_at_once_what_became_of_the_order(queue, document, qtbot):
+    first, second, third, fourth = document.queue
+    document.select(second)
+    document.reject_current()
+    assert document.queue == (first, third, fourth)
+    settled(qtbot)
+    document.undo()
+    assert document.current.id == second
+    document.step(1)
+    assert document.current.id == third
+    document.reject([first, second])
+    settled(qtbot)
+    document.undo()
+    assert document.current.id == first
+
+
 def test_keys_mean_all_rows_when_several_are_selected(qtbot, queue, document):
     click(qtbot, queue, 1)
     click(qtbot, queue, 3, Qt.KeyboardModifier.ShiftModifier)

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from driving import settled
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from PySide6.QtCore import QPoint, QPointF, Qt
@@ -516,3 +517,25 @@ def test_an_empty_box_changes_nothing(scene, document, qtbot):
     qtbot.mouseClick(scene.buttons.box, Qt.MouseButton.LeftButton)
     sweep(qtbot, scene, [QPoint(3, 3), QPoint(8, 8), QPoint(12, 12)])
     assert document.shown == ("CLAV",)
+
+
+def test_a_take_of_other_markers_is_shown_with_the_preferred_axis(tmp_path, qtbot, damaged):
+    document = Document()
+    scene = Scene(document)
+    qtbot.addWidget(scene)
+    scene.resize(500, 400)
+    scene.show()
+    document.opened.connect(lambda: scene.set_vertical(1))
+    for i, count in enumerate((8, 5)):
+        take = damaged[0]
+        fewer = Take(take.positions[:, :count], take.labels[:count], take.rate)
+        document.open(open_session(fewer, folder=tmp_path / str(i)), None)
+        document.show(fewer.labels[:1])
+        scene.grab()
+        settled(qtbot)
+        scene.grab()
+        assert scene.stage is not None
+        assert scene.stage.up == 1
+        assert len(scene._at) == count
+    document.open(None, None)
+    document.proposals.close()

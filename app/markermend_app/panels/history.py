@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import takewhile
-from operator import is_
 from typing import Any
 
 from PySide6.QtCore import QAbstractListModel, QModelIndex, QPersistentModelIndex, QSize, Qt
@@ -20,6 +18,7 @@ from PySide6.QtWidgets import (
 from markermend.review.step import Step, stretch
 from markermend_app.document import Document
 from markermend_app.later import Later
+from markermend_app.panels.before_hands import BeforeHands
 from markermend_app.panels.markers.badge import hint
 from markermend_app.panels.own_ends import OwnEnds
 from markermend_app.style import theme
@@ -54,6 +53,7 @@ class HistoryPanel(QWidget):
         whole.setContentsMargins(0, 0, 0, 0)
         whole.addWidget(self._pages)
         soon = Later(self._refresh, self)
+        BeforeHands(self.view, soon.catch_up)
         document.history_changed.connect(soon.ask)
         theme.watcher.changed.connect(self.model.repaint)
         self._refresh()
@@ -93,7 +93,10 @@ class _Steps(QAbstractListModel):
     def set_steps(self, done: tuple[Step, ...], undone: tuple[Step, ...], first_frame: int) -> None:
         """Show other steps, those undone as redo would bring them back."""
         steps, before = (*done, *undone), self._steps
-        first_row = 1 + sum(takewhile(bool, map(is_, steps, before)))
+        # Steps never change, so that those which stay are the same objects.
+        pairs = enumerate(zip(steps, before, strict=False))
+        least = min(len(steps), len(before))
+        first_row = 1 + next((i for i, (a, b) in pairs if a is not b), least)
         self._done, self._first_frame = len(done), first_frame
         if first_row <= len(before):
             self.beginRemoveRows(QModelIndex(), first_row, len(before))

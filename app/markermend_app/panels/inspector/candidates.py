@@ -99,7 +99,7 @@ class Candidates(QFrame):
         self.raise_()
 
     def _draw(self, found: Sequence[Any]) -> None:
-        """Draw the candidates in every row that they concern, unless they stand there already."""
+        """Have the candidates drawn row by row, unless they stand there already."""
         wanted = (*found, *self._panel.rows)
         if same_objects(wanted, self._drawn):
             return

@@ -170,6 +170,8 @@ class Overview(QWidget):
         """Count what is missing of markers that changed, and paint."""
         if (take := self._take) is not None and self._changed:
             self._missing.note(take, sorted(self._changed))
+            # It may have been painted meanwhile, as it was.
+            self._image = None
         self._changed.clear()
         self.update()
 

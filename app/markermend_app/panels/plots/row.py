@@ -143,7 +143,7 @@ class PlotRow(PlotFrame):
             else:
                 self._waiting[name] = marker
         # What the operator looks at is there at once, what is shown beside it may follow.
-        self._draw_waiting(next(iter(shown), None) in self._waiting, soon)
+        self._draw_waiting(soon, int(next(iter(shown), None) in self._waiting))
         for name in self._waiting:
             self.traces[name].clear()
 
@@ -151,24 +151,28 @@ class PlotRow(PlotFrame):
         """Draw markers anew whose samples changed: the foremost now, or all of them soon."""
         waiting = {**self._waiting, **changed}
         self._waiting = {name: waiting[name] for name in self.traces if name in waiting}
-        self._draw_waiting(next(iter(self.traces), None) in changed, soon)
+        self._draw_waiting(soon, int(next(iter(self.traces), None) in changed))
 
-    def _draw_waiting(self, foremost: bool, soon: bool = False) -> None:
-        """Draw the foremost marker that waits, and more where that does not take long; or all soon.
+    def _draw_waiting(self, soon: bool, least: int) -> None:
+        """Draw at least so many of the markers that wait, and more where that does not take long.
 
-        The rest is drawn when the window and the other rows had their turns.
+        The rest is drawn when the window and the other rows had their turns, or all if ``soon``.
         """
+        if soon:
+            if self._waiting:
+                self._turns.ask(self._draw_later)
+            return
         samples = 0
         for drawn, (name, marker) in enumerate(list(self._waiting.items())):
             samples += max(marker.frames, _FEWEST)
-            if soon or (samples > _AT_ONCE and not (foremost and not drawn)):
+            if drawn >= least and samples > _AT_ONCE:
                 self._turns.ask(self._draw_later)
                 break
             self.refresh(name, marker)
 
     def _draw_later(self) -> None:
         """Draw more of those that wait, what a repair would make of them, and make room for it."""
-        self._draw_waiting(True)
+        self._draw_waiting(False, 1)
         self.show_proposal(*self._offered)
         self.set_view(*self._seen)
 

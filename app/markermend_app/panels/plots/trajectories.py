@@ -234,6 +234,7 @@ class TrajectoryPanel(QWidget):
             drawn = {name: self._drawn(name) for name in shown}
             self._known.keep(shown)
             self._stale.clear()
+            self._much = False
             for i, row in enumerate(self.rows):
                 row.show_markers(drawn, soon=i >= len(COORDINATES))
             self._name_distance()
@@ -284,7 +285,7 @@ class TrajectoryPanel(QWidget):
         if stale:
             for i, row in enumerate(self.rows):
                 row.renew(stale, soon=i > 0 or self._much)
-            self._much = False
+        self._much = False
         self.cross.read_out(self.document.frame)
 
     def _show_artifacts(self) -> None:

@@ -154,10 +154,17 @@ class QueueModel(QAbstractTableModel):
         """Row of an artifact, or None when it is not listed."""
         return self._row_of.get(artifact_id)
 
+    def listed(
+        self, artifacts: Iterable[Artifact], notes: Mapping[str, RepairNote]
+    ) -> list[Artifact]:
+        """Those of some artifacts that are wanted, in the order that was chosen."""
+        rows = [a for a in artifacts if self._wanted(a)]
+        rows.sort(key=self._keys(notes)[self._column], reverse=self._descending)
+        return rows
+
     def _arrange(self) -> None:
         """Filter and sort; rows that stay in place are only repainted."""
-        rows = [a for a in self._all if self._wanted(a)]
-        rows.sort(key=self._keys()[self._column], reverse=self._descending)
+        rows = self.listed(self._all, self._notes)
         ids = [a.id for a in rows]
         if ids == [a.id for a in self.rows]:
             self.rows = rows
@@ -170,12 +177,12 @@ class QueueModel(QAbstractTableModel):
         self.endResetModel()
         self.order_changed.emit()
 
-    def _keys(self) -> dict[int, Callable[[Artifact], Any]]:
+    def _keys(self, notes: Mapping[str, RepairNote]) -> dict[int, Callable[[Artifact], Any]]:
         """Sort key of each column; the order of frames decides ties."""
         kinds = {k: i for i, k in enumerate(Kind)}
 
         def error(a: Artifact) -> tuple[str, float]:
-            note = self._notes.get(a.id)
+            note = notes.get(a.id)
             return (note.method, note.error_mm or 0.0) if note else ("", 0.0)
 
         return {

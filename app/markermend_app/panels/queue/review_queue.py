@@ -23,6 +23,7 @@ from markermend_app.actions import shortcuts
 from markermend_app.actions.menus import entry
 from markermend_app.document import Document
 from markermend_app.later import Later
+from markermend_app.panels.before_hands import BeforeHands
 from markermend_app.panels.markers.badge import hint, kind_icon
 from markermend_app.panels.queue.filter_line import FilterLine
 from markermend_app.panels.queue.model import (
@@ -103,7 +104,7 @@ class ReviewQueue(QWidget):
         self.view.selectionModel().currentRowChanged.connect(self._row_changed)
         self.view.clicked.connect(self._clicked)
         self.view.doubleClicked.connect(lambda _: document.repair_current())
-        self.view.touched.connect(self._soon.catch_up)
+        BeforeHands(self.view, self._soon.catch_up)
         self.view.verb.connect(self.apply)
         self.view.customContextMenuRequested.connect(self._show_menu)
         self.model.order_changed.connect(self._order_changed)
@@ -181,12 +182,17 @@ class ReviewQueue(QWidget):
     @property
     def place(self) -> QWidget:
         """What takes the keys: the table, or what narrows it down while nothing is listed."""
+        self._soon.catch_up()
         return self.view if self.model.rows else self.status
 
     # Verbs on the selected rows
 
     def selected(self) -> list[str]:
         """Ids of the selected rows, from top to bottom."""
+        self._soon.catch_up()
+        return self._selected()
+
+    def _selected(self) -> list[str]:
         rows = sorted(i.row() for i in self.view.selectionModel().selectedRows())
         return [self.model.rows[r].id for r in rows]
 
@@ -248,11 +254,14 @@ class ReviewQueue(QWidget):
         """Take decisions over soon, and at once artifacts that came or went."""
         session = self._document.session
         ids = () if session is None else tuple(a.id for a in session.artifacts)
-        if ids == self._listed:
-            self._stale = True
-            self._soon.ask()
-        else:
+        if session is None or ids != self._listed:
             self._refresh()
+            return
+        # Where keys go next does not wait for the rows.
+        listed = self.model.listed(session.artifacts, session.notes)
+        self._document.set_queue([a.id for a in listed])
+        self._stale = True
+        self._soon.ask()
 
     def _current_changed(self) -> None:
         """Put the cursor soon on the artifact under review, unless it was chosen here."""
@@ -272,7 +281,7 @@ class ReviewQueue(QWidget):
         session = self._document.session
         self._listed = () if session is None else tuple(a.id for a in session.artifacts)
         bar = self.view.verticalScrollBar()
-        at, chosen = bar.value(), set(self.selected())
+        at, chosen = bar.value(), set(self._selected())
         self._syncing = True
         if session is None:
             self.model.set_artifacts((), {}, None)

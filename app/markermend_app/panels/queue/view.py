@@ -32,12 +32,6 @@ from markermend_app.style import theme
 
 Index = QModelIndex | QPersistentModelIndex
 VERBS = ("accept", "reject", "repair", "reopen", "remove")
-_KEYS = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress)
-_BUTTONS = (
-    QEvent.Type.MouseButtonPress,
-    QEvent.Type.MouseButtonDblClick,
-    QEvent.Type.ContextMenu,
-)
 
 
 class QueueView(QTableView):
@@ -49,11 +43,9 @@ class QueueView(QTableView):
     Signals
     -------
     verb(str) : a review key was pressed for several rows
-    touched() : a key or the mouse is about to do something with the rows
     """
 
     verb = Signal(str)
-    touched = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -79,8 +71,6 @@ class QueueView(QTableView):
 
     def event(self, event: QEvent) -> bool:
         """Keep review keys for itself while several rows are selected."""
-        if event.type() in _KEYS:
-            self.touched.emit()
         if (
             event.type() == QEvent.Type.ShortcutOverride
             and isinstance(event, QKeyEvent)
@@ -89,12 +79,6 @@ class QueueView(QTableView):
             event.accept()
             return True
         return super().event(event)
-
-    def viewportEvent(self, event: QEvent) -> bool:
-        """Tell of the mouse."""
-        if event.type() in _BUTTONS:
-            self.touched.emit()
-        return super().viewportEvent(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Do what a review key means for several rows."""

@@ -72,7 +72,8 @@ class Scene(QWidget):
         self.setAccessibleName(self.tr("3D view"))
         self._make_buttons()
         self._soon = Later(self.update, self)
-        self._entered, self._afresh = Later(self._enter, self), True
+        self._entering = Later(self._enter, self)
+        self._afresh = True
 
         document.opened.connect(self._opened)
         document.mesh_changed.connect(self._link)
@@ -87,7 +88,7 @@ class Scene(QWidget):
         document.shown_changed.connect(self._shown_changed)
         theme.watcher.changed.connect(self.update)
         self._opened()
-        self._entered.catch_up()
+        self._entering.catch_up()
 
     def sizeHint(self) -> QSize:
         """Room for a body."""
@@ -147,7 +148,8 @@ class Scene(QWidget):
         """Say which axis points up (0, 1, 2), or None to guess it from the take."""
         self._vertical = axis
         session = self._document.session
-        if session is not None:
+        # Of a take that was opened just now the room is worked out soon.
+        if session is not None and self.stage is not None:
             self.stage = set_stage(session.original, axis)
             self.reset()
 
@@ -161,7 +163,7 @@ class Scene(QWidget):
         self.buttons.setVisible(session is not None)
         self.drop_tool()
         self.seen.forget()
-        self._entered.ask()
+        self._entering.ask()
 
     def _enter(self) -> None:
         """Work out the room of the take, and look at all of it unless it is known."""
@@ -174,7 +176,6 @@ class Scene(QWidget):
                 self.camera = Camera()
                 self.reset()
         self._afresh = False
-        self.seen.forget()
         self.update()
 
     def _link(self) -> None:
@@ -190,7 +191,11 @@ class Scene(QWidget):
         painter.fillRect(self.rect(), t.plot)
         session = self._document.session
         if session is None or self.stage is None or not session.original.frames:
-            text = self.tr("No frames") if session else self.tr("Open a take to see it in space.")
+            text = ""
+            if session is None:
+                text = self.tr("Open a take to see it in space.")
+            elif not session.original.frames:
+                text = self.tr("No frames")
             paint.paint_message(painter, QRectF(self.rect()), text)
             paint_focus(painter, self)
             return
