@@ -85,6 +85,7 @@ class Operator:
             # The next take is the same to the last byte, and a review follows its take.
             self.document.file.discard()
         self.document.open(None, None)
+        wait(50)
         self.window.commands.open_path(path)
         spin(lambda: self.document.session is not None and self.document.mesh is not None)
         if found is not None:

@@ -235,7 +235,7 @@ def test_a_disk_that_fails_later_is_told_and_the_next_step_makes_it_good(tmp_pat
     with monkeypatch.context() as broken:
         broken.setattr("markermend.review.on_disk.os.fsync", fails)
         kept.session.mark(artifact())
-        while kept._on_disk._thread is not None:
+        while kept._on_disk._working:
             time.sleep(0.001)
     with pytest.raises(MarkermendError, match="Input/output error"):
         kept.session.mark(artifact("C"))
@@ -254,7 +254,7 @@ def test_after_a_long_step_that_failed_nothing_follows_in_the_journal(tmp_path, 
         broken.setattr("markermend.review.file.LONG", 100)
         broken.setattr("markermend.review.file.step_to_dict", fails)
         smooth_all(kept)
-        while kept._on_disk._thread is not None:
+        while kept._on_disk._working:
             time.sleep(0.001)
     lines = Path(kept._journal.name).read_bytes()
     with pytest.raises(ValueError, match="out of range"):

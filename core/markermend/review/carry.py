@@ -10,6 +10,7 @@ from typing import Any
 from markermend.review.edits import (
     Edit,
     Group,
+    PutBack,
     SetArtifacts,
     SetBase,
     SetNames,
@@ -81,6 +82,8 @@ def _restricted(edit: Edit, markers: set[str], known: set[str]) -> Edit | None:
         }
         known |= set(changes)
         return SetArtifacts(changes) if changes else None
+    if isinstance(edit, PutBack):
+        raise TypeError("What takes a step back is not carried over.")
     if isinstance(edit, SetBase):
         base = tuple(p for p in edit.patches if p.marker in markers)
         return SetBase(base) if len(base) == len(edit.patches) else None

@@ -14,7 +14,7 @@ from markermend.arrays import ByteArray, FloatArray
 from markermend.artifact import Artifact
 from markermend.errors import DataError
 from markermend.patch import Patch, apply_patch
-from markermend.review.base import Base
+from markermend.review.base import Base, Own
 from markermend.take import Take
 
 
@@ -111,10 +111,25 @@ class SetBase:
 
     patches: tuple[Patch, ...]
 
-    def apply(self, state: State) -> SetBase:
+    def apply(self, state: State) -> PutBack:
         """Write the patches; each names all axes, so that none can fail."""
-        undo = [state.base.write(state.original.index(p.marker), p) for p in self.patches]
-        return SetBase(tuple(reversed(undo)))
+        columns = [state.original.index(p.marker) for p in self.patches]
+        held = [state.base.write(c, p) for c, p in zip(columns, self.patches, strict=True)]
+        return PutBack(tuple(zip(columns, held, strict=True))[::-1])
+
+
+@dataclass(frozen=True)
+class PutBack:
+    """Let hand work of some markers be what it was: what undoes :class:`SetBase`.
+
+    Nothing is copied, which takes long where a marker of a long take is smoothed.
+    """
+
+    held: tuple[tuple[int, Own | None], ...]
+
+    def apply(self, state: State) -> PutBack:
+        """Put it back."""
+        return PutBack(tuple((c, state.base.put_back(c, own)) for c, own in self.held)[::-1])
 
 
 @dataclass(frozen=True)
@@ -182,7 +197,7 @@ class Group:
         return Group(tuple(reversed(undo)))
 
 
-Edit = SetSamples | SetBase | SetNames | SetArtifacts | SetNotes | Group
+Edit = SetSamples | SetBase | PutBack | SetNames | SetArtifacts | SetNotes | Group
 
 
 @dataclass(frozen=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import threading
 from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
 
 
 class OnDisk:
@@ -15,9 +16,11 @@ class OnDisk:
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        self._thread: threading.Thread | None = None
+        # To start a thread waits until it runs, which for every step is too long.
+        self._pool = ThreadPoolExecutor(max_workers=1, thread_name_prefix="on disk")
+        self._under_way: Future[None] | None = None
         self._writes: list[Callable[[], object]] = []
-        self._writing = self._wanted = False
+        self._working = self._writing = self._wanted = False
         self._error: Exception | None = None
 
     def keep(self, handle: int, write: Callable[[], object], long: bool = False) -> None:
@@ -47,22 +50,20 @@ class OnDisk:
             write()
         with self._lock:
             self._wanted = True
-            if self._thread is None:
-                self._thread = threading.Thread(target=self._work, args=(handle,), name="on disk")
-                self._thread.start()
+            if not self._working:
+                self._working = True
+                self._under_way = self._pool.submit(self._work, handle)
 
     def wait(self) -> None:
         """Return once everything is there; errors as in :meth:`keep`."""
-        thread = self._thread
-        if thread is not None:
-            thread.join()
+        if self._under_way is not None:
+            self._under_way.result()
         self._raise()
 
     def settle(self) -> None:
         """Return once nothing is left to be written, and forget what went wrong with it."""
-        thread = self._thread
-        if self._writing and thread is not None:
-            thread.join()
+        if self._writing and self._under_way is not None:
+            self._under_way.result()
         self._error = None
 
     def _raise(self) -> None:
@@ -76,7 +77,7 @@ class OnDisk:
         while True:
             with self._lock:
                 if not self._wanted:
-                    self._thread = None
+                    self._working = False
                     return
                 writes, self._writes, self._wanted = self._writes, [], False
             try:
@@ -89,5 +90,5 @@ class OnDisk:
                 with self._lock:
                     # What follows would continue something that is not there.
                     self._writes, self._writing, self._wanted = [], False, False
-                    self._error, self._thread = error, None
+                    self._error, self._working = error, False
                 return

@@ -14,6 +14,7 @@ from markermend.patch import Patch
 from markermend.review.edits import (
     Edit,
     Group,
+    PutBack,
     RepairNote,
     SetArtifacts,
     SetBase,
@@ -39,6 +40,8 @@ def _edit_to_dict(edit: Edit) -> dict[str, Any]:
         return {"group": [_edit_to_dict(e) for e in edit.edits]}
     if isinstance(edit, SetSamples):
         return {"samples": [_patch_to_dict(p) for p in edit.patches]}
+    if isinstance(edit, PutBack):
+        raise TypeError("What takes a step back is not stored.")
     if isinstance(edit, SetBase):
         return {"base": [_patch_to_dict(p) for p in edit.patches]}
     if isinstance(edit, SetNames):
