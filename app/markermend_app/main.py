@@ -59,10 +59,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
     from markermend_app import languages, settings
     from markermend_app.background.garbage import Collector
+    from markermend_app.background.memory import keep_memory
     from markermend_app.file_open import FileOpener
     from markermend_app.style import theme
     from markermend_app.window import MainWindow
 
+    keep_memory()
     app = QApplication.instance() or QApplication(sys.argv[:1])
     assert isinstance(app, QApplication)
     app.setApplicationName("Markermend")
@@ -84,7 +86,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         window.open_paths([take.absolute() for take in chosen.takes])
     elif not settings.flag("tour_seen", False):
         window.actions_by_name["tour"].trigger()
-    return app.exec()
+    code = app.exec()
+    settings.settle()
+    return code
 
 
 def no_display() -> str:

@@ -1,13 +1,22 @@
-"""What the app remembers between starts: recent takes, theme, layout."""
+"""What the app remembers between starts: recent takes, theme, layout.
+
+Preferences are written by a thread of their own, for Qt waits until they are on the disk; what
+was read or remembered once is known from then on, so that nobody waits for that thread.
+"""
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QByteArray, QSettings
 
 RECENT = 10
+
+_known: dict[str, Any] = {}
+"""Values by name; None where nothing is remembered."""
 
 
 def store() -> QSettings:
@@ -17,7 +26,7 @@ def store() -> QSettings:
 
 def recent() -> list[Path]:
     """Takes opened lately and still there, newest first."""
-    value: Any = store().value("recent", [])
+    value = _value("recent")
     names: list[str] = [value] if isinstance(value, str) else list(value or [])
     return [p for p in map(Path, names) if p.exists()]
 
@@ -25,33 +34,67 @@ def recent() -> list[Path]:
 def add_recent(path: Path) -> None:
     """Put a take on top of the recent ones."""
     rest = [p for p in recent() if p != path]
-    store().setValue("recent", [str(p) for p in [path, *rest][:RECENT]])
+    remember("recent", [str(p) for p in [path, *rest][:RECENT]])
 
 
 def flag(name: str, default: bool) -> bool:
     """Read an on/off preference."""
-    return bool(store().value(name, default, type=bool))
+    value = _value(name)
+    if value is None:
+        return default
+    # A file of settings holds words.
+    return str(value).lower() not in ("false", "0", "")
 
 
 def number(name: str, default: float) -> float:
     """Read a preference that is a number; the default where it is none."""
+    value = _value(name)
     try:
-        return float(str(store().value(name, default)))
+        return default if value is None else float(str(value))
     except ValueError:
         return default
 
 
 def text(name: str, default: str) -> str:
     """Read a preference that is a word."""
-    return str(store().value(name, default))
+    value = _value(name)
+    return default if value is None else str(value)
 
 
 def layout(name: str) -> QByteArray | None:
     """Read a stored window layout, or None."""
-    value = store().value(name)
+    value = _value(name)
     return value if isinstance(value, QByteArray) and not value.isEmpty() else None
 
 
 def remember(name: str, value: object) -> None:
-    """Store a preference."""
-    store().setValue(name, value)
+    """Store a preference, or forget it where the value is None."""
+    _known[name] = value
+    _writer().submit(_write, name, value)
+
+
+def settle() -> None:
+    """Wait until everything remembered is on the disk."""
+    _writer().submit(int).result()
+
+
+def _value(name: str) -> Any:
+    """What is remembered under a name, or None."""
+    if name not in _known:
+        _known[name] = store().value(name)
+    return _known[name]
+
+
+@cache
+def _writer() -> ThreadPoolExecutor:
+    """The thread that writes, one thing after the other."""
+    return ThreadPoolExecutor(1, thread_name_prefix="settings")
+
+
+def _write(name: str, value: object) -> None:
+    kept = store()
+    if value is None:
+        kept.remove(name)
+    else:
+        kept.setValue(name, value)
+    kept.sync()

@@ -15,6 +15,7 @@ from markermend.artifact import Artifact, Kind
 from markermend.mesh import Mesh, infer_mesh
 from markermend.review.file import open_session
 from markermend.take import Take
+from markermend_app import settings
 from markermend_app.background.garbage import YOUNG
 from markermend_app.document import Document
 
@@ -26,6 +27,9 @@ def own_settings(tmp_path, monkeypatch):
     monkeypatch.setattr(
         "markermend_app.settings.store", lambda: QSettings(path, QSettings.Format.IniFormat)
     )
+    monkeypatch.setattr("markermend_app.settings._known", {})
+    yield
+    settings.settle()
 
 
 @pytest.fixture(autouse=True)

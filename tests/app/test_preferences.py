@@ -200,6 +200,7 @@ def test_as_delivered_forgets_everything_on_the_page(page):
     page._restore()
     assert units.unit() == "mm"
     assert detection.chosen_params(slow=True) == JointParams(slow=True)
+    settings.settle()
     assert not [name for name in OFFERED if settings.store().contains(name)]
 
 
@@ -241,6 +242,7 @@ def test_the_wheel_scrolls_the_page_and_changes_no_field_on_its_way(page):
     was = page.autosave.value()
     for field in (page.theme, page.unit, page.autosave, page.dial):
         wheel(field)
+    settings.settle()
     assert [n for n in OFFERED if settings.store().contains(n)] == []
     assert page.autosave.value() == was
     page.autosave.setFocus()

@@ -212,13 +212,14 @@ def main() -> int:
         told("  clock", clock, TARGET_START)
         told("  processor", processor, TARGET_START)
 
-        store = QSettings(str(folder / "settings.ini"), QSettings.Format.IniFormat)
-        settings.store = lambda: store  # type: ignore[assignment]
+        settings.store = lambda: QSettings(str(folder / "s.ini"), QSettings.Format.IniFormat)
         from markermend_app.background.garbage import Collector
+        from markermend_app.background.memory import keep_memory
         from markermend_app.main import SWITCH_S
         from markermend_app.style import theme
         from markermend_app.window import MainWindow
 
+        keep_memory()
         app = QApplication([])
         sys.setswitchinterval(SWITCH_S)
         Collector(app)

@@ -338,7 +338,7 @@ class Preferences(QDialog):
     def _restore(self) -> None:
         """Forget all that was chosen on this page."""
         for name in OFFERED:
-            settings.store().remove(name)
+            settings.remember(name, None)
         self._read()
         for name in OFFERED:
             self.changed.emit(name)

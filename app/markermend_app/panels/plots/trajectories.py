@@ -35,6 +35,8 @@ from markermend_app.style import theme
 
 _MUCH = 20_000
 """Frames of which more take long to draw, where they changed."""
+_FEW = 2
+"""Markers that the first three rows draw at once; of more only the first row does."""
 
 
 class TrajectoryPanel(QWidget):
@@ -235,8 +237,9 @@ class TrajectoryPanel(QWidget):
             self._known.keep(shown)
             self._stale.clear()
             self._much = False
+            at_once = len(COORDINATES) if len(shown) <= _FEW else 1
             for i, row in enumerate(self.rows):
-                row.show_markers(drawn, soon=i >= len(COORDINATES))
+                row.show_markers(drawn, soon=i >= at_once)
             self._name_distance()
             self._show_artifacts()
             self._show_proposal()

@@ -1,0 +1,35 @@
+"""Memory that was taken from the system is kept for what comes next."""
+
+from __future__ import annotations
+
+import ctypes
+import sys
+
+TRIM_THRESHOLD, TOP_PAD, MMAP_THRESHOLD, ARENA_MAX = -1, -2, -3, -8
+"""What glibc's ``mallopt`` calls them."""
+
+_KEPT = {
+    # Threads that each keep what they were given would hold several times as much.
+    ARENA_MAX: (1,),
+    # Before version 2.35 no more than 32 MB are taken.
+    MMAP_THRESHOLD: (1 << 30, 1 << 25),
+    TRIM_THRESHOLD: ((1 << 31) - 1,),
+    TOP_PAD: (1 << 26,),
+}
+
+
+def keep_memory() -> bool:
+    """Have large arrays made of memory that is there already, where the C library can; if it can.
+
+    By itself glibc asks the system for every array above some megabytes and gives it back when
+    the array goes. Each new page is then cleared by the kernel when first touched, under a lock
+    of the whole process: a worker that smooths a take for some seconds makes the window wait for
+    that lock again and again. The process grows to what it needed at once, and stays there.
+    Call it before arrays are made; other C libraries keep their own ways.
+    """
+    if not sys.platform.startswith("linux"):
+        return False
+    mallopt = getattr(ctypes.CDLL(None), "mallopt", None)
+    if mallopt is None:
+        return False
+    return all([any(mallopt(what, size) == 1 for size in sizes) for what, sizes in _KEPT.items()])
