@@ -266,6 +266,34 @@ def test_two_thousand_artifacts_stay_quick_and_keep_their_place(tmp_path, qtbot)
     document.proposals.close()
 
 
+def test_where_hands_scrolled_to_stays_when_only_decisions_change(tmp_path, qtbot):
+    labels = tuple(f"M{i}" for i in range(40))
+    take = Take(np.zeros((6000, 40, 3)), labels, 100.0)
+    found = [
+        Artifact(labels[i % 40], "xyz", 29 * i, 29 * i + 9, Kind.PEAK, 0.9, 5.0) for i in range(200)
+    ]
+    document = Document()
+    queue = ReviewQueue(document)
+    qtbot.addWidget(queue)
+    queue.resize(900, 300)
+    queue.show()
+    document.open(open_session(take, folder=tmp_path), None)
+    document.add_detected(found, "paper")
+    queue.status.setCurrentIndex(3)
+    document.select(document.queue[0])
+    settled(qtbot)
+    bar = queue.view.verticalScrollBar()
+    bar.setValue(bar.maximum())
+    document.do(lambda s: s.annotate(document.queue[0], "look at it again"))
+    settled(qtbot)
+    assert bar.value() == bar.maximum()
+    document.select(document.queue[1])
+    settled(qtbot)
+    assert bar.value() < bar.maximum()
+    document.open(None, None)
+    document.proposals.close()
+
+
 def test_gaps_at_the_ends_of_a_take_come_last():
     inside = Artifact("A", "xyz", 50, 60, Kind.GAP)
     leading, trailing = (

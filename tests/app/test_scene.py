@@ -7,8 +7,6 @@ import math
 import numpy as np
 import pytest
 from driving import settled
-from hypothesis import given, settings
-from hypothesis import strategies as st
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 
@@ -16,16 +14,14 @@ from markermend.artifact import Kind, Status
 from markermend.mesh import Group, Mesh
 from markermend.patch import Patch
 from markermend.repairs.registry import Repair
+from markermend.review import hand
 from markermend.review.file import open_session
 from markermend.take import Take
-from markermend.vertical import vertical_axis
 from markermend_app.document import Document
-from markermend_app.panels.scene.camera import Camera
 from markermend_app.panels.scene.looks import marker_colours
 from markermend_app.panels.scene.paint import place_labels
 from markermend_app.panels.scene.scene import Scene
 from markermend_app.panels.scene.select import Outline
-from markermend_app.panels.scene.stage import set_stage
 from markermend_app.style import theme
 
 
@@ -69,82 +65,6 @@ def move(scene, at, button, held):
         QEvent.Type.MouseMove, at, scene.mapToGlobal(at), Qt.MouseButton.NoButton, button, held
     )
     QApplication.sendEvent(scene, event)
-
-
-# Camera
-
-
-def test_target_is_in_the_middle_and_up_is_up():
-    for up in range(3):
-        camera = Camera(target=(10.0, 20.0, 30.0), up=up)
-        above = np.array(camera.target)
-        above[up] += 100.0
-        at = camera.project(np.array([camera.target, above]), 400, 300)
-        np.testing.assert_allclose(at[0], (200, 150), atol=1e-9)
-        assert at[1, 1] < 150
-        assert at[1, 0] == pytest.approx(200, abs=1e-6)
-
-
-@given(st.floats(-7, 7), st.floats(-1.5, 1.5), st.integers(0, 2))
-@settings(max_examples=40, deadline=None)
-def test_axes_are_a_right_handed_frame(yaw, pitch, up):
-    axes = Camera(yaw=yaw, pitch=pitch, up=up).axes()
-    np.testing.assert_allclose(axes @ axes.T, np.eye(3), atol=1e-12)
-    assert np.linalg.det(axes) == pytest.approx(1.0)
-
-
-def test_nearer_things_are_larger_and_those_behind_are_gone():
-    camera = Camera(distance=1000.0, yaw=0.0, pitch=0.0)
-    back = camera.axes()[2]
-    near, far, behind = back * 500, -back * 500, back * 1200
-    up = np.array([0.0, 0.0, 50.0])
-    at = camera.project(np.array([near + up, far + up, behind]), 400, 300)
-    assert 150 - at[0, 1] > 150 - at[1, 1] > 0
-    assert np.isnan(at[2]).all()
-
-
-def test_segments_are_cut_at_the_near_plane():
-    camera = Camera(distance=1000.0, yaw=0.0, pitch=0.0)
-    back = camera.axes()[2]
-    start = np.array([np.zeros(3), back * 1500, [np.nan] * 3])
-    stop = np.array([back * 1500, back * 2000, np.zeros(3)])
-    ends = camera.segments(start, stop, 400, 300)
-    assert np.isfinite(ends[0]).all()
-    assert np.isnan(ends[1]).any()
-    assert np.isnan(ends[2]).any()
-
-
-def test_panning_keeps_the_target_under_the_pointer():
-    camera = Camera(distance=2000.0)
-    moved = camera.panned(30.0, -20.0, 300)
-    at = moved.project(np.array([camera.target]), 400, 300)
-    np.testing.assert_allclose(at[0], (230, 130), atol=1e-6)
-
-
-# Stage
-
-
-@pytest.mark.parametrize("up", [1, 2])
-def test_vertical_axis_of_a_walking_body(up):
-    rng = np.random.default_rng(2)
-    body = rng.uniform((-250, -200, 0), (250, 200, 1750), (30, 3))
-    way = np.zeros((200, 1, 3))
-    way[:, 0, 0] = np.linspace(-3000, 3000, 200)
-    positions = body + way
-    if up == 1:
-        positions = positions[:, :, [1, 2, 0]]
-    assert vertical_axis(positions) == up
-
-
-def test_stage_of_an_empty_take_stands():
-    set_stage(Take(np.zeros((5, 0, 3)), (), 100.0))
-    stage = set_stage(Take(np.full((5, 2, 3), np.nan), ("A", "B"), 100.0))
-    assert np.isfinite(stage.middle).all()
-    assert stage.radius > 0
-    assert stage.unit > 0
-
-
-# Hands
 
 
 def test_drags_turn_move_zoom_and_scrub(qtbot, scene, document):
@@ -276,7 +196,11 @@ def test_of_several_subjects_the_one_looked_at_is_followed(tmp_path, qtbot, dama
         middle = np.nanmedian(take.positions[:6, columns, 0])
         assert scene.camera.target[0] == pytest.approx(middle, abs=1)
     assert scene.camera.distance < far / 2
-    beside = scene.camera
+    scene.camera = beside = scene.camera.zoomed(0.5)
+    document.do(lambda s: hand.rename(s, {document.shown[0]: "A:CHEST"}))
+    settled(qtbot)
+    assert document.shown == ("A:CHEST",)
+    assert scene.camera == beside
     document.show(["*7"])
     assert scene.camera == beside
     scene.follow.click()
@@ -539,3 +463,28 @@ def test_a_take_of_other_markers_is_shown_with_the_preferred_axis(tmp_path, qtbo
         assert len(scene._at) == count
     document.open(None, None)
     document.proposals.close()
+
+
+def test_renaming_keeps_the_room_in_sight_and_the_view(scene, document, qtbot):
+    document.show(["CLAV"])
+    settled(qtbot)
+    drag(qtbot, scene, QPoint(60, 20))
+    stage, camera = scene.stage, scene.camera
+    assert stage is not None
+    seen = []
+    document.opened.connect(lambda: seen.append(scene.stage))
+    document.do(lambda s: hand.rename(s, {"CLAV": "CHEST"}))
+    assert [s.radius for s in seen] == [stage.radius]
+    settled(qtbot)
+    assert document.shown == ("CHEST",)
+    assert scene.camera == camera
+
+
+def test_where_markers_of_the_take_before_were_nothing_can_be_clicked(
+    scene, document, damaged, tmp_path
+):
+    spot = place(scene, document, "LELB")
+    take = damaged[0]
+    two = Take(take.positions[:, :2], take.labels[:2], take.rate)
+    document.open(open_session(two, folder=tmp_path / "two"), None)
+    assert scene.marker_at(QPointF(spot)) is None

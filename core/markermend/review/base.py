@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -10,8 +10,27 @@ from markermend.arrays import ByteArray, FloatArray, IntArray
 from markermend.patch import Patch, apply_patch
 from markermend.take import Take
 
-Own = tuple[IntArray, FloatArray, ByteArray]
-"""(n,) frames of a marker that hand work wrote, rising, their (n, 3) samples and (n,) origins."""
+
+@dataclass(frozen=True, eq=False)
+class Held:
+    """What hand work wrote of one marker within an interval.
+
+    Attributes
+    ----------
+    start, stop : half-open interval of 0-based frames; of those not in ``frames`` nothing is held
+    frames : (n,) that hand work wrote, rising
+    values : (n, 3) float64 mm, NaN = missing
+    origins : (n,) uint8, see :class:`markermend.take.Origin`
+    """
+
+    start: int
+    stop: int
+    frames: IntArray
+    values: FloatArray
+    origins: ByteArray
+
+
+_NOTHING = Held(0, 0, np.zeros(0, np.intp), np.zeros((0, 3)), np.zeros(0, np.uint8))
 
 
 class Base:
@@ -26,7 +45,7 @@ class Base:
 
     def __init__(self, take: Take) -> None:
         self._take = take
-        self._own: dict[int, Own] = {}
+        self._held: dict[int, Held] = {}
 
     def read(self, column: int, start: int, stop: int) -> tuple[FloatArray, ByteArray]:
         """Frames of a marker.
@@ -43,17 +62,17 @@ class Base:
         """
         positions = self._take.positions[start:stop, column].copy()
         origin = self._take.origin[start:stop, column].copy()
-        if column in self._own:
-            frames, values, origins = self._own[column]
-            low, high = np.searchsorted(frames, (start, stop))
-            inside = frames[low:high] - start
-            positions[inside], origin[inside] = values[low:high], origins[low:high]
+        if column in self._held:
+            held = self._held[column]
+            low, high = np.searchsorted(held.frames, (start, stop))
+            inside = held.frames[low:high] - start
+            positions[inside], origin[inside] = held.values[low:high], held.origins[low:high]
         return positions, origin
 
-    def write(self, column: int, patch: Patch) -> Own | None:
+    def write(self, column: int, patch: Patch) -> Held:
         """Write a patch that names all axes, so that it cannot fail.
 
-        Returns what was held of the marker, for :meth:`put_back`.
+        Returns what was held of its frames, for :meth:`put`.
         """
         start, stop = patch.start, patch.stop
         positions, origin = patch.values, patch.origin
@@ -61,20 +80,31 @@ class Base:
             positions, origin = self.read(column, start, stop)
             here = replace(patch, start=0, stop=stop - start)
             apply_patch(positions[:, None], origin[:, None], 0, here)
-        frames = np.arange(start, stop)
-        before = self._own.get(column)
-        if before is not None:
-            known, values, origins = before
-            low, high = np.searchsorted(known, (start, stop))
-            frames = np.concatenate((known[:low], frames, known[high:]))
-            positions = np.concatenate((values[:low], positions, values[high:]))
-            origin = np.concatenate((origins[:low], origin, origins[high:]))
-        self._own[column] = frames, positions, origin
-        return before
+        return self.put(column, Held(start, stop, np.arange(start, stop), positions, origin))
 
-    def put_back(self, column: int, own: Own | None) -> Own | None:
-        """Hold what was held of a marker before; returns what is held now."""
-        now = self._own.pop(column, None)
-        if own is not None:
-            self._own[column] = own
-        return now
+    def put(self, column: int, held: Held) -> Held:
+        """Hold this of the frames of its interval and nothing else; returns what was held there.
+
+        Where nothing is held beside it nothing is copied, which takes long for a whole marker of
+        a long take.
+        """
+        known = self._held.get(column, _NOTHING)
+        low, high = np.searchsorted(known.frames, (held.start, held.stop))
+        if high - low == len(known.frames):
+            self._held[column] = held
+            return replace(known, start=held.start, stop=held.stop)
+        self._held[column] = Held(
+            min(known.start, held.start),
+            max(known.stop, held.stop),
+            np.concatenate((known.frames[:low], held.frames, known.frames[high:])),
+            np.concatenate((known.values[:low], held.values, known.values[high:])),
+            np.concatenate((known.origins[:low], held.origins, known.origins[high:])),
+        )
+        # Views would keep alive all that was held of the marker, for as long as the step is known.
+        return Held(
+            held.start,
+            held.stop,
+            known.frames[low:high].copy(),
+            known.values[low:high].copy(),
+            known.origins[low:high].copy(),
+        )

@@ -14,7 +14,7 @@ from markermend.arrays import ByteArray, FloatArray
 from markermend.artifact import Artifact
 from markermend.errors import DataError
 from markermend.patch import Patch, apply_patch
-from markermend.review.base import Base, Own
+from markermend.review.base import Base, Held
 from markermend.take import Take
 
 
@@ -120,16 +120,13 @@ class SetBase:
 
 @dataclass(frozen=True)
 class PutBack:
-    """Let hand work of some markers be what it was: what undoes :class:`SetBase`.
+    """Let hand work of some markers be what it was: what undoes :class:`SetBase`."""
 
-    Nothing is copied, which takes long where a marker of a long take is smoothed.
-    """
-
-    held: tuple[tuple[int, Own | None], ...]
+    held: tuple[tuple[int, Held], ...]
 
     def apply(self, state: State) -> PutBack:
         """Put it back."""
-        return PutBack(tuple((c, state.base.put_back(c, own)) for c, own in self.held)[::-1])
+        return PutBack(tuple((c, state.base.put(c, held)) for c, held in self.held)[::-1])
 
 
 @dataclass(frozen=True)

@@ -132,6 +132,7 @@ class SessionFile:
         if self._torn:
             with contextlib.suppress(MarkermendError):
                 self.save()
+        self._on_disk.close()
         journal, self._journal = self._journal, None
         self.session.on_step = None
         empty = _lines(journal) <= 1

@@ -51,8 +51,8 @@ class OnDisk:
         with self._lock:
             self._wanted = True
             if not self._working:
-                self._working = True
                 self._under_way = self._pool.submit(self._work, handle)
+                self._working = True
 
     def wait(self) -> None:
         """Return once everything is there; errors as in :meth:`keep`."""
@@ -65,6 +65,10 @@ class OnDisk:
         if self._writing and self._under_way is not None:
             self._under_way.result()
         self._error = None
+
+    def close(self) -> None:
+        """Let go of the thread, once everything is there; nothing can be kept afterwards."""
+        self._pool.shutdown()
 
     def _raise(self) -> None:
         """Tell of what went wrong."""

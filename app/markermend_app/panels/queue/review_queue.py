@@ -76,6 +76,7 @@ class ReviewQueue(QWidget):
         self._document = document
         self._doing = ""
         self._listed: tuple[str, ...] = ()
+        self._followed: str | None = None
         self._syncing = self._choosing = self._stale = False
         self._soon = Later(self._catch_up, self)
         self.model = QueueModel(self)
@@ -272,7 +273,9 @@ class ReviewQueue(QWidget):
         """Show what was decided and what is under review now."""
         if self._stale:
             self._refresh()
-        self._follow_current()
+        current = self._document.current
+        # While it stays the same, hands have scrolled to what they look at.
+        self._follow_current(scroll=current is not None and current.id != self._followed)
         self._explain()
 
     def _refresh(self) -> None:
@@ -348,6 +351,8 @@ class ReviewQueue(QWidget):
     def _follow_current(self, *, scroll: bool = True) -> None:
         """Put the cursor on the artifact under review."""
         current = self._document.current
+        if scroll:
+            self._followed = None if current is None else current.id
         row = None if current is None else self.model.row_of(current.id)
         selection = self.view.selectionModel()
         flag = QItemSelectionModel.SelectionFlag

@@ -154,16 +154,21 @@ class Scene(QWidget):
             self.reset()
 
     def _opened(self) -> None:
-        """Another take, or none."""
-        session = self._document.session
+        """Another take, none, or other names of the same markers."""
+        session, renaming = self._document.session, self._document.renaming
         self.stage = None
-        if not self._document.renaming:
+        # Where markers of the take before were, nothing can be clicked.
+        self._at = np.zeros((0, 2))
+        if not renaming:
             self._vertical, self._afresh = None, True
-        self.follower.start()
+            self.follower.start()
         self.buttons.setVisible(session is not None)
         self.drop_tool()
         self.seen.forget()
         self._entering.ask()
+        if renaming:
+            # The room that is in sight does not go for a moment.
+            self._entering.catch_up()
 
     def _enter(self) -> None:
         """Work out the room of the take, and look at all of it unless it is known."""
