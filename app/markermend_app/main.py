@@ -57,9 +57,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
     from PySide6.QtWidgets import QApplication
 
+    from markermend.memory import keep_memory
     from markermend_app import languages, settings
     from markermend_app.background.garbage import Collector
-    from markermend_app.background.memory import keep_memory
     from markermend_app.file_open import FileOpener
     from markermend_app.style import theme
     from markermend_app.window import MainWindow

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import threading
 import warnings
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from importlib import import_module
 from typing import Any, TypeVar
+
+from markermend.memory import keep_memory
 
 T = TypeVar("T")
 
@@ -31,7 +35,7 @@ def in_processes(
     """
     from joblib import Parallel, delayed
 
-    calls = (delayed(work)(*each) for each in arguments)
+    calls = (delayed(_apart)(os.getpid(), work, each) for each in arguments)
     with deaf():
         results = Parallel(n_jobs=jobs, return_as="generator", pre_dispatch="2*n_jobs")(calls)
     try:
@@ -41,6 +45,41 @@ def in_processes(
             # Leaving early is meant; joblib advises against it.
             warnings.filterwarnings("ignore", message=".*tasks which were still being processed")
             results.close()
+
+
+@contextmanager
+def processes_start(module: str, jobs: int) -> Iterator[None]:
+    """Have processes started and a module imported there beside what is done in the block.
+
+    What is called by :func:`in_processes` next, with as many jobs, need not wait for that.
+
+    Parameters
+    ----------
+    module : by name, the one of the functions to be called
+    jobs : processes; nothing is started for 1
+    """
+    from joblib import effective_n_jobs
+
+    count = effective_n_jobs(jobs)
+    if count == 1:
+        yield
+        return
+    with in_processes(_load, [(module,)] * count, jobs) as loaded:
+        yield
+        # One that still loads when the block is left would be ended.
+        for _ in loaded:
+            pass
+
+
+def _load(module: str) -> None:
+    import_module(module)
+
+
+def _apart(parent: int, work: Callable[..., T], arguments: tuple[Any, ...]) -> T:
+    """Call a function; a process started for it keeps its memory."""
+    if os.getpid() != parent:
+        keep_memory()
+    return work(*arguments)
 
 
 @contextmanager

@@ -42,6 +42,7 @@ from PySide6.QtWidgets import QApplication
 
 import markermend as mm
 from markermend.artifact import Artifact, Kind
+from markermend.memory import keep_memory
 from markermend.simulation import simulate
 from markermend_app import settings
 
@@ -214,7 +215,6 @@ def main() -> int:
 
         settings.store = lambda: QSettings(str(folder / "s.ini"), QSettings.Format.IniFormat)
         from markermend_app.background.garbage import Collector
-        from markermend_app.background.memory import keep_memory
         from markermend_app.main import SWITCH_S
         from markermend_app.style import theme
         from markermend_app.window import MainWindow

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from markermend.processes import deaf, in_processes
+from markermend.processes import deaf, in_processes, processes_start
 
 
 def _noted(folder: Path, number: int) -> int:
@@ -42,3 +42,22 @@ def test_what_starts_deaf_does_not_hear_ctrl_c() -> None:
         deaf_one.send_signal(signal.SIGINT)
     assert deaf_one.returncode == 0
     assert signal.getsignal(signal.SIGINT) is before
+
+
+def _kept(_: int) -> tuple[int, bool]:
+    """Which process works, and whether the processes' module was there before its work came."""
+    return os.getpid(), "markermend.detectors.joint.drift" in sys.modules
+
+
+def test_processes_that_started_beside_have_the_module_and_do_the_work() -> None:
+    with processes_start("markermend.detectors.joint.drift", 2):
+        pass
+    with in_processes(_kept, ((n,) for n in range(8)), 2) as results:
+        done = list(results)
+    assert os.getpid() not in {process for process, _ in done}
+    assert all(loaded for _, loaded in done)
+
+
+def test_one_process_is_this_one() -> None:
+    with processes_start("no.such.module", 1), in_processes(_kept, [(0,)], 1) as results:
+        assert next(results)[0] == os.getpid()

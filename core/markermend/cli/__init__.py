@@ -15,6 +15,7 @@ from pathlib import Path
 
 from markermend.cli.parser import COMMANDS, make_parser
 from markermend.errors import Cancelled, MarkermendError, RangeError
+from markermend.memory import keep_memory
 
 DONE, FAILED = 0, 1
 
@@ -33,9 +34,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     0 when done, 1 when the work could not be done (one sentence on standard error), 2 for bad
     usage
     """
-    for stream in (sys.stdout, sys.stderr):
-        if hasattr(stream, "reconfigure"):
-            stream.reconfigure(errors="replace")
+    _set_up(own=arguments is None)
     given = _with_command(list(sys.argv[1:] if arguments is None else arguments))
     try:
         options = make_parser().parse_args(given)
@@ -67,6 +66,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
             "set MARKERMEND_DEBUG=1 to see where, and please report it."
         )
     return code
+
+
+def _set_up(own: bool) -> None:
+    """Let no character end the output, and a process of its own keep its memory."""
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="replace")
+    if own:
+        keep_memory()
 
 
 def _with_command(words: list[str]) -> list[str]:

@@ -7,7 +7,6 @@ itself and the stretches beside it; closed form, from Gram matrices added up by 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 
@@ -77,20 +76,31 @@ def predict_cross_fitted(
     inputs = complete(motion.to_local(points).reshape(len(rows), -1))
     goal = np.nan_to_num(motion.to_local(positions[rows, marker][:, None])[:, 0])
     features, ridge = expand(inputs, weight)
-    both = np.hstack([features, goal])
-    edges = np.append(np.arange(0, len(rows), BLOCK), len(rows))
+    count, frames = features.shape[1], len(rows)
+    # The last block is filled up with rows that weigh nothing.
+    filling = -frames % BLOCK
+    both = np.pad(np.hstack([features, goal]), ((0, filling), (0, 0)))
+    both = both.reshape(-1, BLOCK, count + COORDINATES)
+
+    def rest(weight: FloatArray) -> _Rest:
+        return _rest(both, np.pad(weight, (0, filling)).reshape(-1, BLOCK))
+
+    def left_out(rest: _Rest, ridge: FloatArray) -> FloatArray:
+        said = _left_out(both[:, :, :count], rest, ridge)
+        return said.reshape(-1, COORDINATES)[:frames]
+
     learnt = weight > 0
     first, best, error = np.inf, ridge, None
-    rest = _rest(both, weight, edges)
+    evenly = rest(weight)
     for factor in STIFFER:
-        e = np.linalg.norm(goal - _left_out(both, rest, factor * ridge, edges), axis=1)
+        e = np.linalg.norm(goal - left_out(evenly, factor * ridge), axis=1)
         middle = float(np.median(e[learnt]))
         cost = float(np.minimum(e[learnt], LARGEST * middle).mean())
         if cost < first:
             first, best, error = cost, factor * ridge, e
     assert error is not None
     weight /= np.maximum(1.0, error / max(2.0 * float(np.median(error[learnt])), 1e-9))
-    local = _left_out(both, _rest(both, weight, edges), best, edges)
+    local = left_out(rest(weight), best)
     predicted[rows] = motion.to_lab(local[:, None])[:, 0]
     return predicted
 
@@ -109,34 +119,36 @@ class _Rest:
     mass: FloatArray
 
 
-def _rest(both: FloatArray, weight: FloatArray, edges: IntArray) -> _Rest:
+def _rest(both: FloatArray, weight: FloatArray) -> _Rest:
     """Add up what is learnt from for each block, from features beside the goal.
 
-    Block by block, so that what is added up stays in the processor's cache.
+    Parameters
+    ----------
+    both : (blocks, BLOCK, features + 3)
+    weight : (blocks, BLOCK)
     """
-    blocks, count = list(pairwise(edges)), both.shape[1] - COORDINATES
-    grams = np.empty((len(blocks), count, both.shape[1]))
-    for gram, (a, b) in zip(grams, blocks, strict=True):
-        np.matmul((both[a:b, :count] * weight[a:b, None]).T, both[a:b], out=gram)
-    masses = np.array([weight[a:b].sum() for a, b in blocks])
-    total, rest, mass = grams.sum(axis=0), np.empty_like(grams), np.empty_like(masses)
-    for i in range(len(blocks)):
-        beside = slice(max(i - 1, 0), i + 2)
-        np.subtract(total, grams[beside].sum(axis=0), out=rest[i])
-        mass[i] = max(masses.sum() - masses[beside].sum(), 1.0)
-    return _Rest(rest, mass)
+    weighted = both[:, :, :-COORDINATES] * weight[:, :, None]
+    grams, masses = weighted.transpose(0, 2, 1) @ both, weight.sum(axis=1)
+    gram, mass = grams.sum(axis=0) - grams, masses.sum() - masses
+    for left, own in ((gram, grams), (mass, masses)):
+        left[1:] -= own[:-1]
+        left[:-1] -= own[1:]
+    return _Rest(gram, np.maximum(mass, 1.0))
 
 
-def _left_out(both: FloatArray, rest: _Rest, ridge: FloatArray, edges: IntArray) -> FloatArray:
+def _left_out(features: FloatArray, rest: _Rest, ridge: FloatArray) -> FloatArray:
     """Weighted ridge regression, each block by a fit without it and the blocks beside it."""
     from scipy.linalg.lapack import dposv
 
     count = len(ridge)
-    said = np.empty((len(both), COORDINATES))
-    for (a, b), gram, mass in zip(pairwise(edges), rest.gram, rest.mass, strict=True):
-        left, right = gram[:, :count] + np.diag(mass * ridge), gram[:, count:]
-        _, solved, failed = dposv(left, right)
+    fits = np.empty((len(features), count, COORDINATES))
+    left = np.empty((count, count))
+    diagonal = left.reshape(-1)[:: count + 1]
+    for fit, gram, mass in zip(fits, rest.gram, rest.mass, strict=True):
+        left[:], right = gram[:, :count], gram[:, count:]
+        diagonal += mass * ridge
+        # Turned, it lies as LAPACK wants it, and is not copied.
+        _, fit[:], failed = dposv(left.T, right, lower=1, overwrite_a=1)
         if failed:
-            solved = np.linalg.solve(left, right)
-        np.matmul(both[a:b, :count], solved, out=said[a:b])
-    return said
+            fit[:] = np.linalg.solve(gram[:, :count] + np.diag(mass * ridge), right)
+    return np.asarray(features @ fits)

@@ -142,15 +142,11 @@ def _norm(weight: FloatArray, habit: FloatArray) -> FloatArray:
     norm = thin @ share
     # Where a filter changes within a shape, what it makes of slopes may cancel to nothing.
     norm = np.maximum(norm, np.maximum(LEAST_NORM * np.median(norm, axis=0), 1e-9))
-    at = np.arange(frames) / STRIDE
-    low = np.minimum(at.astype(int), len(norm) - 1)
-    high = np.minimum(low + 1, len(norm) - 1)
-    part = (at - low)[:, None]
-    before, after = norm[low], norm[high]
-    before *= 1 - part
-    after *= part
-    before += after
-    return np.asarray(before)
+    part = np.arange(STRIDE)[:, None] / STRIDE
+    further = np.diff(norm, axis=0, append=norm[-1:])
+    between = part * further[:, None]
+    between += norm[:, None]
+    return np.asarray(between.reshape(-1, norm.shape[1])[:frames])
 
 
 def local_level(score: FloatArray, inner: int = 60, outer: int = 250) -> FloatArray:

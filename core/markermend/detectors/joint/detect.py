@@ -16,6 +16,7 @@ from markermend.detectors.joint.slow import (
     find_drifts,
     prepare,
     shipped_judge,
+    started,
 )
 from markermend.detectors.joint.strays import find_strays
 from markermend.detectors.joint.sudden import find_sudden
@@ -54,11 +55,34 @@ def detect_joint(
     markers = [i for i, label in enumerate(take.labels) if not is_unlabelled(label)]
     if not markers:
         return []
-    report = part(progress, 0.0, 0.1 if params.slow else 1.0)
+    neighbours = nearest_markers(take, markers)
+    if not params.slow:
+        return _sudden(take, markers, neighbours, params, part(progress, 0.0, 1.0))
+    least = 1.0 - params.sensitivity
+    with started(take, len(markers), params.jobs):
+        sudden = _sudden(take, markers, neighbours, params, part(progress, 0.0, 0.1))
+        off = find_shifted(take, markers, trusted_samples(take, sudden))
+        ground = prepare(take, markers, sudden)
+    slow = part(progress, 0.1, 1.0)
+    drifts = find_drifts(ground, neighbours, shipped_judge(), least, params.jobs, slow)
+    shifted = [a for a in off if a.confidence >= least and a.amplitude_mm >= params.least_mm]
+    returning = drift_artifacts(take, markers, [d for d in drifts if d.size_mm >= params.least_mm])
+    begins = {a.marker: a.start for a in shifted}
+    kept = [a for a in returning if a.stop <= begins.get(a.marker, take.frames)]
+    return [*sudden, *shifted, *kept]
+
+
+def _sudden(
+    take: Take,
+    markers: list[int],
+    neighbours: IntArray,
+    params: JointParams,
+    report: Progress,
+) -> list[Artifact]:
+    """Peaks, heavy noise, steps and swaps, and what only the rest of the body shows."""
     report(0.0, "jumps, peaks and heavy noise")
     signal, seen = channels(take, markers)
     peak = max(1, round(params.peak_ms / 1000 * take.rate))
-    neighbours = nearest_markers(take, markers)
     found = [
         s
         for s in find_sudden(signal, seen, neighbours, take.rate, peak)
@@ -75,10 +99,7 @@ def detect_joint(
         fainter = to_artifacts(take, markers, found, sure, faint)
         sudden = [a for a in with_witness(take, fainter, witness) if a.confidence >= least]
     sudden = name_swaps(take, stand_out(sudden, texture_mm(sudden, take), least))
-    sudden = _with_unseen_jumps(take, sudden, markers, neighbours, least)
-    if not params.slow:
-        return sudden
-    return sudden + _slow(take, sudden, markers, neighbours, params, part(progress, 0.1, 1.0))
+    return _with_unseen_jumps(take, sudden, markers, neighbours, least)
 
 
 def _with_unseen_jumps(
@@ -95,22 +116,3 @@ def _with_unseen_jumps(
     ]
     strays = find_strays(take, markers, trusted_samples(take, [*kept, *frozen]))
     return [*kept, *frozen, *(a for a in strays if a.confidence >= least)]
-
-
-def _slow(
-    take: Take,
-    sudden: list[Artifact],
-    markers: list[int],
-    neighbours: IntArray,
-    params: JointParams,
-    progress: Progress,
-) -> list[Artifact]:
-    """Slow changes, on what the sudden artifacts leave: what returns, and what stays off."""
-    least = 1.0 - params.sensitivity
-    shifted = find_shifted(take, markers, trusted_samples(take, sudden))
-    shifted = [a for a in shifted if a.confidence >= least and a.amplitude_mm >= params.least_mm]
-    ground = prepare(take, markers, sudden)
-    drifts = find_drifts(ground, neighbours, shipped_judge(), least, params.jobs, progress)
-    returning = drift_artifacts(take, markers, [d for d in drifts if d.size_mm >= params.least_mm])
-    off = {a.marker: a.start for a in shifted}
-    return shifted + [a for a in returning if a.stop <= off.get(a.marker, take.frames)]

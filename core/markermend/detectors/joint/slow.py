@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import AbstractContextManager
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -27,7 +28,7 @@ from markermend.detectors.joint.refilled import Spot, unevenness
 from markermend.detectors.joint.shapes import fit_of
 from markermend.predictors.bridging import bridge
 from markermend.predictors.cross_fit import distance_spreads
-from markermend.processes import in_processes
+from markermend.processes import in_processes, processes_start
 from markermend.progress import Progress
 from markermend.take import AXES, Take
 
@@ -102,7 +103,7 @@ def prepare(take: Take, markers: Sequence[int], sudden: Sequence[Artifact]) -> G
             known[rows, marker, axes] = False
             if a.length > SHORT_S * take.rate:
                 trusted[rows, marker] = False
-    thin = max(1, round(take.rate / RATE))
+    thin = _thinning(take)
     columns = list(markers)
     # Thinned after bridging, so that a peak next to a kept frame does not count twice.
     flat = bridge(
@@ -134,14 +135,14 @@ def _height(x: FloatArray, step: Artifact, axes: list[int]) -> FloatArray:
 def scan_all(ground: Ground, jobs: int, progress: Progress) -> list[Candidates]:
     """Look for candidates on every marker, in several processes where that pays."""
     frames, markers = ground.positions.shape[:2]
-    if frames < 3 * LONGEST or markers < 4:
+    if not _searchable(frames, markers):
         return []
     spreads = distance_spreads(ground.positions, ground.trusted)
     each = (
         (ground.positions, m, ground.known[:, m], ground.trusted, spreads) for m in range(markers)
     )
     scans = []
-    with in_processes(scan, each, _processes(ground, jobs)) as results:
+    with in_processes(scan, each, _processes(frames, markers, jobs)) as results:
         for m, one in enumerate(results):
             progress(SCANNING * (m + 1) / markers, "slow changes")
             scans.append(one)
@@ -150,19 +151,36 @@ def scan_all(ground: Ground, jobs: int, progress: Progress) -> list[Candidates]:
 
 def fill_all(ground: Ground, spots: Sequence[Spot], jobs: int, progress: Progress) -> FloatArray:
     """How unlike drifts candidates are once filled, (n,), in several processes where that pays."""
+    frames, markers = ground.positions.shape[:2]
     uneven = np.zeros(len(spots))
     each = ((ground.positions, ground.trusted, RATE, spot) for spot in spots)
-    with in_processes(unevenness, each, _processes(ground, jobs)) as results:
+    with in_processes(unevenness, each, _processes(frames, markers, jobs)) as results:
         for n, one in enumerate(results):
             progress(SCANNING + (1.0 - SCANNING) * (n + 1) / len(spots), "slow changes, filled")
             uneven[n] = one
     return uneven
 
 
-def _processes(ground: Ground, jobs: int) -> int:
+def _searchable(frames: int, markers: int) -> bool:
+    """Whether a thinned take is long enough, and a body."""
+    return frames >= 3 * LONGEST and markers >= 4
+
+
+def _processes(frames: int, markers: int, jobs: int) -> int:
     """How many processes to take: on a small take one is done before others have begun."""
-    frames, markers = ground.positions.shape[:2]
     return jobs if frames * markers >= PARALLEL_FROM else 1
+
+
+def _thinning(take: Take) -> int:
+    """Every so manieth frame is looked at."""
+    return max(1, round(take.rate / RATE))
+
+
+def started(take: Take, markers: int, jobs: int) -> AbstractContextManager[None]:
+    """Have the processes of :func:`find_drifts` started beside what is done in the block."""
+    frames = -(-take.frames // _thinning(take))
+    wanted = _processes(frames, markers, jobs) if _searchable(frames, markers) else 1
+    return processes_start(scan.__module__, wanted)
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
@@ -59,11 +58,18 @@ def whiten(residual: FloatArray, movers: FloatArray, trusted: BoolArray) -> Whit
     count = columns.shape[1]
     blocks = max(1, frames // BLOCK)
     edges = np.linspace(0, frames, blocks + 1).astype(int)
-    block_of = np.repeat(np.arange(blocks), np.diff(edges))
-    weight = trusted.astype(np.float64)
+    sizes = np.diff(edges)
+    block_of = np.repeat(np.arange(blocks), sizes)
+    # Blocks as long as the longest, the shorter ones with empty rows, are multiplied all at once.
+    longest = int(sizes.max())
+    row_of = np.arange(frames) + (longest * np.arange(blocks) - edges[:-1])[block_of]
+    whole = np.zeros((blocks * longest, count + 1))
+    whole[row_of] = both
+    whole = whole.reshape(blocks, longest, count + 1)
+    weight, weighted = trusted.astype(np.float64), np.zeros((blocks, longest, count))
     for _ in range(PASSES):
-        weighted = columns * weight[:, None]
-        grams = np.stack([weighted[a:b].T @ both[a:b] for a, b in pairwise(edges)])
+        weighted.reshape(-1, count)[row_of] = columns * weight[:, None]
+        grams = weighted.transpose(0, 2, 1) @ whole
         total = np.cumsum(np.concatenate([np.zeros_like(grams[:1]), grams]), axis=0)
         own = _around(total, 1)
         gram = _around(total, AROUND) - own + WHOLE_WEIGHT * (total[-1] - own)
@@ -71,7 +77,7 @@ def whiten(residual: FloatArray, movers: FloatArray, trusted: BoolArray) -> Whit
         size = np.trace(left, axis1=1, axis2=2) / count
         left = left + (1e-5 * size + 1e-12)[:, None, None] * np.eye(count)
         solved = np.linalg.solve(left, gram[:, :, count:])[:, :, 0]
-        error = residual - (columns * solved[block_of]).sum(axis=1)
+        error = residual - (whole[:, :, :count] @ solved[:, :, None]).reshape(-1)[row_of]
         sigma = _local_sigma(error)
         weight = trusted / sigma**2 / np.maximum(1.0, np.abs(error) / (2.5 * sigma))
     # The first have no past to be foretold from.

@@ -10,7 +10,7 @@ import pytest
 FAULTS = """
 import resource
 import numpy as np
-from markermend_app.background.memory import keep_memory
+from markermend.memory import keep_memory
 
 assert {kept} is False or keep_memory()
 np.ones(10_000_000)

@@ -23,9 +23,10 @@ def keep_memory() -> bool:
 
     By itself glibc asks the system for every array above some megabytes and gives it back when
     the array goes. Each new page is then cleared by the kernel when first touched, under a lock
-    of the whole process: a worker that smooths a take for some seconds makes the window wait for
-    that lock again and again. The process grows to what it needed at once, and stays there.
-    Call it before arrays are made; other C libraries keep their own ways.
+    of the whole process: a search spends a tenth of its time there, and a worker that smooths a
+    take makes a window wait again and again. The process grows to what it needed at once, and
+    stays there. Call it in a process of one's own, before arrays are made; other C libraries keep
+    their ways.
     """
     if not sys.platform.startswith("linux"):
         return False
