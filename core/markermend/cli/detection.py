@@ -82,10 +82,12 @@ def choose(options: argparse.Namespace) -> tuple[str, Any]:
     from markermend.cli.settings import settings_of
     from markermend.detectors import DEFAULT, find_detector
     from markermend.parameters import read_params
-    from markermend.presets import load_preset, save_preset
 
     name, params = DEFAULT, None
+    # Presets are recipes, and with them comes all that a batch may need.
     if options.preset is not None:
+        from markermend.presets import load_preset
+
         name, params = load_preset(options.preset)
     if options.detector is not None and options.detector != name:
         name, params = options.detector, None
@@ -97,5 +99,7 @@ def choose(options: argparse.Namespace) -> tuple[str, Any]:
         given["slow"] = False
     params = read_params(method, params, given)
     if options.save_preset is not None:
+        from markermend.presets import save_preset
+
         save_preset(options.save_preset, name, params)
     return name, params
