@@ -15,6 +15,7 @@ from markermend.arrays import FloatArray
 from markermend_app import units
 from markermend_app.items.curve import curve, prepare_plot
 from markermend_app.items.time_axis import TimeAxis
+from markermend_app.items.value_axis import ValueAxis
 from markermend_app.panels.plots.frame import TIME_HEIGHT
 from markermend_app.style import theme
 
@@ -46,7 +47,8 @@ class SmoothPictures(pg.GraphicsLayoutWidget):
 
     def _make_way(self) -> None:
         self._time = TimeAxis()
-        self.way = pg.PlotItem(axisItems={"bottom": self._time}, enableMenu=False)
+        axes = {"bottom": self._time, "left": ValueAxis()}
+        self.way = pg.PlotItem(axisItems=axes, enableMenu=False)
         self.addItem(self.way, 0, 0, 1, 2)
         self._time.setHeight(TIME_HEIGHT)
         prepare_plot(self.way)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
-import pyqtgraph as pg
+from markermend_app.items.axis import Axis
 
 
-class TimeAxis(pg.AxisItem):
+class TimeAxis(Axis):
     """Bottom axis over frame indices, labelled with frame numbers and seconds."""
 
     def __init__(self) -> None:

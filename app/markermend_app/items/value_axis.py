@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 
-import pyqtgraph as pg
+from markermend_app.items.axis import Axis
 
 LABEL_PX = 15.0
 
 
-class ValueAxis(pg.AxisItem):
+class ValueAxis(Axis):
     """Left axis with as many numbers as there is room for."""
 
     def __init__(self) -> None:
@@ -22,9 +22,12 @@ class ValueAxis(pg.AxisItem):
 
         Multiples of the wider step are taken, as long as there is one in view.
         """
-        spacing, values = super().tickValues(minVal, maxVal, size)[0]
+        levels = super().tickValues(minVal, maxVal, size)
+        if not levels:
+            return []
+        spacing, values = levels[0]
         step = math.ceil(LABEL_PX * abs(maxVal - minVal) / max(size, 1.0) / spacing)
-        if step < 2 or not len(values):
-            return [(spacing, list(values))]
+        if step < 2 or not values:
+            return levels
         first = -round(values[0] / spacing) % step
-        return [(spacing, list(values[first if first < len(values) else 0 :: step]))]
+        return [(spacing, values[first if first < len(values) else 0 :: step])]

@@ -45,10 +45,9 @@ class PlotFrame:
         self.values.setWidth(_VALUES_WIDTH)
         self.plot.showGrid(x=True, y=True, alpha=1.0)
         for side in (self.values, self.time):
-            # Else the grid lies over the curves, and minor lines outnumber what is drawn.
+            # Else the grid lies over the curves.
             side.setZValue(-1000)
             side.enableAutoSIPrefix(False)
-            side.setStyle(maxTickLevel=0)
         self.flags = Flags()
         self.sweep = pg.LinearRegionItem(movable=False)
         self.cursor = pg.InfiniteLine(angle=90, movable=False)

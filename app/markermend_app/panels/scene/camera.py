@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 from PySide6.QtCore import Qt
@@ -26,6 +27,19 @@ _ARROWS = {
 _ZOOM = {Qt.Key.Key_Plus: 0.85, Qt.Key.Key_Equal: 0.85, Qt.Key.Key_Minus: 1 / 0.85}
 
 
+@lru_cache(maxsize=8)
+def _axes(yaw: float, pitch: float, axis: int) -> FloatArray:
+    """Axes of a camera, which each part of a picture asks for."""
+    e = np.eye(3)
+    side, front, up = e[(axis + 1) % 3], e[(axis + 2) % 3], e[axis]
+    across = -math.sin(yaw) * side + math.cos(yaw) * front
+    out = math.cos(yaw) * side + math.sin(yaw) * front
+    back = math.cos(pitch) * out + math.sin(pitch) * up
+    axes = np.stack((across, np.cross(back, across), back))
+    axes.setflags(write=False)
+    return axes
+
+
 @dataclass(frozen=True)
 class Camera:
     """Where we look from.
@@ -45,13 +59,8 @@ class Camera:
     up: int = 2
 
     def axes(self) -> FloatArray:
-        """(3, 3): rows are right, up and back, in the take's coordinates."""
-        e = np.eye(3)
-        side, front, up = e[(self.up + 1) % 3], e[(self.up + 2) % 3], e[self.up]
-        across = -math.sin(self.yaw) * side + math.cos(self.yaw) * front
-        out = math.cos(self.yaw) * side + math.sin(self.yaw) * front
-        back = math.cos(self.pitch) * out + math.sin(self.pitch) * up
-        return np.stack((across, np.cross(back, across), back))
+        """(3, 3): rows are right, up and back, in the take's coordinates; not to be written to."""
+        return _axes(self.yaw, self.pitch, self.up)
 
     def to_view(self, points: FloatArray) -> FloatArray:
         """(n, 3) points as right, up, and depth in front of the eye, mm."""

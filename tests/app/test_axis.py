@@ -1,0 +1,72 @@
+"""Axes drawn quickly look as pyqtgraph draws them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pyqtgraph as pg
+import pytest
+from PySide6.QtGui import QImage, QPainter
+
+from markermend_app.items.axis import Axis
+from markermend_app.panels.plots.frame import PlotFrame
+
+WIDTH, HEIGHT = 500, 300
+
+
+@pytest.fixture
+def frame(qtbot):
+    """A plot of its own, laid out."""
+    shown = pg.GraphicsLayoutWidget()
+    qtbot.addWidget(shown)
+    shown.resize(WIDTH, HEIGHT)
+    frame = PlotFrame()
+    shown.addItem(frame.plot)
+    frame.time.set_clock(101, 100.0, 3000)
+    frame.set_place(True, True)
+    frame.restyle()
+    shown.show()
+    shown.grab()
+    yield frame
+
+
+def published(axis: Axis):
+    """Where pyqtgraph puts lines and which numbers it writes."""
+    picture = QImage(WIDTH, HEIGHT, QImage.Format.Format_ARGB32)
+    painter = QPainter(picture)
+    _, lines, numbers = axis.generateDrawSpecs(painter)
+    painter.end()
+    return [(pen.color().alpha(), p, q) for pen, p, q in lines], [text for _, _, text in numbers]
+
+
+@pytest.mark.parametrize(
+    ("time", "values"),
+    [((0, 3000), (-1200, 900)), ((500.3, 540.9), (0.012, 0.047)), ((-40, 120), (2.99999, 3.00012))],
+)
+def test_lines_and_numbers_are_where_pyqtgraph_has_them(frame, time, values):
+    frame.view.setRange(xRange=time, yRange=values, padding=0)
+    frame.view.scene().prepareForPaint()
+    for axis in (frame.time, frame.values):
+        lines, numbers = published(axis)
+        drawing = axis._drawing()
+        assert [text.text() for _, text in drawing.numbers] == numbers
+        assert numbers
+        for (alpha, p, q), line in zip(lines, drawing.lines, strict=True):
+            ends = (line.x1(), line.y1(), line.x2(), line.y2())
+            np.testing.assert_allclose(ends, (p.x(), p.y(), q.x(), q.y()), atol=1e-6)
+            assert abs(drawing.lines_pen.color().alpha() - alpha) <= 2
+
+
+def test_numbers_follow_what_is_in_view(frame):
+    frame.view.setRange(xRange=(0, 100), yRange=(0, 10), padding=0)
+    seen = []
+    for top in (10, 1000):
+        frame.view.setRange(yRange=(0, top), padding=0)
+        frame.plot.scene().views()[0].grab()
+        seen.append([text.text() for _, text in frame.values.picture.numbers])
+    assert max(map(float, seen[0])) <= 10 < max(map(float, seen[1])) <= 1000
+
+
+def test_an_axis_without_extent_draws_no_numbers(qtbot):
+    axis = Axis("left")
+    axis.setRange(0.0, 1.0)
+    assert not axis._drawing().numbers
