@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any, Protocol, TypeVar
 
@@ -49,7 +50,8 @@ class Registry(Mapping[str, T]):
         self._what, self._kind, self._group, self._guard = what, kind, group, guard
         self._order = order
         self._entries: dict[str, T] = {}
-        self._complete = False
+        self._begun = self._complete = False
+        self._lock = threading.RLock()
 
     def add(self, entry: T) -> None:
         """Add one of ours."""
@@ -76,9 +78,13 @@ class Registry(Mapping[str, T]):
 
     def _all(self) -> dict[str, T]:
         if not self._complete:
-            self._complete = True
-            found = loaded(self._group, self._kind, tuple(self._entries), self._guard)
-            self._entries.update({e.name: e for e in found})
+            # Another thread waits until all are there; a plugin that asks meanwhile gets ours.
+            with self._lock:
+                if not self._begun:
+                    self._begun = True
+                    found = loaded(self._group, self._kind, tuple(self._entries), self._guard)
+                    self._entries.update({e.name: e for e in found})
+                    self._complete = True
         return self._entries
 
     def __getitem__(self, name: str) -> T:

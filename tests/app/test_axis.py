@@ -27,6 +27,7 @@ def frame(qtbot):
     shown.show()
     shown.grab()
     yield frame
+    shown.close()
 
 
 def published(axis: Axis):

@@ -8,7 +8,7 @@ import sys
 
 import numpy as np
 import pytest
-from driving import WAIT, key, proposed
+from driving import WAIT, key, proposed, settled
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QLabel, QMessageBox
@@ -274,6 +274,7 @@ def test_a_take_in_which_nothing_was_found_is_not_searched_again(qtbot, take_pat
         qtbot.waitUntil(
             lambda w=window: w.document.mesh is not None and not w.lane.busy, timeout=20_000
         )
+        settled(qtbot)
         assert len(window.document.session.history) == 1
         assert window.document.shown == take.labels[:1]
         window.close()
@@ -284,6 +285,7 @@ def test_where_nothing_was_found_a_marker_is_shown_all_the_same(window, qtbot, t
     window.commands.open_path(tmp_path / "clean.c3d")
     qtbot.waitUntil(lambda: window.document.session is not None, timeout=WAIT)
     qtbot.waitUntil(lambda: bool(window.document.session.history), timeout=WAIT)
+    settled(qtbot)
     assert window.document.session.artifacts == ()
     assert window.document.shown == window.document.session.original.labels[:1]
     assert window.trajectories.canvas.isVisible()

@@ -47,6 +47,10 @@ class Axis(pg.AxisItem):
         super().__init__(orientation)
         self.setStyle(maxTickLevel=0)
 
+    def boundingRect(self) -> QRectF:
+        """Its own room and the plot's, which a scene asks for many times in each picture."""
+        return self._own() | self._inner()
+
     def tickValues(
         self, minVal: float, maxVal: float, size: float
     ) -> list[tuple[float, list[float]]]:
@@ -75,14 +79,25 @@ class Axis(pg.AxisItem):
         for at, text in drawing.numbers:
             painter.drawStaticText(at, text)
 
+    def _own(self) -> QRectF:
+        """The room of its numbers."""
+        return QRectF(QPointF(), self.size())
+
+    def _inner(self) -> QRectF:
+        """The room of its lines: the view beside it, which a plot neither turns nor stretches."""
+        view = self.linkedView()
+        if view is None:
+            return self._own()
+        room: QRectF = view.boundingRect().translated(view.pos() - self.pos())
+        return room
+
     def _font(self) -> QFont:
         font = self.style["tickFont"]
         return QFont() if font is None else font
 
     def _drawing(self) -> _Drawing:
         """Place what is drawn."""
-        bounds, view = self.mapRectFromParent(self.geometry()), self.linkedView()
-        inner = bounds if view is None else view.mapRectToItem(self, view.boundingRect())
+        bounds, inner = self._own(), self._inner()
         upright = self.orientation == "left"
         if upright:
             edge = QLineF(bounds.right() - 1, bounds.top() - 1, bounds.right() - 1, bounds.bottom())

@@ -22,7 +22,7 @@ from markermend_app.background.saver import Saver
 from markermend_app.dialogs import ask as dialogs
 from markermend_app.dialogs.file_filters import open_filter
 from markermend_app.document import Document
-from markermend_app.later import SOON_MS
+from markermend_app.later import SOON_MS, Later
 from markermend_app.telling import told
 from markermend_app.verbs.exporting import Exporter
 
@@ -43,6 +43,7 @@ class Commands(QObject):
         self._lane = lane
         self._window = window
         self._saver = Saver(self)
+        self._first = Later(self._begin, self)
         self._exporter = Exporter(document, lane, self._saver, window)
         self._exporter.said.connect(self.said)
         self._exporter.replaced.connect(self.open_path)
@@ -136,7 +137,10 @@ class Commands(QObject):
 
         def work(progress: Progress) -> Any:
             from markermend.mesh import infer_mesh
+            from markermend.repairs import REPAIRS
 
+            # The first look at them reads what all packages on this machine bring.
+            len(REPAIRS)
             return infer_mesh(take, progress=progress)
 
         def done(mesh: Mesh) -> None:
@@ -242,10 +246,14 @@ class Commands(QObject):
             text = one if len(found) == 1 else many.format(len(found))
             # What is odd about the file was said before, and must not be lost.
             self.said.emit(" ".join((text, *map(told, take.warnings[:1]))))
-            if self._document.current is None:
-                self._document.step(1)
+            self._first.ask()
 
         self._lane.submit(self.tr("Looking for artifacts"), work, done, self.show_problem)
+
+    def _begin(self) -> None:
+        """Begin with the first artifact that was found, unless one is looked at."""
+        if self._document.current is None:
+            self._document.step(1)
 
     def accept(self) -> None:
         """Accept the current artifact."""
