@@ -39,11 +39,13 @@ def published(axis: Axis):
     return [(pen.color().alpha(), p, q) for pen, p, q in lines], [text for _, _, text in numbers]
 
 
+@pytest.mark.parametrize("scale", [1.0, 0.001, 1 / 25.4])
 @pytest.mark.parametrize(
     ("time", "values"),
     [((0, 3000), (-1200, 900)), ((500.3, 540.9), (0.012, 0.047)), ((-40, 120), (2.99999, 3.00012))],
 )
-def test_lines_and_numbers_are_where_pyqtgraph_has_them(frame, time, values):
+def test_lines_and_numbers_are_where_pyqtgraph_has_them(frame, time, values, scale):
+    frame.values.setScale(scale)
     frame.view.setRange(xRange=time, yRange=values, padding=0)
     frame.view.scene().prepareForPaint()
     for axis in (frame.time, frame.values):

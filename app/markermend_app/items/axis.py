@@ -54,14 +54,15 @@ class Axis(pg.AxisItem):
     def tickValues(
         self, minVal: float, maxVal: float, size: float
     ) -> list[tuple[float, list[float]]]:
-        """Multiples of a round step, as pyqtgraph chooses it."""
-        low, high = sorted((minVal, maxVal))
+        """Multiples of a step that is round in the unit shown, as pyqtgraph chooses it."""
+        scale = self.scale
+        low, high = sorted((minVal * scale, maxVal * scale))
         levels = self.tickSpacing(low, high, size)
         if not levels:
             return []
         spacing = levels[0][0]
         count = range(math.ceil(low / spacing), math.floor(high / spacing) + 1)
-        return [(spacing, [k * spacing for k in count])]
+        return [(spacing / scale, [k * spacing / scale for k in count])]
 
     def paint(self, painter: QPainter, *_: object) -> None:
         """Draw lines and numbers, which are placed anew only where something has changed."""
@@ -122,8 +123,9 @@ class Axis(pg.AxisItem):
         numbers: list[tuple[QPointF, QStaticText]] = []
         if self.style["showValues"]:
             room, font = bounds | inner, self._font()
-            for place, text in zip(places, self.tickStrings(values, 1.0, spacing), strict=True):
-                number, width, height = _laid_out(text, font.key())
+            texts = self.tickStrings(values, self.scale, spacing)
+            for place, text in zip(places, texts, strict=True):
+                number, width, height = _laid_out(text, font.toString())
                 if upright:
                     at = QPointF(bounds.right() - self.style["tickTextOffset"][0] - width, place)
                     at.setY(place - height / 2)
@@ -137,10 +139,10 @@ class Axis(pg.AxisItem):
 
 
 @lru_cache(maxsize=4096)
-def _laid_out(text: str, font_key: str) -> tuple[QStaticText, float, float]:
+def _laid_out(text: str, font_name: str) -> tuple[QStaticText, float, float]:
     """A number or time in a font, and its width and height; its lines lie amid each other."""
     font = QFont()
-    font.fromString(font_key)
+    font.fromString(font_name)
     metrics = QFontMetricsF(font)
     lines = text.split("\n")
     width = max(metrics.horizontalAdvance(line) for line in lines)

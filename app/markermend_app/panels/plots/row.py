@@ -305,7 +305,8 @@ class PlotRow(PlotFrame):
         """Show these frames and, unless a hand moved them, the values that matter there."""
         self._seen = (start, stop, current)
         values = self._values_within(start, stop, current) if self.follows else None
-        self.view.setRange(xRange=(start, stop), yRange=values, padding=0)
+        # Plots never choose their range by themselves, and need not be told to leave that.
+        self.view.setRange(xRange=(start, stop), yRange=values, padding=0, disableAutoRange=False)
 
     def _values_within(
         self, start: float, stop: float, current: Artifact | None
