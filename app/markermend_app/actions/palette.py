@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -25,6 +25,7 @@ from markermend_app.actions import shortcuts
 from markermend_app.actions.synonyms import SYNONYMS
 from markermend_app.actions.table import ACTIONS
 from markermend_app.document import Document
+from markermend_app.later import Later
 from markermend_app.style import theme
 from markermend_app.words import tr
 
@@ -180,16 +181,30 @@ class Palette(QDialog):
     """A line to type in and what fits below it; Return does the first or the chosen one.
 
     With a question it stands above, and the entries are its answers, the likeliest first.
+
+    Parameters
+    ----------
+    found : what is listed at once
+    parent : the window that it lies on
+    question : to be answered, or empty
+    more : what else can be found; asked for once the palette is there, or letters are typed
     """
 
-    def __init__(self, found: Sequence[Entry], parent: QWidget, question: str = "") -> None:
+    def __init__(
+        self,
+        found: Sequence[Entry],
+        parent: QWidget,
+        question: str = "",
+        more: Callable[[], Iterable[Entry]] = tuple,
+    ) -> None:
         super().__init__(parent, Qt.WindowType.Popup)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setObjectName("palette")
         finds = self.tr("Type a few letters") if question else ""
         finds = finds or self.tr("Find a command, marker or artifact")
         self.setAccessibleName(question or finds)
-        self._found = found
+        self._found = list(found)
+        self._more = Later(lambda: self._found.extend(more()), self)
         self._shown: list[Entry] = []
         self._nothing = Entry(self.tr("Nothing fits these letters."), "", QIcon(), False, bool)
         self.line = QLineEdit()
@@ -216,6 +231,7 @@ class Palette(QDialog):
         corner = QPoint((parent.width() - self.width()) // 2, 56)
         self.move(parent.mapToGlobal(corner))
         self._search("")
+        self._more.ask()
         self.line.setFocus()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -233,6 +249,8 @@ class Palette(QDialog):
 
     def _search(self, wanted: str) -> None:
         """List what fits."""
+        if wanted:
+            self._more.catch_up()
         self._shown = ranked(wanted, self._found)[:SHOWN] or [self._nothing]
         self.list.clear()
         for entry in self._shown:

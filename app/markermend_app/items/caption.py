@@ -20,6 +20,7 @@ class Caption(pg.GraphicsObject):
         super().__init__(view)
         self._view = view
         self._words: tuple[tuple[str, QColor], ...] = ()
+        self._extent = 0.0, 0.0
         self.setZValue(40)
         self.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
 
@@ -32,13 +33,16 @@ class Caption(pg.GraphicsObject):
         """Write these, each in its colour."""
         self.prepareGeometryChange()
         self._words = tuple(words)
+        metrics = QFontMetricsF(_font())
+        width = sum(metrics.horizontalAdvance(w) + _GAP for w, _ in self._words) + 2 * _PAD
+        # Kept, since a scene asks for it many times in each picture.
+        self._extent = width, metrics.height() + 2
         self.update()
 
     def boundingRect(self) -> QRectF:
         """The line of words."""
-        metrics = QFontMetricsF(_font())
-        width = sum(metrics.horizontalAdvance(w) + _GAP for w, _ in self._words) + 2 * _PAD
-        return QRectF(4, 2, min(width, self._view.width() - 8), metrics.height() + 2)
+        width, height = self._extent
+        return QRectF(4, 2, min(width, self._view.width() - 8), height)
 
     def paint(self, painter: QPainter, *_: object) -> None:
         """Write them."""

@@ -120,9 +120,8 @@ class PlotRow(PlotFrame):
 
     def show_markers(self, shown: Mapping[str, Shown], soon: bool = False) -> None:
         """Draw these markers and no others: the foremost now, or all of them soon."""
-        for trace in self._pool[max(len(shown), _SPARE) :]:
-            trace.remove()
-        del self._pool[max(len(shown), _SPARE) :]
+        if len(self._pool) > max(len(shown), _SPARE):
+            self._turns.ask(self._trim)
         for i in range(len(self._pool), len(shown)):
             self._pool.append(Trace(self.plot, i, self._before))
         for trace in self._pool[len(shown) :]:
@@ -146,6 +145,12 @@ class PlotRow(PlotFrame):
         self._draw_waiting(soon, int(next(iter(shown), None) in self._waiting))
         for name in self._waiting:
             self.traces[name].clear()
+
+    def _trim(self) -> None:
+        """Take the curves of one marker that is no longer shown out of the plot."""
+        if len(self._pool) > max(len(self.traces), _SPARE):
+            self._pool.pop().remove()
+            self._turns.ask(self._trim)
 
     def renew(self, changed: Mapping[str, Shown], soon: bool = False) -> None:
         """Draw markers anew whose samples changed: the foremost now, or all of them soon."""
