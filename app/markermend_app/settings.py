@@ -26,15 +26,13 @@ def store() -> QSettings:
 
 def recent() -> list[Path]:
     """Takes opened lately and still there, newest first."""
-    value = _value("recent")
-    names: list[str] = [value] if isinstance(value, str) else list(value or [])
-    return [p for p in map(Path, names) if p.exists()]
+    return _paths(_value("recent"))
 
 
 def add_recent(path: Path) -> None:
     """Put a take on top of the recent ones."""
-    rest = [p for p in recent() if p != path]
-    remember("recent", [str(p) for p in [path, *rest][:RECENT]])
+    _known["recent"] = _on_top(path, recent())
+    _writer().submit(_write_recent, path)
 
 
 def flag(name: str, default: bool) -> bool:
@@ -78,11 +76,23 @@ def settle() -> None:
     _writer().submit(int).result()
 
 
+def _paths(value: Any) -> list[Path]:
+    """The takes of a stored list that are still there; a list of one is stored as a word."""
+    names: list[str] = [value] if isinstance(value, str) else list(value or [])
+    return [p for p in map(Path, names) if p.exists()]
+
+
+def _on_top(path: Path, takes: list[Path]) -> list[str]:
+    rest = [p for p in takes if p != path]
+    return [str(p) for p in [path, *rest][:RECENT]]
+
+
 def _value(name: str) -> Any:
     """What is remembered under a name, or None."""
-    if name not in _known:
-        _known[name] = store().value(name)
-    return _known[name]
+    if name in _known:
+        return _known[name]
+    # Another thread may have remembered something meanwhile, which holds.
+    return _known.setdefault(name, store().value(name))
 
 
 @cache
@@ -97,4 +107,12 @@ def _write(name: str, value: object) -> None:
         kept.remove(name)
     else:
         kept.setValue(name, value)
+    kept.sync()
+
+
+def _write_recent(path: Path) -> None:
+    """Put a take on top of what is stored, to which another window may have added meanwhile."""
+    kept = store()
+    kept.sync()
+    kept.setValue("recent", _on_top(path, _paths(kept.value("recent"))))
     kept.sync()

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import ctypes
 import sys
+from functools import cache
+from typing import Any
 
 TRIM_THRESHOLD, TOP_PAD, MMAP_THRESHOLD, ARENA_MAX = -1, -2, -3, -8
 """What glibc's ``mallopt`` calls them."""
@@ -18,6 +20,7 @@ _KEPT = {
 }
 
 
+@cache
 def keep_memory() -> bool:
     """Have large arrays made of memory that is there already, where the C library can; if it can.
 
@@ -28,9 +31,22 @@ def keep_memory() -> bool:
     stays there. Call it in a process of one's own, before arrays are made; other C libraries keep
     their ways.
     """
-    if not sys.platform.startswith("linux"):
-        return False
-    mallopt = getattr(ctypes.CDLL(None), "mallopt", None)
+    mallopt = _of_the_library("mallopt")
     if mallopt is None:
         return False
-    return all([any(mallopt(what, size) == 1 for size in sizes) for what, sizes in _KEPT.items()])
+    # Each is tried, whatever became of those before.
+    done = [any(mallopt(what, size) == 1 for size in sizes) for what, sizes in _KEPT.items()]
+    return all(done)
+
+
+def give_back() -> None:
+    """Give the system what is kept and not used, as between two pieces of work."""
+    trim = _of_the_library("malloc_trim")
+    if trim is not None:
+        trim(ctypes.c_size_t(0))
+
+
+@cache
+def _of_the_library(name: str) -> Any:
+    """A function of the C library, or None where that is not glibc."""
+    return getattr(ctypes.CDLL(None), name, None) if sys.platform.startswith("linux") else None

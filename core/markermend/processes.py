@@ -5,15 +5,19 @@ from __future__ import annotations
 import os
 import signal
 import threading
+import time
 import warnings
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from importlib import import_module
 from typing import Any, TypeVar
 
-from markermend.memory import keep_memory
+from markermend.memory import give_back, keep_memory
 
 T = TypeVar("T")
+TRIM_S = 1.0
+_kept_since = [0.0]
+"""When this process last gave memory back."""
 
 
 @contextmanager
@@ -51,7 +55,8 @@ def in_processes(
 def processes_start(module: str, jobs: int) -> Iterator[None]:
     """Have processes started and a module imported there beside what is done in the block.
 
-    What is called by :func:`in_processes` next, with as many jobs, need not wait for that.
+    :func:`in_processes` with as many jobs finds them ready then; one that is late imports what it
+    needs by itself.
 
     Parameters
     ----------
@@ -76,10 +81,20 @@ def _load(module: str) -> None:
 
 
 def _apart(parent: int, work: Callable[..., T], arguments: tuple[Any, ...]) -> T:
-    """Call a function; a process started for it keeps its memory."""
-    if os.getpid() != parent:
-        keep_memory()
-    return work(*arguments)
+    """Call a function; a process started for it keeps its memory.
+
+    After a second's work what lies idle is given back: joblib looks as often, and replaces a
+    process that seems to grow.
+    """
+    if os.getpid() == parent:
+        return work(*arguments)
+    keep_memory()
+    try:
+        return work(*arguments)
+    finally:
+        if time.monotonic() - _kept_since[0] > TRIM_S:
+            give_back()
+            _kept_since[0] = time.monotonic()
 
 
 @contextmanager

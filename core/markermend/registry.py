@@ -23,6 +23,8 @@ class Named(Protocol):
 
 
 T = TypeVar("T", bound=Named)
+_loading = threading.RLock()
+"""One for all rooms: a plugin of one may ask for another when it is imported."""
 
 
 class Registry(Mapping[str, T]):
@@ -51,7 +53,6 @@ class Registry(Mapping[str, T]):
         self._order = order
         self._entries: dict[str, T] = {}
         self._begun = self._complete = False
-        self._lock = threading.RLock()
 
     def add(self, entry: T) -> None:
         """Add one of ours."""
@@ -79,7 +80,7 @@ class Registry(Mapping[str, T]):
     def _all(self) -> dict[str, T]:
         if not self._complete:
             # Another thread waits until all are there; a plugin that asks meanwhile gets ours.
-            with self._lock:
+            with _loading:
                 if not self._begun:
                     self._begun = True
                     found = loaded(self._group, self._kind, tuple(self._entries), self._guard)

@@ -77,3 +77,19 @@ def test_what_is_forgotten_is_as_delivered_again():
 def test_a_number_that_is_none_is_as_delivered():
     settings.remember("minutes", "many")
     assert settings.number("minutes", 5.0) == 5.0
+
+
+def test_takes_that_another_window_opened_are_kept(tmp_path):
+    takes = [tmp_path / f"{name}.c3d" for name in "ABC"]
+    for take in takes:
+        take.touch()
+    settings.add_recent(takes[0])
+    settings.settle()
+    other = settings.store()
+    other.setValue("recent", [str(takes[1]), str(takes[0])])
+    other.sync()
+    settings.add_recent(takes[2])
+    assert settings.recent()[0] == takes[2]
+    settings.settle()
+    settings._known.clear()
+    assert settings.recent() == [takes[2], takes[1], takes[0]]

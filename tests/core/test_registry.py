@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import threading
 from dataclasses import dataclass
 
@@ -44,3 +45,27 @@ def test_who_asks_while_plugins_are_loaded_waits_for_them(monkeypatch):
     second.join()
     assert seen == [["ours", "theirs"]] * 2
     assert inside == [["ours"]]
+
+
+def test_plugins_that_ask_for_other_rooms_hold_nobody_up(monkeypatch):
+    """A package that serves two rooms is imported once, by whoever comes first."""
+    package, barrier = threading.RLock(), threading.Barrier(2)
+    rooms: dict[str, Registry] = {}
+
+    def loaded(group, *_):
+        with contextlib.suppress(threading.BrokenBarrierError):
+            barrier.wait(0.2)
+        with package:
+            list(rooms["repairs" if group == "smoothers" else "smoothers"])
+        return [Method("theirs", "package")]
+
+    monkeypatch.setattr(registry, "loaded", loaded)
+    for group in ("repairs", "smoothers"):
+        rooms[group] = Registry("method", Method, group, lambda m: lambda: None)
+    threads = [threading.Thread(target=list, args=(room,), daemon=True) for room in rooms.values()]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join(10)
+    assert not any(thread.is_alive() for thread in threads)
+    assert [list(room) for room in rooms.values()] == [["theirs"]] * 2

@@ -35,7 +35,10 @@ class _Drawing:
 
 
 class Axis(pg.AxisItem):
-    """Left or bottom axis of a plot with a grid.
+    """Left or bottom axis of a plot with a grid, whose lines cross the plot.
+
+    Of what pyqtgraph's own can do, logarithms, prefixes of units and ticks of one's own are left
+    out.
 
     While time or values are moved, every axis is drawn anew each time: as pyqtgraph does it, by
     measuring each number and drawing each line by itself, that took half of every picture.
@@ -122,10 +125,10 @@ class Axis(pg.AxisItem):
         pen.setColor(color)
         numbers: list[tuple[QPointF, QStaticText]] = []
         if self.style["showValues"]:
-            room, font = bounds | inner, self._font()
+            room, font = bounds | inner, self._font().toString()
             texts = self.tickStrings(values, self.scale, spacing)
             for place, text in zip(places, texts, strict=True):
-                number, width, height = _laid_out(text, font.toString())
+                number, width, height = _laid_out(text, font)
                 if upright:
                     at = QPointF(bounds.right() - self.style["tickTextOffset"][0] - width, place)
                     at.setY(place - height / 2)

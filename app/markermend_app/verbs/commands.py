@@ -15,6 +15,7 @@ from markermend.errors import DataError, MarkermendError
 from markermend.mesh import Mesh
 from markermend.progress import Progress
 from markermend.review.file import SessionFile
+from markermend.review.session import Session
 from markermend_app import detection, settings
 from markermend_app.background.jobs import Lane
 from markermend_app.background.loading import Opened, load, takes_folder
@@ -43,6 +44,7 @@ class Commands(QObject):
         self._lane = lane
         self._window = window
         self._saver = Saver(self)
+        self._searched: Session | None = None
         self._first = Later(self._begin, self)
         self._exporter = Exporter(document, lane, self._saver, window)
         self._exporter.said.connect(self.said)
@@ -246,13 +248,14 @@ class Commands(QObject):
             text = one if len(found) == 1 else many.format(len(found))
             # What is odd about the file was said before, and must not be lost.
             self.said.emit(" ".join((text, *map(told, take.warnings[:1]))))
+            self._searched = session
             self._first.ask()
 
         self._lane.submit(self.tr("Looking for artifacts"), work, done, self.show_problem)
 
     def _begin(self) -> None:
         """Begin with the first artifact that was found, unless one is looked at."""
-        if self._document.current is None:
+        if self._document.session is self._searched and self._document.current is None:
             self._document.step(1)
 
     def accept(self) -> None:

@@ -17,7 +17,8 @@ class Held:
 
     Attributes
     ----------
-    start, stop : half-open interval of 0-based frames; of those not in ``frames`` nothing is held
+    start, stop : half-open interval of 0-based frames; of those not in ``frames`` nothing is held.
+        Only what a step holds means one
     frames : (n,) that hand work wrote, rising
     values : (n, 3) float64 mm, NaN = missing
     origins : (n,) uint8, see :class:`markermend.take.Origin`
@@ -94,8 +95,8 @@ class Base:
             self._held[column] = held
             return replace(known, start=held.start, stop=held.stop)
         self._held[column] = Held(
-            min(known.start, held.start),
-            max(known.stop, held.stop),
+            held.start,
+            held.stop,
             np.concatenate((known.frames[:low], held.frames, known.frames[high:])),
             np.concatenate((known.values[:low], held.values, known.values[high:])),
             np.concatenate((known.origins[:low], held.origins, known.origins[high:])),

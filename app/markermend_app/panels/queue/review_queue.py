@@ -242,6 +242,7 @@ class ReviewQueue(QWidget):
     def _reset(self) -> None:
         """Another take: show everything that is open."""
         if not self._document.renaming:
+            self._followed = None
             self.filter.clear()
             for button in self.kinds.values():
                 button.setChecked(False)
@@ -380,6 +381,7 @@ class ReviewQueue(QWidget):
         if self._document.current is None or self._document.current.id != artifact.id:
             # The view is about to select the row by itself, alone or beside others.
             self._choosing = True
+            self._followed = artifact.id
             self._document.select(artifact.id)
             self._choosing = False
 

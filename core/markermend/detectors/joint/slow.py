@@ -172,7 +172,7 @@ def _processes(frames: int, markers: int, jobs: int) -> int:
 
 
 def _thinning(take: Take) -> int:
-    """Every so manieth frame is looked at."""
+    """Of how many frames one is looked at."""
     return max(1, round(take.rate / RATE))
 
 
