@@ -6,6 +6,7 @@ from collections import deque
 from collections.abc import Sequence
 
 import numpy as np
+from threadpoolctl import ThreadpoolController
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.errors import DataError
@@ -51,6 +52,7 @@ class Live:
     def __init__(self, first: Pose, prior: Prior | None = None) -> None:
         if first.frames != 1 or not first.seen.all() or np.isnan(first.rotations).any():
             raise DataError("Live filling starts from one pose in which every joint is seen.")
+        self._threads = ThreadpoolController()
         fit = fitting(first, prior) if prior is not None else None
         # Priors are of right-handed axes, many sensors are not.
         self._left_handed = fit is not None and fit[1]
@@ -102,8 +104,10 @@ class Live:
         if seen[self._root]:
             self._root_pose = positions[self._root], rotations[self._root]
         values, known = self._relative(positions, rotations, seen)
-        values = self._filled(values, known)
-        self._learn(values)
+        # Matrices as small as these take twice as long where two threads share one.
+        with self._threads.limit(limits=1):
+            values = self._filled(values, known)
+            self._learn(values)
         where, turned = self._absolute(values)
         where = self._with_bones(where, seen)
         free = np.ones(len(seen), dtype=bool)

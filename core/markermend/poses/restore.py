@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
+from threadpoolctl import threadpool_limits
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import DataError
@@ -112,10 +113,12 @@ def restore(
             f"The recording is too short: it takes {_LEAST_FRAMES} poses, and has {pose.frames}."
         )
     tell = progress or quiet
-    pose, faults = mend_faults(pose)
-    fit = fitting(pose, prior) if prior is not None else None
-    moments, left_handed = fit or (None, False)
-    restored = _restore(mirrored(pose) if left_handed else pose, moments, tell)
+    # Matrices as small as these take several times as long where two threads share one.
+    with threadpool_limits(1):
+        pose, faults = mend_faults(pose)
+        fit = fitting(pose, prior) if prior is not None else None
+        moments, left_handed = fit or (None, False)
+        restored = _restore(mirrored(pose) if left_handed else pose, moments, tell)
     if left_handed:
         restored = replace(restored, pose=mirrored(restored.pose))
     return replace(restored, faults=faults)
