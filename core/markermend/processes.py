@@ -16,8 +16,9 @@ from markermend.memory import give_back, keep_memory
 
 T = TypeVar("T")
 TRIM_S = 1.0
-_kept_since = [0.0]
-"""When this process last gave memory back."""
+"""Seconds of work after which memory that lies idle is given back, once."""
+_given_back_s = [0.0]
+"""When this process last did that, by the monotonic clock."""
 
 
 @contextmanager
@@ -92,9 +93,9 @@ def _apart(parent: int, work: Callable[..., T], arguments: tuple[Any, ...]) -> T
     try:
         return work(*arguments)
     finally:
-        if time.monotonic() - _kept_since[0] > TRIM_S:
+        if time.monotonic() - _given_back_s[0] > TRIM_S:
             give_back()
-            _kept_since[0] = time.monotonic()
+            _given_back_s[0] = time.monotonic()
 
 
 @contextmanager

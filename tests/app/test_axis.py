@@ -31,12 +31,13 @@ def frame(qtbot):
 
 
 def published(axis: Axis):
-    """Where pyqtgraph puts lines and which numbers it writes."""
+    """Where pyqtgraph puts the edge and the lines, and which numbers it writes."""
     picture = QImage(WIDTH, HEIGHT, QImage.Format.Format_ARGB32)
     painter = QPainter(picture)
-    _, lines, numbers = axis.generateDrawSpecs(painter)
+    (_, *edge), lines, numbers = axis.generateDrawSpecs(painter)
     painter.end()
-    return [(pen.color().alpha(), p, q) for pen, p, q in lines], [text for _, _, text in numbers]
+    drawn = [(pen.color().alpha(), p, q) for pen, p, q in lines]
+    return edge, drawn, [text for _, _, text in numbers]
 
 
 @pytest.mark.parametrize("scale", [1.0, 0.001, 1 / 25.4])
@@ -49,8 +50,9 @@ def test_lines_and_numbers_are_where_pyqtgraph_has_them(frame, time, values, sca
     frame.view.setRange(xRange=time, yRange=values, padding=0)
     frame.view.scene().prepareForPaint()
     for axis in (frame.time, frame.values):
-        lines, numbers = published(axis)
+        edge, lines, numbers = published(axis)
         drawing = axis._drawing()
+        assert [drawing.edge.p1(), drawing.edge.p2()] == edge
         assert [text.text() for _, text in drawing.numbers] == numbers
         assert numbers
         for (alpha, p, q), line in zip(lines, drawing.lines, strict=True):

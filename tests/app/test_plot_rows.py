@@ -422,3 +422,17 @@ def test_a_long_change_is_drawn_soon_in_every_row(panel, monkeypatch, qtbot):
     document.do(lambda s: hand.cut(s, "T10", 100, 190))
     document.do(lambda s: hand.cut(s, "CLAV", 100, 110))
     assert np.isnan(panel.rows[0].values_of["CLAV"][101])
+
+
+def test_curves_of_markers_that_are_no_longer_shown_go_one_after_the_other(bench, qtbot):
+    labels = bench.document.session.original.labels
+    bench.document.show(labels[:6])
+    settled(qtbot)
+    row = bench.panel.rows[0]
+    many = len(row.plot.listDataItems())
+    bench.document.show(labels[:1])
+    assert len(row._pool) == 6, "the turn that shows another marker is spared it"
+    settled(qtbot)
+    assert len(row._pool) == 2
+    assert len(row.plot.listDataItems()) < many
+    assert list(row.traces) == [labels[0]]

@@ -28,6 +28,18 @@ def queue(document, qtbot):
     return queue
 
 
+def listed(qtbot, folder, take, found):
+    """A document of one's own with many artifacts, and its queue."""
+    document = Document()
+    queue = ReviewQueue(document)
+    qtbot.addWidget(queue)
+    queue.resize(900, 300)
+    queue.show()
+    document.open(open_session(take, folder=folder), None)
+    document.add_detected(found, "paper")
+    return document, queue
+
+
 def click(qtbot, queue, row, held=Qt.KeyboardModifier.NoModifier):
     at = queue.view.visualRect(queue.model.index(row, MARKER)).center()
     qtbot.mouseClick(queue.view.viewport(), Qt.MouseButton.LeftButton, held, at)
@@ -240,13 +252,7 @@ def test_two_thousand_artifacts_stay_quick_and_keep_their_place(tmp_path, qtbot)
         Artifact(labels[i % 40], "xyz", 29 * i, 29 * i + 9, kinds[i % 5], float(rng.random()), 5.0)
         for i in range(2000)
     ]
-    document = Document()
-    queue = ReviewQueue(document)
-    qtbot.addWidget(queue)
-    queue.resize(900, 300)
-    queue.show()
-    document.open(open_session(take, folder=tmp_path), None)
-    document.add_detected(found, "paper")
+    document, queue = listed(qtbot, tmp_path, take, found)
     queue.view.sortByColumn(FRAMES, Qt.SortOrder.AscendingOrder)
     document.select(document.queue[1200])
     settled(qtbot)
@@ -272,13 +278,7 @@ def test_where_hands_scrolled_to_stays_when_only_decisions_change(tmp_path, qtbo
     found = [
         Artifact(labels[i % 40], "xyz", 29 * i, 29 * i + 9, Kind.PEAK, 0.9, 5.0) for i in range(200)
     ]
-    document = Document()
-    queue = ReviewQueue(document)
-    qtbot.addWidget(queue)
-    queue.resize(900, 300)
-    queue.show()
-    document.open(open_session(take, folder=tmp_path), None)
-    document.add_detected(found, "paper")
+    document, queue = listed(qtbot, tmp_path, take, found)
     queue.status.setCurrentIndex(3)
     document.select(document.queue[0])
     settled(qtbot)

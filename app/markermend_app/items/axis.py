@@ -104,9 +104,11 @@ class Axis(pg.AxisItem):
         bounds, inner = self._own(), self._inner()
         upright = self.orientation == "left"
         if upright:
-            edge = QLineF(bounds.right() - 1, bounds.top() - 1, bounds.right() - 1, bounds.bottom())
+            x, top, bottom = bounds.right() - 1, bounds.top() - 1, bounds.bottom() + 1
+            edge = QLineF(x, top, x, bottom)
         else:
-            edge = QLineF(bounds.left() - 1, bounds.top() + 1, bounds.right(), bounds.top() + 1)
+            y, left, right = bounds.top() + 1, bounds.left() - 1, bounds.right() + 1
+            edge = QLineF(left, y, right, y)
         low, high = self.range
         length = bounds.height() if upright else bounds.width()
         levels = self.tickValues(low, high, length) if length > 0 and high != low else []
