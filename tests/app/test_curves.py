@@ -18,8 +18,8 @@ from markermend_app.style import theme
 
 def test_gaps_stay_holes_and_originals_lie_beneath(bench):
     trace = bench.panel.rows[0].traces["CLAV"]
-    assert np.isnan(trace.item("measured").yData[60:90]).all()
-    assert trace.item("original").yData is None or not len(trace.item("original").yData)
+    assert np.isnan(trace.item("measured").values[60:90]).all()
+    assert trace.item("original").values is None
     session = bench.document.session
     from markermend.patch import Patch
     from markermend.repairs.registry import Repair
@@ -29,9 +29,9 @@ def test_gaps_stay_holes_and_originals_lie_beneath(bench):
     bench.document.repair_many(
         [(gap.id, Repair("test", (Patch("CLAV", "xyz", 60, 90, values),)))], ""
     )
-    assert np.isnan(trace.item("measured").yData[60:90]).all()
-    assert (trace.item("filled").xData[0], trace.item("filled").xData[-1]) == (59, 90)
-    assert set(trace.item("filled").yData[1:-1]) == {321.0}
+    assert np.isnan(trace.item("measured").values[60:90]).all()
+    assert (trace.item("filled").frames[0], trace.item("filled").frames[-1]) == (59, 90)
+    assert set(trace.item("filled").values[1:-1]) == {321.0}
 
 
 @pytest.mark.parametrize(
@@ -88,9 +88,8 @@ def test_curves_are_used_again_and_keep_nothing_of_the_marker_before(bench):
     bench.document.show(names[4:])
     assert row.traces[names[4]].item("measured") is first
     wanted = take.positions[:, take.index(names[4]), 0]
-    np.testing.assert_array_equal(first.yData, wanted)
-    full = [i for i in row.plot.listDataItems() if i.xData is not None and len(i.xData) > 1]
-    assert full == [first]
+    np.testing.assert_array_equal(first.values, wanted)
+    assert [c for c in row.view.curves if c.values is not None] == [first]
 
 
 def test_many_names_do_not_make_the_window_wider(bench):
@@ -149,7 +148,7 @@ def test_many_markers_are_drawn_one_after_the_other_each_in_its_place(
     qtbot.waitUntil(lambda: len(row.values_of) == len(wanted), timeout=20_000)
     for name in wanted:
         x = bench.document.session.positions[:, labels.index(name), 0]
-        np.testing.assert_array_equal(row.traces[name].item("measured").yData, x)
+        np.testing.assert_array_equal(row.traces[name].item("measured").values, x)
     bench.document.show(labels[:1])
     qtbot.wait(50)
     assert set(row.values_of) == {labels[0]}
@@ -170,7 +169,7 @@ def test_beside_the_foremost_marker_changes_and_repairs_of_others_may_follow(
     assert not row.proposed
     qtbot.waitUntil(lambda: len(row.values_of) == 3)
     assert len(row.proposed) == 1, "what a repair would make of it comes with the marker"
-    np.testing.assert_array_equal(row.proposed[0].yData[1:-1], np.zeros(10))
+    np.testing.assert_array_equal(row.proposed[0].values[1:-1], np.zeros(10))
     smoothed, samples = rng.normal(0, 100, (300, 3, 3)), document.session.take.origin.copy()
     document.do(lambda s: hand.replace_samples(s, "Smooth", labels, 0, smoothed, samples))
     document.stay()

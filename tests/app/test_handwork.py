@@ -379,9 +379,9 @@ def test_swapped_samples_lie_over_the_source_of_both_and_undo_keeps_the_view(win
     traces = [panel.rows[0].traces[name] for name in ("T10", "LSHO")]
     sources = max(trace.item("original").zValue() for trace in traces)
     for trace in traces:
-        assert np.isfinite(trace.item("edited").yData[1:-1]).all()
+        assert np.isfinite(trace.item("edited").values[1:-1]).all()
         assert trace.item("edited").zValue() > sources
-        styles = {trace.item(p).opts["pen"].style() for p in ("measured", "filled", "edited")}
+        styles = {trace.item(p).worn.style() for p in ("measured", "filled", "edited")}
         assert len(styles) == 3
     panel.set_view(30, 75)
     undo(window, qtbot)

@@ -8,13 +8,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPointF
 from PySide6.QtGui import QColor
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend_app.items.band import Band
-from markermend_app.items.curve import curve, lone_samples, pieces, prepare_plot, wear
 from markermend_app.items.intervals import LANE_HEIGHT, Intervals
+from markermend_app.items.points import lone_samples, pieces
 from markermend_app.items.time_axis import TimeAxis
 from markermend_app.style import theme
 
@@ -45,22 +45,6 @@ def test_lone_samples_are_those_without_neighbours():
     values = np.array([1.0, np.nan, 2.0, 3.0, np.nan, np.nan, 4.0, np.nan])
     assert np.flatnonzero(lone_samples(values)).tolist() == [0, 6]
     assert lone_samples(np.array([5.0])).tolist() == [True]
-
-
-def test_a_spike_survives_downsampling(qtbot):
-    canvas = pg.PlotWidget()
-    qtbot.addWidget(canvas)
-    canvas.resize(400, 200)
-    prepare_plot(canvas.plotItem)
-    item = curve(QColor("black"))
-    canvas.plotItem.addItem(item)
-    values = np.zeros(50_000)
-    values[31_234] = 99.0
-    item.setData(np.arange(50_000.0), values)
-    canvas.plotItem.setXRange(0, 50_000)
-    x, y = item.getData()
-    assert len(x) < 10_000
-    assert np.nanmax(y) == 99.0
 
 
 @pytest.fixture
@@ -175,17 +159,3 @@ def test_time_axis_speaks_in_the_files_numbers(qtbot):
     ticks = [v for _, values in axis.tickValues(-30, 990, 600) for v in values]
     assert min(ticks) >= 0
     assert max(ticks) < 950
-
-
-def test_wide_lines_are_as_wide_on_fine_screens_and_drawn_quickly(qapp, monkeypatch):
-    black = QColor("black")
-    item = curve(black, width=2)
-    assert item.opts["pen"].widthF() == 2.0
-    monkeypatch.setattr(type(qapp), "devicePixelRatio", lambda _: 2.0)
-    wear(item, black, width=2)
-    assert item.opts["pen"].widthF() == 4.0
-    assert item.curve.opts["segmentedLineMode"] == "on"
-    for thin in ({}, {"width": 2, "style": Qt.PenStyle.DashLine}):
-        wear(item, black, **thin)
-        assert item.opts["pen"].widthF() == thin.get("width", 1)
-        assert item.curve.opts["segmentedLineMode"] == "off"

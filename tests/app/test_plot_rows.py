@@ -142,7 +142,7 @@ def test_derived_rows_show_what_was_measured(panel):
         panel.rows, (speed(way, take.rate), acceleration(way, take.rate)), strict=True
     ):
         curve = row.traces["CLAV"].item("measured")
-        np.testing.assert_array_equal(curve.yData, expected)
+        np.testing.assert_array_equal(curve.values, expected)
         low, _ = row.view.viewRange()[1]
         assert low < 0 < 0.3 * np.nanmax(expected)
 
@@ -155,18 +155,16 @@ def test_filled_samples_are_drawn_apart_in_every_row(panel, qtbot):
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=20_000)
     for row in panel.rows:
         (item,) = row.proposed
-        assert {59, 90} <= set(item.xData.tolist())
+        assert {59, 90} <= set(item.frames.tolist())
     document.repair_current()
     assert document.session.artifact(gap.id).status is Status.REPAIRED
     document.show(["CLAV"])
     for row in panel.rows:
         trace = row.traces["CLAV"]
-        assert np.isnan(trace.item("measured").yData[60:90]).all()
-        x = trace.item("filled").xData[np.isfinite(trace.item("filled").yData)]
+        assert np.isnan(trace.item("measured").values[60:90]).all()
+        x = trace.item("filled").frames[np.isfinite(trace.item("filled").values)]
         assert set(range(60, 90)) <= set(x.tolist())
-        assert (
-            trace.item("filled").opts["pen"].style() != trace.item("measured").opts["pen"].style()
-        )
+        assert trace.item("filled").worn.style() != trace.item("measured").worn.style()
 
 
 def test_distance_goes_to_the_second_marker_or_to_the_one_chosen(panel):
@@ -177,12 +175,12 @@ def test_distance_goes_to_the_second_marker_or_to_the_one_chosen(panel):
     assert row.title == "To LWRB"
     at = {name: take.positions[:, take.index(name)] for name in take.labels}
     apart = distance(at["LWRA"], at["LWRB"])
-    np.testing.assert_array_equal(row.traces["LWRA"].item("measured").yData, apart)
-    assert row.traces["LWRB"].item("measured").yData is None
+    np.testing.assert_array_equal(row.traces["LWRA"].item("measured").values, apart)
+    assert row.traces["LWRB"].item("measured").values is None
     panel.choose_partner("CLAV")
     assert row.title == "To CLAV"
     away = distance(at["LWRB"], at["CLAV"])
-    np.testing.assert_array_equal(row.traces["LWRB"].item("measured").yData, away)
+    np.testing.assert_array_equal(row.traces["LWRB"].item("measured").values, away)
     # Where all belong to one subject its name is not said.
     labels = {label: f"Ann:{label}" for label in take.labels}
     panel.document.do(lambda session: hand.rename(session, labels))
@@ -212,8 +210,8 @@ def test_the_residual_to_the_body_comes_from_a_thread(panel, qtbot):
     panel.document.show(["LWRA"])
     panel.choose_rows(["residual"])
     (row,) = panel.rows
-    assert row.traces["LWRA"].item("measured").yData is None
-    qtbot.waitUntil(lambda: row.traces["LWRA"].item("measured").yData is not None, timeout=20_000)
+    assert row.traces["LWRA"].item("measured").values is None
+    qtbot.waitUntil(lambda: row.traces["LWRA"].item("measured").values is not None, timeout=20_000)
     values = row.values_of["LWRA"]
     assert np.median(values[285:325]) > 20
     assert np.median(values[:250]) < 3
@@ -346,7 +344,7 @@ def test_distance_comes_with_the_mesh(qtbot, tmp_path, damaged):
     document.learn(infer_mesh(take))
     partner = take.index(panel.partner)
     expected = distance(take.positions[:, 0], take.positions[:, partner])
-    shown = panel.canvas.row("distance").traces["CLAV"].item("measured").yData
+    shown = panel.canvas.row("distance").traces["CLAV"].item("measured").values
     assert np.nanmedian(shown) == pytest.approx(np.nanmedian(expected), abs=0.5)
     document.open(None, None)
     document.proposals.close()
@@ -372,16 +370,16 @@ def test_markers_that_stay_are_not_drawn_anew(panel, monkeypatch, qtbot):
     document.show(["CLAV", "STRN"])
     assert drawn == ["STRN"] * 3
     x = panel.rows[0]
-    kept = x.traces["CLAV"].item("measured").yData
+    kept = x.traces["CLAV"].item("measured").values
     document.do(lambda s: hand.cut(s, "CLAV", 100, 110))
     assert drawn == ["STRN"] * 3 + ["CLAV"], "the first row now, the others soon"
     settled(qtbot)
     assert drawn == ["STRN"] * 3 + ["CLAV"] * 3
     assert np.isfinite(kept[100:110]).all()
-    assert np.isnan(x.traces["CLAV"].item("measured").yData[100:110]).all()
+    assert np.isnan(x.traces["CLAV"].item("measured").values[100:110]).all()
     document.show(["STRN", "CLAV"])
     assert np.array_equal(
-        x.traces["STRN"].item("measured").yData, x.values_of["STRN"], equal_nan=True
+        x.traces["STRN"].item("measured").values, x.values_of["STRN"], equal_nan=True
     )
     assert np.isnan(x.value_at("CLAV", 105))
 
@@ -429,10 +427,10 @@ def test_curves_of_markers_that_are_no_longer_shown_go_one_after_the_other(bench
     bench.document.show(labels[:6])
     settled(qtbot)
     row = bench.panel.rows[0]
-    many = len(row.plot.listDataItems())
+    many = len(row.view.curves)
     bench.document.show(labels[:1])
     assert len(row._pool) == 6, "the turn that shows another marker is spared it"
     settled(qtbot)
     assert len(row._pool) == 2
-    assert len(row.plot.listDataItems()) < many
+    assert len(row.view.curves) < many
     assert list(row.traces) == [labels[0]]

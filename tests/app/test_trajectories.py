@@ -78,7 +78,7 @@ def test_double_click_repairs_and_undo_restores(bench, qtbot):
     )
     trace = bench.panel.rows[0].traces.get("CLAV")
     if trace is not None:
-        assert np.isfinite(trace.item("filled").yData).any()
+        assert np.isfinite(trace.item("filled").values).any()
     bench.document.undo()
     np.testing.assert_array_equal(bench.document.session.positions, before)
 
@@ -90,8 +90,8 @@ def test_the_proposal_is_previewed_with_its_band(bench, qtbot):
     repair = bench.document.proposal
     for row in bench.panel.rows:
         (item,) = row.proposed
-        assert (item.xData[0], item.xData[-1]) == (59, 90)
-        np.testing.assert_array_equal(item.yData[1:-1], repair.patches[0].values[:, row.column])
+        assert (item.frames[0], item.frames[-1]) == (59, 90)
+        np.testing.assert_array_equal(item.values[1:-1], repair.patches[0].values[:, row.column])
     if repair.band_mm is not None:
         assert not bench.panel.rows[0].band.boundingRect().isEmpty()
     bench.document.select(None)
@@ -262,11 +262,11 @@ def test_prediction_comes_on_demand(bench, qtbot):
     row = bench.panel.rows[0]
     bench.panel.set_prediction_shown(True)
     qtbot.waitUntil(lambda: "CLAV" in bench.panel.predictions.known, timeout=20_000)
-    predicted = row.traces["CLAV"].item("predicted").yData
+    predicted = row.traces["CLAV"].item("predicted").values
     truth = bench.document.session.positions[:, 0, 0]
     assert np.nanmedian(np.abs(predicted - truth)) < 20
     bench.panel.set_prediction_shown(False)
-    assert row.traces["CLAV"].item("predicted").getData()[0] is None
+    assert row.traces["CLAV"].item("predicted").values is None
 
 
 def test_prediction_is_made_anew_when_what_it_learned_from_changes(bench, qtbot):

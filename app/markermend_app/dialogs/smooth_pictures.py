@@ -13,7 +13,6 @@ from PySide6.QtWidgets import QWidget
 
 from markermend.arrays import FloatArray
 from markermend_app import units
-from markermend_app.items.curve import curve, prepare_plot
 from markermend_app.items.time_axis import TimeAxis
 from markermend_app.items.value_axis import ValueAxis
 from markermend_app.panels.plots.frame import TIME_HEIGHT
@@ -51,11 +50,14 @@ class SmoothPictures(pg.GraphicsLayoutWidget):
         self.way = pg.PlotItem(axisItems=axes, enableMenu=False)
         self.addItem(self.way, 0, 0, 1, 2)
         self._time.setHeight(TIME_HEIGHT)
-        prepare_plot(self.way)
+        # Before curves are added, which take the settings of their plot over.
+        self.way.setDownsampling(auto=True, mode="peak")
+        self.way.setClipToView(True)
+        self.way.disableAutoRange()
         self.way.getViewBox().setAutoVisible(y=True)
         look = theme.current()
         # Where both agree, what was there before shows on either side of what comes.
-        self.raw, self.smooth = curve(look.original, width=3), curve(look.accent)
+        self.raw, self.smooth = _curve(look.original, width=3), _curve(look.accent)
         self._prepare(self.way, self.raw, self.smooth)
 
     def _make_spectrum(self) -> None:
@@ -63,7 +65,7 @@ class SmoothPictures(pg.GraphicsLayoutWidget):
         self.spectrum = pg.PlotItem(enableMenu=False)
         self.addItem(self.spectrum, 1, 0)
         self.spectrum.setLogMode(y=True)
-        self._power = {True: curve(look.original, width=3), False: curve(look.accent)}
+        self._power = {True: _curve(look.original, width=3), False: _curve(look.accent)}
         self._over_frequency(self.spectrum, self.tr("Spectrum"))
         self._prepare(self.spectrum, *self._power.values())
 
@@ -71,7 +73,7 @@ class SmoothPictures(pg.GraphicsLayoutWidget):
         look = theme.current()
         self.residual = pg.PlotItem(enableMenu=False)
         self.addItem(self.residual, 1, 1)
-        self._taken, self._noise = curve(look.text), curve(look.muted)
+        self._taken, self._noise = _curve(look.text), _curve(look.muted)
         self._chosen = pg.InfiniteLine(angle=90, movable=False)
         self._over_frequency(self.residual, self.tr("Residuals"))
         self._prepare(self.residual, self._taken, self._noise, self._chosen)
@@ -200,3 +202,12 @@ class SmoothPictures(pg.GraphicsLayoutWidget):
     def _say(self, plot: pg.PlotItem, text: str) -> None:
         """Write above a plot."""
         plot.setTitle(text, size=f"{theme.SMALL_PT}pt", color=theme.current().muted)
+
+
+def _curve(color: QColor, width: int = 1) -> pg.PlotDataItem:
+    """An empty curve that a plot can choose its range by; NaN leaves a hole."""
+    item = pg.PlotDataItem(connect="finite", autoDownsampleFactor=1.0, antialias=True)
+    item.setPen(pg.mkPen(color, width=width, cosmetic=True))
+    # As one line, a wide one that jumps up and down takes a hundred times as long.
+    item.curve.setSegmentedLineMode("on" if width > 1 else "off")
+    return item

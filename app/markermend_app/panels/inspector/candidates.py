@@ -6,14 +6,13 @@ from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
-import pyqtgraph as pg
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QColor, QPainter, QPixmap
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 
 from markermend_app import units
 from markermend_app.actions import shortcuts
-from markermend_app.items.curve import curve, wear
+from markermend_app.items.curve import Curve
 from markermend_app.later import Later, OneByOne
 from markermend_app.panels.plots.row import PlotRow, same_objects
 from markermend_app.panels.plots.trajectories import TrajectoryPanel
@@ -30,7 +29,7 @@ class Candidates(QFrame):
     def __init__(self, comparison: Comparison, panel: TrajectoryPanel, window: QWidget) -> None:
         super().__init__(window)
         self._comparison, self._panel, self._window = comparison, panel, window
-        self._lines: list[tuple[PlotRow, pg.PlotDataItem, int]] = []
+        self._lines: list[tuple[PlotRow, Curve, int]] = []
         self._drawn: Sequence[object] = ()
         self.setObjectName("floatingButtons")
         self.setAccessibleName(self.tr("Repairs compared"))
@@ -104,7 +103,7 @@ class Candidates(QFrame):
         if same_objects(wanted, self._drawn):
             return
         for row, line, _ in self._lines:
-            row.plot.removeItem(line)
+            row.view.remove_curve(line)
         self._lines.clear()
         self._drawn = wanted
         for row in self._panel.rows if found else ():
@@ -119,9 +118,9 @@ class Candidates(QFrame):
             for patch in advice.repair.patches:
                 joined = row.joined(patch)
                 if joined is not None:
-                    line = curve(theme.marker_color(i + 1))
-                    line.setData(*joined)
-                    row.plot.addItem(line, ignoreBounds=True)
+                    line = Curve(theme.marker_color(i + 1))
+                    line.set_points(*joined)
+                    row.view.add_curve(line)
                     self._lines.append((row, line, i))
         self._style()
 
@@ -130,7 +129,7 @@ class Candidates(QFrame):
         place = self._comparison.place
         for _, line, i in self._lines:
             chosen = i == place
-            wear(line, theme.marker_color(i + 1), width=2 if chosen else 1)
+            line.wear(theme.marker_color(i + 1), width=2 if chosen else 1)
             line.setZValue(17 if chosen else 16)
 
 

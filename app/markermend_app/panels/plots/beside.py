@@ -9,13 +9,12 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import pyqtgraph as pg
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 
 from markermend.arrays import FloatArray
 from markermend.take import Take
-from markermend_app.items.curve import curve, wear
+from markermend_app.items.curve import Curve
 from markermend_app.panels.plots.frame import PlotFrame
 from markermend_app.panels.plots.range import value_range
 from markermend_app.style import theme
@@ -104,19 +103,18 @@ class BesideRow(PlotFrame):
     def __init__(self, channels: Sequence[Channel]) -> None:
         super().__init__()
         self.channels = tuple(channels)
-        self._curves: list[tuple[pg.PlotDataItem, int, Qt.PenStyle]] = []
+        self._curves: list[tuple[Curve, int, Qt.PenStyle]] = []
         self._lines: list[tuple[FloatArray, FloatArray]] = []
         for place, found in enumerate(self.channels):
             columns = found.values.reshape(len(found.values), -1).T
             for column, style in zip(columns, _STYLES, strict=False):
                 x = np.arange(len(column), dtype=np.float64) * found.step
-                item = curve(theme.marker_color(place), style=style)
-                self.plot.addItem(item)
+                curve = Curve(theme.marker_color(place), style=style)
+                self.view.add_curve(curve)
                 if np.isfinite(column).any():
-                    item.setData(x, column)
-                self._curves.append((item, place, style))
+                    curve.set_values(column, found.step)
+                self._curves.append((curve, place, style))
                 self._lines.append((x, column))
-        self.view.sigResized.connect(self._resized)
         self.restyle()
 
     def read_out(self, frame: int) -> str:
@@ -151,8 +149,8 @@ class BesideRow(PlotFrame):
         kind = kind_name(self.channels[0].kind) if self.channels else ""
         unit = self.channels[0].unit if self.channels else ""
         self.name_values(kind, unit, theme.current().muted)
-        for item, place, line in self._curves:
-            wear(item, theme.marker_color(place), style=line)
+        for curve, place, line in self._curves:
+            curve.wear(theme.marker_color(place), style=line)
 
     def words(self) -> list[tuple[str, QColor]]:
         """Name the channels."""
@@ -160,8 +158,3 @@ class BesideRow(PlotFrame):
         if any(c.values.ndim == 2 for c in self.channels):
             words.append(("X —  Y – –  Z ···", theme.current().muted))
         return words
-
-    def _resized(self, *_: object) -> None:
-        """Work out anew how many samples a pixel stands for."""
-        for item in (found[0] for found in self._curves):
-            item.viewRangeChanged()

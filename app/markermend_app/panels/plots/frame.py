@@ -10,7 +10,6 @@ from PySide6.QtGui import QColor, QFontMetricsF
 
 from markermend.take import Event, Take
 from markermend_app.items.caption import Caption
-from markermend_app.items.curve import prepare_plot
 from markermend_app.items.flags import Flags
 from markermend_app.items.time_axis import TimeAxis
 from markermend_app.items.value_axis import ValueAxis
@@ -40,7 +39,7 @@ class PlotFrame:
         )
         self.plot.hideButtons()
         self.plot.setMenuEnabled(False)
-        prepare_plot(self.plot)
+        self.plot.disableAutoRange()
         self.view.setDefaultPadding(0)
         self.values.setWidth(_VALUES_WIDTH)
         self.plot.showGrid(x=True, y=True, alpha=1.0)

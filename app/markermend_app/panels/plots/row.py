@@ -7,7 +7,6 @@ from functools import cached_property
 from operator import is_
 
 import numpy as np
-import pyqtgraph as pg
 
 from markermend.arrays import ByteArray, FloatArray
 from markermend.artifact import Artifact
@@ -15,9 +14,10 @@ from markermend.patch import Patch
 from markermend.take import AXES, Origin
 from markermend_app import units
 from markermend_app.items.band import Band
-from markermend_app.items.curve import curve, lone_samples, wear
+from markermend_app.items.curve import Curve
 from markermend_app.items.edges import Edges
 from markermend_app.items.intervals import Intervals
+from markermend_app.items.points import lone_samples
 from markermend_app.later import OneByOne
 from markermend_app.panels.plots.frame import PlotFrame
 from markermend_app.panels.plots.quantity import Quantity, Way
@@ -30,7 +30,6 @@ _SPARE = 2
 """Markers whose empty curves are kept for the next ones: making curves takes long."""
 _AT_ONCE, _FEWEST = 60_000, 28_000
 """Samples drawn at a time, where a marker counts for as many at least: curves take time to make."""
-_NONE: FloatArray = np.zeros(0)
 
 Banded = tuple[Patch, FloatArray]
 """Values, and (frames,) mm how far off them the marker may be in each frame."""
@@ -96,8 +95,8 @@ class PlotRow(PlotFrame):
         self.column = AXES.index(quantity.name) if quantity.name in AXES else None
         self.intervals = Intervals()
         self.band = Band()
-        self._proposals: list[pg.PlotDataItem] = []
-        self.proposed: list[pg.PlotDataItem] = []
+        self._proposals: list[Curve] = []
+        self.proposed: list[Curve] = []
         self._pool: list[Trace] = []
         self.traces: dict[str, Trace] = {}
         self.values_of: dict[str, FloatArray] = {}
@@ -113,7 +112,6 @@ class PlotRow(PlotFrame):
             self.plot.addItem(item, ignoreBounds=True)
         self.edges = Edges(self.plot)
         self.edges.show(False, False)
-        self.view.sigResized.connect(self._resized)
         self.restyle()
 
     # Curves
@@ -123,9 +121,9 @@ class PlotRow(PlotFrame):
         if len(self._pool) > max(len(shown), _SPARE):
             self._turns.ask(self._trim)
         for i in range(len(self._pool), len(shown)):
-            self._pool.append(Trace(self.plot, i, self._before))
+            self._pool.append(Trace(self.view, i, self._before))
         for trace in self._pool[len(shown) :]:
-            trace.clear()
+            trace.clear_all()
         same = {a for a, b in zip(self.traces, shown, strict=False) if a == b}
         self.traces = dict(zip(shown, self._pool, strict=False))
         values, self.values_of = self.values_of, {}
@@ -144,7 +142,7 @@ class PlotRow(PlotFrame):
         # What the operator looks at is there at once, what is shown beside it may follow.
         self._draw_waiting(soon, int(next(iter(shown), None) in self._waiting))
         for name in self._waiting:
-            self.traces[name].clear()
+            self.traces[name].clear_all()
 
     def _trim(self) -> None:
         """Take the curves of one marker that is no longer shown out of the plot."""
@@ -191,7 +189,7 @@ class PlotRow(PlotFrame):
         if values is None or source is None:
             self.values_of.pop(name, None)
             self._source_of.pop(name, None)
-            trace.clear()
+            trace.clear_all()
             return
         self.values_of[name], self._source_of[name] = values, source
         filled, edited = shown.origin == Origin.FILLED, shown.origin == Origin.EDITED
@@ -202,7 +200,7 @@ class PlotRow(PlotFrame):
         trace.fill_pieces("edited", values, edited)
         trace.fill_pieces("lone", values, lone_samples(values), join=0)
         if source is values:
-            trace.fill("original")
+            trace.clear("original")
         else:
             same = (values == source) | (np.isnan(values) & np.isnan(source))
             trace.fill_pieces("original", source, ~same)
@@ -213,7 +211,7 @@ class PlotRow(PlotFrame):
             if name in predicted and self.column is not None:
                 trace.fill_whole("predicted", predicted[name][:, self.column])
             else:
-                trace.fill("predicted")
+                trace.clear("predicted")
 
     def set_before(self, before: bool) -> None:
         """Bring the source's samples forward and let the repairs step back, or not."""
@@ -268,16 +266,15 @@ class PlotRow(PlotFrame):
             if joined is None:
                 continue
             if len(self.proposed) == len(self._proposals):
-                item = curve(theme.current().accent, width=2)
-                item.setZValue(15)
-                self.plot.addItem(item)
-                self._proposals.append(item)
-            item = self._proposals[len(self.proposed)]
-            item.setData(*joined)
-            self.proposed.append(item)
-        for item in self._proposals[len(self.proposed) :]:
-            if item.xData is not None:
-                item.setData(_NONE, _NONE)
+                curve = Curve(theme.current().accent, width=2)
+                curve.setZValue(15)
+                self.view.add_curve(curve)
+                self._proposals.append(curve)
+            curve = self._proposals[len(self.proposed)]
+            curve.set_points(*joined)
+            self.proposed.append(curve)
+        for curve in self._proposals[len(self.proposed) :]:
+            curve.clear()
 
     def _show_band(self, banded: Banded | None) -> None:
         """Draw the range around the values of a patch that is shown here, or none."""
@@ -327,9 +324,10 @@ class PlotRow(PlotFrame):
                 trusted += [values[:a], values[b:]]
             else:
                 trusted.append(values)
-        for item in self.proposed:
-            if item.xData is not None:
-                special.append(item.yData[slice(*np.searchsorted(item.xData, (low, high)))])
+        for curve in self.proposed:
+            if curve.frames is not None and curve.values is not None:
+                within = slice(*np.searchsorted(curve.frames, (low, high)))
+                special.append(curve.values[within])
         height = max(1.0, self.view.height())
         bottom = min(0.3, self.intervals.strip_height / height)
         top = min(0.3, self.flags.height / height)
@@ -348,14 +346,8 @@ class PlotRow(PlotFrame):
         accent = look.accent
         self.edges.set_color(accent)
         self.band.set_color(theme.faded(accent, 0.22))
-        for item in self._proposals:
-            wear(item, accent, width=2)
+        for curve in self._proposals:
+            curve.wear(accent, width=2)
         for trace in self._pool:
             trace.style(self._before)
         self.intervals.update()
-
-    def _resized(self, *_: object) -> None:
-        """Work out anew how many samples a pixel stands for."""
-        for trace in self.traces.values():
-            for item in trace.made.values():
-                item.viewRangeChanged()

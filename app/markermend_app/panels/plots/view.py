@@ -9,13 +9,14 @@ from __future__ import annotations
 
 from typing import Any
 
-import pyqtgraph as pg
 from PySide6.QtCore import QPointF, Qt, Signal
+
+from markermend_app.items.curve import CurveView
 
 _STEP = 1.25
 
 
-class PlotView(pg.ViewBox):
+class PlotView(CurveView):
     """The area of a plot.
 
     Signals
