@@ -40,6 +40,9 @@ class PlotFrame:
         self.plot.hideButtons()
         self.plot.setMenuEnabled(False)
         self.plot.disableAutoRange()
+        for side in ("top", "right"):
+            # Hidden, they would write their names anew whenever the view moves.
+            self.plot.getAxis(side).unlinkFromView()
         self.view.setDefaultPadding(0)
         self.values.setWidth(_VALUES_WIDTH)
         self.plot.showGrid(x=True, y=True, alpha=1.0)
