@@ -396,3 +396,31 @@ def test_what_is_missing_is_counted_anew_where_samples_changed_only(overview, mo
     overview.set_span(0, 100)
     overview.grab()
     assert counted == [1, take.markers]
+
+
+def test_a_long_take_is_counted_after_its_first_picture_and_once(make, damaged, monkeypatch, qtbot):
+    take, artifacts = damaged
+    counted = []
+
+    def count(origin, *more):
+        counted.append(origin.shape[1])
+        return missing_share(origin, *more)
+
+    monkeypatch.setattr("markermend_app.panels.overview.missing.missing_share", count)
+    monkeypatch.setattr("markermend_app.panels.overview.overview._MUCH", 0)
+    panel = make(take, artifacts)
+    panel.grab()
+    assert counted == []
+    assert panel._count.waiting
+    settled(qtbot)
+    gap = next(a for a in artifacts if a.kind is Kind.GAP)
+    at = _point(panel, (gap.start + gap.stop) / 2, take.index(gap.marker))
+    panel.mode.choose("gaps")
+    settled(qtbot)
+    shaded, clean = _color(panel, at), _color(panel, _point(panel, 5, take.index(gap.marker)))
+    assert shaded != clean
+    # Which markers belong together changes nothing of it.
+    panel.document.learn(Mesh(take.labels, (Group("All", "", tuple(range(take.markers))),)))
+    settled(qtbot)
+    panel.grab()
+    assert counted == [take.markers]

@@ -15,6 +15,11 @@ class Missing:
     def __init__(self) -> None:
         self._known: tuple[int, tuple[float, float], FloatArray] | None = None
 
+    @property
+    def known(self) -> bool:
+        """Whether anything was counted of this take."""
+        return self._known is not None
+
     def forget(self) -> None:
         """Start over with another take."""
         self._known = None

@@ -50,6 +50,8 @@ from markermend_app.style import theme
 _LEFT, _RIGHT, _TOP, _BOTTOM = 80, 12, 4, 18
 _REACH_PX = 4.0
 _STEP = 1.25
+_MUCH = 2_000_000
+"""Samples of which more take long to be looked through for missing ones."""
 
 
 class Overview(QWidget):
@@ -63,6 +65,7 @@ class Overview(QWidget):
         super().__init__()
         self.document = document
         self._soon = Later(self._catch_up, self)
+        self._count = Later(self._count_missing, self)
         self._changed: set[int] = set()
         self._view = (0.0, 0.0)
         self._span = (0.0, 1.0)
@@ -130,6 +133,8 @@ class Overview(QWidget):
             self._span = (0.0, 1.0 if take is None else max(1.0, float(take.frames)))
             self._view = self._span
         self.residuals.forget()
+        self._missing.forget()
+        self._changed.clear()
         self.mode.setVisible(take is not None and take.markers > 0)
         self.setCursor(
             Qt.CursorShape.ArrowCursor if take is None else Qt.CursorShape.PointingHandCursor
@@ -140,8 +145,6 @@ class Overview(QWidget):
         """Put the markers of one body part beside one another."""
         take = self._take
         self._rows = None if take is None else arrange(take.markers, self.document.mesh)
-        self._missing.forget()
-        self._changed.clear()
         self._reread()
 
     def _reread(self) -> None:
@@ -175,6 +178,12 @@ class Overview(QWidget):
         self._changed.clear()
         self.update()
 
+    def _count_missing(self) -> None:
+        """Count what is missing of a long take that was just opened, and paint."""
+        if (take := self._take) is not None:
+            self._missing.share(take, self._columns, self._span)
+            self._repaint()
+
     def _repaint(self, *_: object) -> None:
         """Paint the picture anew when it is next needed."""
         self._image = None
@@ -189,6 +198,11 @@ class Overview(QWidget):
         height = max(1, self.height() - _TOP - _BOTTOM)
         rows = 0 if self._rows is None else len(self._rows.columns)
         return Places(QRectF(_LEFT, _TOP, width, height), self._span, rows)
+
+    @property
+    def _columns(self) -> int:
+        """How many of the screen's pixels the picture is wide."""
+        return max(1, round(self._places.area.width() * self.devicePixelRatioF()))
 
     def _frame_at(self, x: float) -> int:
         """Frame under a pixel, within the take."""
@@ -342,8 +356,10 @@ class Overview(QWidget):
     def _picture(self, take: Take, rows: Rows) -> QImage:
         """The picture at the screen's own resolution, painted when it is out of date."""
         if self._image is None:
-            area, ratio = self._places.area, self.devicePixelRatioF()
-            size = max(1, round(area.width() * ratio)), max(1, round(area.height() * ratio))
+            size = (
+                self._columns,
+                max(1, round(self._places.area.height() * self.devicePixelRatioF())),
+            )
             mode = self.mode.mode
             self._image = paint_levels(size, rows, self._levels(take, size[0]), heat(mode))
             if mode == "damage":
@@ -353,7 +369,10 @@ class Overview(QWidget):
     def _levels(self, take: Take, width: int) -> FloatArray:
         """(markers, width) in [0, 1]: what the picture shows behind each pixel."""
         if self.mode.mode != "residual":
-            return self._missing.share(take, width, self._span)
+            if self._missing.known or take.origin.size <= _MUCH:
+                return self._missing.share(take, width, self._span)
+            self._count.ask()
+            return np.zeros((take.markers, width))
         session = self.document.session
         if session is not None:
             self.residuals.want(session)
