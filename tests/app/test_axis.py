@@ -32,6 +32,7 @@ def frame(qtbot):
 
 def published(axis: Axis):
     """Where pyqtgraph puts the edge and the lines, and which numbers it writes."""
+    axis.setGrid(255)
     picture = QImage(WIDTH, HEIGHT, QImage.Format.Format_ARGB32)
     painter = QPainter(picture)
     (_, *edge), lines, numbers = axis.generateDrawSpecs(painter)

@@ -31,14 +31,14 @@ class Edges(QObject):
     dragged = Signal()
     dropped = Signal()
 
-    def __init__(self, plot: pg.PlotItem) -> None:
+    def __init__(self, view: pg.ViewBox) -> None:
         super().__init__()
         self.lines = (_Edge(angle=90), _Edge(angle=90))
         for line in self.lines:
             line.setZValue(20)
             line.sigDragged.connect(lambda _: self.dragged.emit())
             line.sigPositionChangeFinished.connect(lambda _: self.dropped.emit())
-            plot.addItem(line, ignoreBounds=True)
+            view.addItem(line, ignoreBounds=True)
 
     @property
     def visible(self) -> bool:

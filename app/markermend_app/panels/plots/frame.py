@@ -11,6 +11,7 @@ from PySide6.QtGui import QColor, QFontMetricsF
 from markermend.take import Event, Take
 from markermend_app.items.caption import Caption
 from markermend_app.items.flags import Flags
+from markermend_app.items.plot import Plot
 from markermend_app.items.time_axis import TimeAxis
 from markermend_app.items.value_axis import ValueAxis
 from markermend_app.panels.plots.view import PlotView
@@ -34,21 +35,11 @@ class PlotFrame:
         self.view = PlotView()
         self.time = TimeAxis()
         self.values = ValueAxis()
-        self.plot = pg.PlotItem(
-            viewBox=self.view, axisItems={"bottom": self.time, "left": self.values}
-        )
-        self.plot.hideButtons()
-        self.plot.setMenuEnabled(False)
-        self.plot.disableAutoRange()
-        for side in ("top", "right"):
-            # Hidden, they would write their names anew whenever the view moves.
-            self.plot.getAxis(side).unlinkFromView()
+        self.plot = Plot(self.view, self.values, self.time)
+        self.view.disableAutoRange()
         self.view.setDefaultPadding(0)
         self.values.setWidth(_VALUES_WIDTH)
-        self.plot.showGrid(x=True, y=True, alpha=1.0)
         for side in (self.values, self.time):
-            # Else the grid lies over the curves.
-            side.setZValue(-1000)
             side.enableAutoSIPrefix(False)
         self.flags = Flags()
         self.sweep = pg.LinearRegionItem(movable=False)
@@ -60,7 +51,7 @@ class PlotFrame:
         self._named: tuple[str, QColor] = ("", QColor())
         self.follows = True
         for item in (self.flags, self.sweep, self.cursor, self.across, self.along):
-            self.plot.addItem(item, ignoreBounds=True)
+            self.view.addItem(item, ignoreBounds=True)
         for item in (self.sweep, self.across, self.along):
             item.hide()
         self.view.values_moved.connect(self._let_go)

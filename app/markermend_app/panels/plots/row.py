@@ -109,8 +109,8 @@ class PlotRow(PlotFrame):
         self._turns = turns
         self._before = False
         for item in (self.intervals, self.band):
-            self.plot.addItem(item, ignoreBounds=True)
-        self.edges = Edges(self.plot)
+            self.view.addItem(item, ignoreBounds=True)
+        self.edges = Edges(self.view)
         self.edges.show(False, False)
         self.restyle()
 
