@@ -80,7 +80,7 @@ class Paints(QObject):
 def test_a_decision_is_told_and_painted_once(hundred, qtbot):
     document = hundred.document
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
-    qtbot.waitUntil(lambda: not document.proposals._lane.busy, timeout=WAIT)
+    qtbot.waitUntil(lambda: not document.proposals.lane.busy, timeout=WAIT)
     settled(qtbot)
     paints = Paints(hundred.trajectories.canvas.viewport())
     told = []

@@ -116,3 +116,69 @@ def test_what_a_cancelled_job_came_to_is_handed_back(lane, qtbot):
     go_on.set()
     qtbot.waitUntil(lambda: not lane.busy)
     assert let_go == ["a lock"]
+
+
+def test_a_lane_behind_another_begins_nothing_while_that_one_has_jobs(lane, qtbot):
+    behind = Lane("behind", behind=lane)
+    order, go_on = [], threading.Event()
+
+    def first(progress):
+        go_on.wait(10)
+        order.append("first")
+
+    def follow(_):
+        # More for the lane that goes first, asked for in the turn in which it became free.
+        lane.submit("second", lambda _: order.append("second"), never_mind, never)
+
+    lane.submit("first", first, follow, never)
+    for name in ("third", "fourth"):
+        behind.submit(name, lambda _, name=name: order.append(name), never_mind, never)
+    qtbot.wait(50)
+    assert order == []
+    go_on.set()
+    qtbot.waitUntil(lambda: not behind.busy)
+    assert order == ["first", "second", "third", "fourth"]
+    behind.submit("alone", lambda _: order.append("alone"), never_mind, never)
+    qtbot.waitUntil(lambda: not behind.busy)
+    assert order[-1] == "alone"
+    behind.close()
+
+
+def test_what_is_held_back_can_be_cancelled(lane, qtbot):
+    behind = Lane("behind", behind=lane)
+    go_on, ran = threading.Event(), []
+    lane.submit("first", lambda _: go_on.wait(10), never_mind, never)
+    behind.submit("held", lambda _: ran.append(1), never_mind, never)
+    qtbot.wait(20)
+    behind.cancel()
+    go_on.set()
+    qtbot.waitUntil(lambda: not behind.busy)
+    assert ran == []
+    behind.close()
+
+
+def test_a_job_behind_another_lane_rests_where_it_reports(lane, qtbot):
+    behind = Lane("behind", behind=lane)
+    order, began, meanwhile = [], threading.Event(), threading.Event()
+
+    def patient(progress):
+        began.set()
+        meanwhile.wait(10)
+        progress(0.5, "half")
+        order.append("patient")
+
+    behind.submit("patient", patient, never_mind, never)
+    qtbot.waitUntil(began.is_set)
+
+    def urgent(_):
+        meanwhile.set()
+        # Time enough for the other to overtake, did it not rest.
+        threading.Event().wait(0.1)
+        order.append("urgent")
+
+    lane.submit("urgent", urgent, never_mind, never)
+    qtbot.waitUntil(lambda: not behind.busy)
+    assert order == ["urgent", "patient"]
+    behind.submit("patient", patient, never_mind, never)
+    lane.submit("urgent", lambda _: threading.Event().wait(0.2), never_mind, never)
+    behind.close()

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import itertools
 import threading
+import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
@@ -20,11 +21,18 @@ from markermend.progress import Progress, heeded
 from markermend_app.later import OneByOne
 
 Work = Callable[[Progress], Any]
+REST_S = 0.005
 Callbacks = tuple[Callable[[Any], None], Callable[[Exception], None], Callable[[Any], None]]
 
 
 class Lane(QObject):
     """A queue of jobs run one after the other on one worker thread.
+
+    Parameters
+    ----------
+    name : of the thread
+    behind : another lane; no job of this one begins while that one has any, and one that runs
+        rests where it reports
 
     Signals
     -------
@@ -38,7 +46,9 @@ class Lane(QObject):
     finished = Signal()
     _ended = Signal(int, object, object)
 
-    def __init__(self, name: str, parent: QObject | None = None) -> None:
+    def __init__(
+        self, name: str, parent: QObject | None = None, behind: Lane | None = None
+    ) -> None:
         super().__init__(parent)
         self._pool = ThreadPoolExecutor(max_workers=1, thread_name_prefix=name)
         self._numbers = itertools.count()
@@ -46,6 +56,11 @@ class Lane(QObject):
         self._stop: dict[int, threading.Event] = {}
         self._closed = False
         self._turns = OneByOne(self)
+        self._behind = behind
+        self._held: list[Callable[[], None]] = []
+        self._running = False
+        if behind is not None:
+            behind.finished.connect(self._ask_to_go_on)
         self._ended.connect(self._deliver, Qt.ConnectionType.QueuedConnection)
 
     @property
@@ -74,6 +89,8 @@ class Lane(QObject):
         self._stop[number] = stop
 
         def report(share: float, doing: str) -> None:
+            while self._behind is not None and self._behind.busy and not stop.is_set():
+                time.sleep(REST_S)
             if stop.is_set():
                 raise Cancelled
             self.progressed.emit(share, doing)
@@ -107,14 +124,34 @@ class Lane(QObject):
         self._pool.shutdown(wait=True, cancel_futures=True)
 
     def _begin(self, run: Callable[[], None]) -> None:
-        """Hand a job to the worker."""
+        """Hand a job to the worker, once no other lane comes first."""
+        if self._behind is None:
+            self._hand_over(run)
+        else:
+            self._held.append(run)
+            self._go_on()
+
+    def _hand_over(self, run: Callable[[], None]) -> None:
         if not self._closed:
             self._pool.submit(run)
+
+    def _ask_to_go_on(self) -> None:
+        """Begin what is held back, in a turn of its own: the other lane may be given more now."""
+        if self._held:
+            self._turns.ask(self._go_on)
+
+    def _go_on(self) -> None:
+        """Begin one of the jobs held back, unless one runs or the other lane has any."""
+        if self._held and not self._running and not (self._behind and self._behind.busy):
+            self._running = True
+            self._hand_over(self._held.pop(0))
 
     def _deliver(self, number: int, result: Any, error: Exception | None) -> None:
         """Hand a result over in the GUI thread."""
         stopped = self._stop.pop(number, None)
         callbacks = self._waiting.pop(number, None)
+        self._running = False
+        self._ask_to_go_on()
         self.finished.emit()
         if callbacks is None:
             return

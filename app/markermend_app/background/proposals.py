@@ -61,6 +61,10 @@ class _Request:
 class Proposals(QObject):
     """A cache of proposed repairs, filled in the background.
 
+    Attributes
+    ----------
+    lane : where they are made
+
     Signals
     -------
     ready(str) : the proposal asked for an artifact (its id) is there
@@ -74,8 +78,8 @@ class Proposals(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._lane = Lane("proposals", self)
-        self._lane.progressed.connect(lambda _share, doing: self.progressed.emit(doing))
+        self.lane = Lane("proposals", self)
+        self.lane.progressed.connect(lambda _share, doing: self.progressed.emit(doing))
         self._known: dict[Key, Any] = {}
         # A request made anew after a change gets another object, so that the answer to the old one
         # is not taken for the new.
@@ -117,7 +121,7 @@ class Proposals(QObject):
             if key in self._known or key in self._asked:
                 continue
             token = self._asked[key] = _Request(artifacts, errors)
-            self._lane.submit(
+            self.lane.submit(
                 "Propose",
                 partial(self._work, take, key, token, mesh),
                 partial(self._came, key, token),
@@ -150,13 +154,13 @@ class Proposals(QObject):
         """Forget everything and stop what is under way."""
         self._later.stop()
         self._begin = _nothing
-        self._lane.cancel()
+        self.lane.cancel()
         self._known.clear()
         self._asked.clear()
 
     def close(self) -> None:
         """End the worker."""
-        self._lane.close()
+        self.lane.close()
 
     def _came(self, key: Key, token: _Request, repair: Any) -> None:
         """Keep a proposal unless it was invalidated meanwhile."""

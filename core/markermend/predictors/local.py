@@ -15,6 +15,7 @@ from threadpoolctl import threadpool_limits
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.errors import DataError
+from markermend.progress import heed
 from markermend.rotations import nearest_rotations
 
 FRAME_MARKERS = 6
@@ -172,13 +173,16 @@ def _regress(
 ) -> FloatArray:
     """Fit target on references where weight is positive, and predict the frames inside."""
     motion = align(references)
+    heed()
     inputs = complete(motion.to_local(references).reshape(len(references), -1))
+    heed()
     known = weight > 0
     goal = motion.to_local(target[:, None])[known, 0]
     features, ridge = expand(inputs, weight)
     learned, weight = features[known], weight[known]
     robust = np.ones(len(weight))
     for _ in range(HUBER_PASSES):
+        heed()
         coefficients = _solve(learned, goal, weight * robust, ridge)
         error = np.sqrt(((goal - learned @ coefficients) ** 2).sum(axis=1))
         robust = 1.0 / np.maximum(1.0, error / max(2.0 * float(np.median(error)), 1e-9))
@@ -246,6 +250,7 @@ def complete(inputs: FloatArray) -> FloatArray:
     for number, gone in enumerate(missing[first]):
         if not gone.any():
             continue
+        heed()
         rows, there = np.flatnonzero(which.ravel() == number), ~gone
         solve = np.linalg.solve(
             (covariance + ridge)[np.ix_(there, there)], covariance[there][:, gone]

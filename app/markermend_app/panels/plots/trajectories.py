@@ -76,7 +76,7 @@ class TrajectoryPanel(QWidget):
         self.header.plots.setMenu(self.menu)
         self.empty = EmptyState("curves")
         self.buttons = FloatingButtons(document, self.canvas)
-        self.predictions = Predictions(self)
+        self.predictions = Predictions(document.proposals.lane, self)
 
         plots = QWidget()
         column = QVBoxLayout(plots)
