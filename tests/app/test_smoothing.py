@@ -6,11 +6,13 @@ import numpy as np
 import pytest
 from plots import SHIFT, Bench
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 
 from markermend.review import hand
 from markermend.smoothers import percent_sm1, smooth
 from markermend.take import Origin, Take
+from markermend_app.dialogs.smooth_pictures import SmoothPictures, _PowerAxis
 from markermend_app.panels.markers.marker_menu import point_at
 
 WAIT = 20_000
@@ -90,7 +92,7 @@ def test_a_swept_range_is_previewed_then_smoothed_as_one_step(window, qtbot):
     assert dialog.scope.currentText() == "Frames 131–191 of T10"
     assert dialog.looked_at == "T10"
     assert np.array_equal(document.session.positions, before, equal_nan=True)
-    drawn = dialog.pictures.smooth.yData
+    drawn = dialog.pictures.smooth.values
     wanted = smooth(document.session.take, markers=["T10"], start=30, stop=91).positions[:, 3]
     assert np.array_equal(drawn, wanted[:, 0])
     qtbot.keyClick(dialog, Qt.Key.Key_Return)
@@ -167,7 +169,7 @@ def test_one_key_shows_the_curve_before_and_after(window, qtbot):
     qtbot.keyClick(dialog, Qt.Key.Key_B)
     assert dialog.pictures.smooth.isVisible()
     choose(dialog.quantity, "Acceleration")
-    rough = [np.nanstd(c.yData) for c in (dialog.pictures.raw, dialog.pictures.smooth)]
+    rough = [np.nanstd(c.values) for c in (dialog.pictures.raw, dialog.pictures.smooth)]
     assert rough[1] < 0.5 * rough[0]
 
 
@@ -193,7 +195,7 @@ def test_another_marker_is_looked_at_with_its_own_spectrum(window, qtbot):
     qtbot.waitUntil(lambda: dialog._found not in (None, first), timeout=WAIT)
     column = window.document.session.original.index("LELB")
     raw = window.document.session.positions[:, column, 0]
-    assert np.array_equal(dialog.pictures.raw.yData, raw)
+    assert np.array_equal(dialog.pictures.raw.values, raw)
     assert dialog.percent.text().startswith("%SM1 of LELB")
 
 
@@ -224,3 +226,32 @@ def test_checking_a_marker_is_enough_to_work_on_it(window):
     window.document.show(["T10"])
     assert window.actions_by_name["smooth"].isEnabled()
     assert window.actions_by_name["rename_marker"].isEnabled()
+
+
+def test_powers_of_ten_are_written_out_with_room_between_them():
+    axis = _PowerAxis()
+    (spacing, values), *_ = axis.tickValues(-6.3, 4.9, 90)
+    assert values == [-6.0, -4.0, -2.0, 0.0, 2.0, 4.0]
+    texts = axis.tickStrings(values, 1.0, spacing)
+    assert texts == ["10⁻⁶", "10⁻⁴", "10⁻²", "1", "10²", "10⁴"]
+    assert axis.tickValues(-6.3, 4.9, 900)[0][1] == [float(k) for k in range(-6, 5)]
+
+
+def test_values_follow_the_frames_in_view(qtbot):
+    pictures = SmoothPictures()
+    qtbot.addWidget(pictures)
+    while pictures.make_one():
+        pass
+    pictures.resize(600, 400)
+    pictures.set_clock(1, 100.0, 400)
+    raw = np.zeros(400)
+    raw[300:] = 50.0
+    pictures.show_frames(0, 399)
+    pictures.show_way(raw, raw + 1.0, "X", "mm", QColor("red"))
+    low, high = pictures.way.view.viewRange()[1]
+    assert low < 0 < 51 < high
+    pictures.show_frames(0, 100)
+    low, high = pictures.way.view.viewRange()[1]
+    assert low < 0 < 1 < high < 5
+    pictures.show_way(raw, None, "X", "mm", QColor("red"))
+    assert pictures.way.view.viewRange()[1][1] < 0.5

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Any
 
@@ -13,13 +14,81 @@ from PySide6.QtWidgets import QWidget
 
 from markermend.arrays import FloatArray
 from markermend_app import units
+from markermend_app.items.axis import Axis
+from markermend_app.items.curve import Curve, CurveView
+from markermend_app.items.plot import Plot
 from markermend_app.items.time_axis import TimeAxis
-from markermend_app.items.value_axis import ValueAxis
+from markermend_app.items.value_axis import LABEL_PX, ValueAxis
 from markermend_app.panels.plots.frame import TIME_HEIGHT
+from markermend_app.panels.plots.range import value_range
 from markermend_app.style import theme
 
 _FLOOR = 1e-12
 """Least power drawn, mm²/Hz; the logarithm of nothing is nowhere."""
+_VALUES_WIDTH = 72
+_FEWEST_FRAMES = 5
+_ROUGH = 3
+"""Width of what was there before: where both agree, it shows on either side of what comes."""
+_LEAST_EXTENT = 1e-3
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+_DASHED = Qt.PenStyle.DashLine
+
+
+class _PowerAxis(ValueAxis):
+    """Left axis of logarithms to the base of ten, with whole powers written out."""
+
+    def tickValues(
+        self, minVal: float, maxVal: float, size: float
+    ) -> list[tuple[float, list[float]]]:
+        """Whole powers, not closer than their numbers are high."""
+        low, high = sorted((minVal, maxVal))
+        step = max(1, math.ceil(LABEL_PX * (high - low) / max(size, 1.0)))
+        count = range(math.ceil(low / step), math.floor(high / step) + 1)
+        return [(float(step), [float(k * step) for k in count])]
+
+    def tickStrings(self, values: list[float], scale: float, spacing: float) -> list[str]:
+        """10⁻², 1, 10²."""
+        powers = (str(round(v)).translate(_RAISED) for v in values)
+        return [f"10{power}" if v else "1" for v, power in zip(values, powers, strict=True)]
+
+
+class _Picture:
+    """One of the plots.
+
+    Attributes
+    ----------
+    view : its area
+    title : written above, where there is room for it
+    """
+
+    def __init__(self, left: Axis, bottom: Axis, *curves: Curve) -> None:
+        self.view = CurveView(enableMenu=False)
+        self.view.disableAutoRange()
+        self.view.setDefaultPadding(0)
+        self.left, self.bottom = left, bottom
+        self.plot = Plot(self.view, left, bottom)
+        self.title = pg.LabelItem("")
+        left.setWidth(_VALUES_WIDTH)
+        bottom.setHeight(TIME_HEIGHT)
+        for axis in (left, bottom):
+            axis.enableAutoSIPrefix(False)
+        for curve in curves:
+            self.view.add_curve(curve)
+
+    def say(self, text: str) -> None:
+        """Write above it."""
+        self.title.setText(text, size=f"{theme.SMALL_PT}pt", color=theme.current().muted)
+
+    def restyle(self) -> None:
+        """Take over the theme's colours."""
+        look = theme.current()
+        for axis in (self.left, self.bottom):
+            axis.setPen(pg.mkPen(look.border))
+            axis.setTickPen(pg.mkPen(look.grid))
+            axis.setTextPen(pg.mkPen(look.muted))
+            font = axis.font()
+            font.setPointSize(theme.SMALL_PT)
+            axis.setTickFont(font)
 
 
 class SmoothPictures(pg.GraphicsLayoutWidget):
@@ -45,56 +114,39 @@ class SmoothPictures(pg.GraphicsLayoutWidget):
         return bool(self._todo)
 
     def _make_way(self) -> None:
-        self._time = TimeAxis()
-        axes = {"bottom": self._time, "left": ValueAxis()}
-        self.way = pg.PlotItem(axisItems=axes, enableMenu=False)
-        self.addItem(self.way, 0, 0, 1, 2)
-        self._time.setHeight(TIME_HEIGHT)
-        # Before curves are added, which take the settings of their plot over.
-        self.way.setDownsampling(auto=True, mode="peak")
-        self.way.setClipToView(True)
-        self.way.disableAutoRange()
-        self.way.getViewBox().setAutoVisible(y=True)
         look = theme.current()
-        # Where both agree, what was there before shows on either side of what comes.
-        self.raw, self.smooth = _curve(look.original, width=3), _curve(look.accent)
-        self._prepare(self.way, self.raw, self.smooth)
+        self._time = TimeAxis()
+        self.raw, self.smooth = Curve(look.original, width=_ROUGH), Curve(look.accent)
+        self.way = _Picture(ValueAxis(), self._time, self.raw, self.smooth)
+        self.way.view.setMouseEnabled(x=True, y=False)
+        self.way.view.sigXRangeChanged.connect(self._show_values)
+        self.addItem(self.way.plot, 0, 0, 1, 2)
 
     def _make_spectrum(self) -> None:
         look = theme.current()
-        self.spectrum = pg.PlotItem(enableMenu=False)
-        self.addItem(self.spectrum, 1, 0)
-        self.spectrum.setLogMode(y=True)
-        self._power = {True: _curve(look.original, width=3), False: _curve(look.accent)}
-        self._over_frequency(self.spectrum, self.tr("Spectrum"))
-        self._prepare(self.spectrum, *self._power.values())
+        self._power = {True: Curve(look.original, width=_ROUGH), False: Curve(look.accent)}
+        self.spectrum = _Picture(_PowerAxis(), Axis("bottom"), *self._power.values())
+        self._over_frequency(self.spectrum, 0)
+        self.spectrum.say(self.tr("Spectrum"))
 
     def _make_residual(self) -> None:
         look = theme.current()
-        self.residual = pg.PlotItem(enableMenu=False)
-        self.addItem(self.residual, 1, 1)
-        self._taken, self._noise = _curve(look.text), _curve(look.muted)
+        self._taken, self._noise = Curve(look.text), Curve(look.muted, style=_DASHED)
         self._chosen = pg.InfiniteLine(angle=90, movable=False)
-        self._over_frequency(self.residual, self.tr("Residuals"))
-        self._prepare(self.residual, self._taken, self._noise, self._chosen)
+        self.residual = _Picture(ValueAxis(), Axis("bottom"), self._taken, self._noise)
+        self.residual.view.addItem(self._chosen, ignoreBounds=True)
+        self._over_frequency(self.residual, 1)
+        self.residual.say(self.tr("Residuals"))
 
-    def _over_frequency(self, plot: pg.PlotItem, title: str) -> None:
-        """Say so, and let the mouse move nothing in it."""
-        self._say(plot, title)
-        plot.setMouseEnabled(False, False)
-        plot.setLabel("bottom", self.tr("Hz"))
-
-    def _prepare(self, plot: pg.PlotItem, *items: pg.GraphicsObject) -> None:
-        """Put curves into a plot."""
-        plot.hideButtons()
-        plot.showGrid(x=True, y=True, alpha=1.0)
-        plot.getAxis("left").setWidth(72)
-        for item in items:
-            plot.addItem(item)
+    def _over_frequency(self, picture: _Picture, column: int) -> None:
+        """Put a plot below, and let the mouse move nothing in it."""
+        picture.view.setMouseEnabled(x=False, y=False)
+        self.addItem(picture.title, 1, column)
+        self.addItem(picture.plot, 2, column)
 
     def _finish(self) -> None:
         self.ci.layout.setRowStretchFactor(0, 3)
-        self.ci.layout.setRowStretchFactor(1, 2)
+        self.ci.layout.setRowStretchFactor(2, 2)
         for column in (0, 1):
             self.ci.layout.setColumnPreferredWidth(column, 100)
             self.ci.layout.setColumnStretchFactor(column, 1)
@@ -103,34 +155,43 @@ class SmoothPictures(pg.GraphicsLayoutWidget):
 
     def start_over(self) -> None:
         """Show nothing, in the theme as it is now: making plots takes long, so they are kept."""
-        for item in (self.raw, self.smooth):
-            item.setData([], [])
+        for curve in (self.raw, self.smooth):
+            curve.clear()
         self.show_inspection(None, 0, theme.current().muted)
-        self._say(self.residual, self.tr("Residuals"))
+        self.residual.say(self.tr("Residuals"))
         self.restyle()
 
     def set_clock(self, first_frame: int, rate: float, frames: int) -> None:
         """Say how the file counts frames, and how many there are."""
         self._time.set_clock(first_frame, rate, frames)
-        self.way.setLimits(xMin=-1, xMax=frames, minXRange=5)
+        self.way.view.setLimits(xMin=-1, xMax=frames, minXRange=_FEWEST_FRAMES)
 
     def show_frames(self, start: int, stop: int) -> None:
         """Bring frames into view."""
-        self.way.setXRange(start, stop, padding=0)
+        self.way.view.setXRange(start, stop, padding=0)
 
     def show_way(
         self, raw: FloatArray, smooth: FloatArray | None, name: str, unit: str, color: QColor
     ) -> None:
         """Draw (frames,) values before and after; without the latter only those before."""
         text, factor, _ = units.scaled(unit)
-        self.raw.setData(raw * factor)
+        self.raw.set_values(raw * factor)
         self.smooth.setVisible(smooth is not None)
-        self.smooth.setPen(pg.mkPen(color, width=1, cosmetic=True))
+        self.smooth.wear(color)
         if smooth is not None:
-            self.smooth.setData(smooth * factor)
-        label = {"color": color.name(), "font-size": f"{theme.SMALL_PT}pt"}
-        self.way.setLabel("left", f"{name} ({text})", **label)
-        self.way.enableAutoRange(axis="y")
+            self.smooth.set_values(smooth * factor)
+        self.way.left.setLabel(f"{name} ({text})", **_label(color))
+        self._show_values()
+
+    def _show_values(self, *_: object) -> None:
+        """Show what there is of values among the frames in view."""
+        low, high = self.way.view.viewRange()[0]
+        part = slice(max(0, math.floor(low)), max(0, math.ceil(high) + 1))
+        shown = (self.raw, self.smooth) if self.smooth.isVisible() else (self.raw,)
+        seen = [c.values[part] for c in shown if c.values is not None]
+        values = value_range(seen, least=_LEAST_EXTENT, whole=True)
+        if values is not None:
+            self.way.view.setYRange(*values, padding=0)
 
     def show_inspection(self, found: Any, axis: int, color: QColor) -> None:
         """Draw the spectra and the residuals of one axis.
@@ -141,73 +202,63 @@ class SmoothPictures(pg.GraphicsLayoutWidget):
         axis : 0, 1, 2
         color : of what is smoothed
         """
-        label = {"color": theme.current().muted.name(), "font-size": f"{theme.SMALL_PT}pt"}
-        self._power[False].setPen(pg.mkPen(color, width=1, cosmetic=True))
+        label = _label(theme.current().muted)
+        self._power[False].wear(color)
         items = (*self._power.values(), self._taken, self._noise, self._chosen)
         for item in items:
             item.setVisible(found is not None)
         if found is None:
-            self._say(self.residual, self.tr("Residuals: too few frames without a gap"))
+            self.residual.say(self.tr("Residuals: too few frames without a gap"))
             return
         # At 0 Hz stands what was taken away with the trend.
         for before, power in ((True, found.before), (False, found.after)):
-            self._power[before].setData(
-                found.frequencies_hz[1:], np.maximum(power[1:, axis], _FLOOR)
-            )
+            logarithm = np.log10(np.maximum(power[1:, axis], _FLOOR))
+            self._power[before].set_points(found.frequencies_hz[1:], logarithm)
         top = found.before[1:, axis].max()
         high = np.log10(max(top, _FLOOR))
         low = np.log10(max(found.before[1:, axis].min(), _FLOOR)) - 3
-        self.spectrum.setXRange(0, found.frequencies_hz[-1], padding=0)
-        self.spectrum.setYRange(low, high, padding=0.05)
-        self.spectrum.setLabel("left", self.tr("mm²/Hz"), **label)
+        self.spectrum.view.setRange(
+            xRange=(0, found.frequencies_hz[-1]), yRange=_roomy(low, high), padding=0
+        )
+        self.spectrum.left.setLabel(self.tr("mm²/Hz"), **label)
         found = found.residuals
         text, factor, _ = units.scaled("mm")
         residual, noise = found.residual_mm[:, axis] * factor, found.noise_mm[axis] * factor
-        self._taken.setData(found.cutoffs_hz, residual)
-        self._noise.setData([0.0, found.cutoffs_hz[-1]], [noise, noise])
+        last = found.cutoffs_hz[-1]
+        self._taken.set_points(found.cutoffs_hz, residual)
+        self._noise.set_points(np.array([0.0, last]), np.array([noise, noise]))
         self._chosen.setValue(found.chosen_hz[axis])
-        self.residual.setXRange(0, found.cutoffs_hz[-1], padding=0)
         # The knee is what is looked for, not how much a filter that stops all motion takes.
-        self.residual.setYRange(0, min(residual[0], 8 * max(noise, residual[-1])), padding=0.05)
-        self.residual.setLabel("left", text, **label)
-        self._say(
-            self.residual,
+        most = min(residual[0], 8 * max(noise, residual[-1]))
+        self.residual.view.setRange(xRange=(0, last), yRange=_roomy(0, most), padding=0)
+        self.residual.left.setLabel(text, **label)
+        self.residual.say(
             self.tr("Residuals: cut at {0:.1f} Hz, noise {1}").format(
                 found.chosen_hz[axis], units.length(found.noise_mm[axis], 2)
-            ),
+            )
         )
 
     def restyle(self) -> None:
         """Take over the theme's colours."""
         look = theme.current()
         self.setBackground(look.plot)
-        for plot in (self.way, self.spectrum, self.residual):
-            for side in ("left", "bottom"):
-                axis = plot.getAxis(side)
-                axis.setZValue(-1000)
-                axis.enableAutoSIPrefix(False)
-                axis.setStyle(maxTickLevel=0)
-                axis.setPen(pg.mkPen(look.border))
-                axis.setTickPen(pg.mkPen(look.grid))
-                axis.setTextPen(pg.mkPen(look.muted))
-                font = axis.font()
-                font.setPointSize(theme.SMALL_PT)
-                axis.setTickFont(font)
-        for item in (self.raw, self._power[True]):
-            item.setPen(pg.mkPen(look.original, width=3, cosmetic=True))
-        self._taken.setPen(pg.mkPen(look.text, cosmetic=True))
-        self._noise.setPen(pg.mkPen(look.muted, style=Qt.PenStyle.DashLine, cosmetic=True))
-        self._chosen.setPen(pg.mkPen(look.accent, width=1, style=Qt.PenStyle.DashLine))
-
-    def _say(self, plot: pg.PlotItem, text: str) -> None:
-        """Write above a plot."""
-        plot.setTitle(text, size=f"{theme.SMALL_PT}pt", color=theme.current().muted)
+        for picture in (self.way, self.spectrum, self.residual):
+            picture.restyle()
+        for picture in (self.spectrum, self.residual):
+            picture.bottom.setLabel(self.tr("Hz"), **_label(look.muted))
+        for curve in (self.raw, self._power[True]):
+            curve.wear(look.original, width=_ROUGH)
+        self._taken.wear(look.text)
+        self._noise.wear(look.muted, style=_DASHED)
+        self._chosen.setPen(pg.mkPen(look.accent, width=1, style=_DASHED))
 
 
-def _curve(color: QColor, width: int = 1) -> pg.PlotDataItem:
-    """An empty curve that a plot can choose its range by; NaN leaves a hole."""
-    item = pg.PlotDataItem(connect="finite", autoDownsampleFactor=1.0, antialias=True)
-    item.setPen(pg.mkPen(color, width=width, cosmetic=True))
-    # As one line, a wide one that jumps up and down takes a hundred times as long.
-    item.curve.setSegmentedLineMode("on" if width > 1 else "off")
-    return item
+def _label(color: QColor) -> dict[str, str]:
+    """How what an axis shows is written."""
+    return {"color": color.name(), "font-size": f"{theme.SMALL_PT}pt"}
+
+
+def _roomy(low: float, high: float) -> tuple[float, float]:
+    """A range with a twentieth of room on either side."""
+    room = 0.05 * (high - low)
+    return low - room, high + room
