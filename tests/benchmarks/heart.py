@@ -13,6 +13,11 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer
 
+try:
+    import resource
+except ImportError:  # Windows
+    resource = None  # type: ignore[assignment]
+
 STALL_S, NOTED_S, BEAT_S = 0.100, 0.060, 0.010
 DRIVERS = ("heart.py", "hands.py", "bench_window.py")
 FRAME = re.compile(r'File "(.+)", line (\d+) in (.+)')
@@ -27,6 +32,7 @@ class Stall:
     doing : what the operator did
     clock, processor : seconds that it took, of which the window's own thread worked
     stolen : seconds that the host of a virtual machine took away from its processors meanwhile
+    fetched : pages of memory that had to come from the disk first, where the system tells
     seen : where the thread was, and how often the watcher found it there
     """
 
@@ -34,13 +40,15 @@ class Stall:
     clock: float
     processor: float
     stolen: float = 0.0
+    fetched: int = 0
     seen: Counter[str] = field(default_factory=Counter)
 
     def __str__(self) -> str:
         places = "; ".join(f"{n}x {place}" for place, n in self.seen.most_common(3))
         return (
             f"{self.processor * 1e3:6.1f} ms processor {self.clock * 1e3:7.1f} ms clock "
-            f"{self.stolen * 1e3:4.0f} ms stolen, {self.doing}: {places or 'not seen'}"
+            f"{self.stolen * 1e3:4.0f} ms stolen, {self.fetched} pages fetched, {self.doing}: "
+            f"{places or 'not seen'}"
         )
 
 
@@ -59,6 +67,7 @@ class Turns:
         self.stalls: list[Stall] = []
         self._seen: Counter[str] = Counter()
         self._stolen = self._stolen_last = stolen()
+        self._fetched_last = fetched()
         self._last = time.perf_counter(), time.thread_time()
         self._thread = threading.get_ident()
         self._timer = QTimer()
@@ -77,9 +86,10 @@ class Turns:
         self.clock[self.doing].append(clock)
         self.processor[self.doing].append(processor)
         if max(clock, processor) > NOTED_S:
-            taken = stolen() - self._stolen_last
-            self.stalls.append(Stall(self.doing, clock, processor, taken, self._seen))
+            taken, came = stolen() - self._stolen_last, fetched() - self._fetched_last
+            self.stalls.append(Stall(self.doing, clock, processor, taken, came, self._seen))
         self._last, self._seen, self._stolen_last = now, Counter(), self._stolen
+        self._fetched_last = fetched()
 
     def _watch(self) -> None:
         """Look where the thread is whenever it is held for long."""
@@ -94,6 +104,13 @@ class Turns:
                     faulthandler.dump_traceback(file, all_threads=True)
                     file.seek(0)
                     self._seen[place(file.read(), self._thread)] += 1
+
+
+def fetched() -> int:
+    """Pages of memory that this thread had to wait for until the disk had them."""
+    if resource is None or not hasattr(resource, "RUSAGE_THREAD"):
+        return 0
+    return int(resource.getrusage(resource.RUSAGE_THREAD).ru_majflt)
 
 
 def stolen() -> float:

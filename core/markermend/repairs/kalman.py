@@ -14,6 +14,7 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.artifact import Artifact
+from markermend.progress import heed
 from markermend.repairs.interpolation import too_few
 from markermend.repairs.registry import Evidence, Repair, register
 from markermend.repairs.result import make_repair, refuse
@@ -144,6 +145,7 @@ def smooth(
     -------
     mean, variance : (stop - start, 3) in mm and mm²
     """
+    heed()
     origin = track[known].mean(axis=0)
     forward = _filter(track - origin, known)
     here, ahead = forward.after[start:-1], forward.before[start + 1 :]

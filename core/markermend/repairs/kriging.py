@@ -17,6 +17,7 @@ from functools import lru_cache
 import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, IntArray, median_of_seen
+from markermend.progress import heed
 from markermend.repairs.body_frame import to_lab
 
 # Prior standard deviations in mm: of the place itself, of the non-linear part, and of the parts
@@ -185,6 +186,7 @@ def _solve(
     from scipy.linalg.blas import dtrmm
     from scipy.linalg.lapack import dlauum
 
+    heed()
     learnt = len(view.target)
     usual = median_of_seen(view.target)
     covariance = _from_pose(view, learnt)

@@ -17,6 +17,7 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, IntArray, samples_of
 from markermend.artifact import Artifact
+from markermend.progress import heed
 from markermend.repairs.body_frame import (
     align_each,
     alike,
@@ -108,12 +109,14 @@ def repair_local_regression(evidence: Evidence, artifact: Artifact, params: Any)
     seen = evidence.seen.copy()
     seen[interval, marker] = False
     ranked, spread = rank_references(take, seen, marker, interval)
+    heed()
     places = pick_references(ranked, seen, marker, params.references)
     if len(places) < 3:
         return refuse(METHOD, _too_few_references(artifact, len(places)), params)
     references, spread = ranked[places], spread[places]
     together: BoolArray = np.all(seen[:, references], axis=1)
     usable = together & seen[:, marker]
+    heed()
     likened = _likened(artifact, take)
     beside = near_interval(take.frames, artifact, params.near_s * take.rate)
     known = choose_frames(
@@ -144,6 +147,7 @@ def repair_local_regression(evidence: Evidence, artifact: Artifact, params: Any)
     force = np.nan_to_num(earlier - 2.0 * cloud + later)
     own, up = take.positions[known, marker], up_axis(take)
     parts = _parts(cloud, force, own, spread, up, likened, beside[known])
+    heed()
     noise = _noise(take.positions[:, marker], seen[:, marker], artifact, take.rate)
     hidden = min(artifact.length, int(MOST_HIDDEN * np.count_nonzero(usable)))
     values, deviation, learnt = condition(frames, take.rate, parts, noise, hidden, beside[known])

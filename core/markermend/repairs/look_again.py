@@ -16,7 +16,7 @@ from markermend.artifact import Artifact
 from markermend.detectors.finding import in_mm
 from markermend.detectors.joint import JointParams, detect_joint
 from markermend.patch import Patch, write_patches
-from markermend.progress import quiet
+from markermend.progress import heed, quiet
 from markermend.repairs.registry import Repair
 from markermend.take import Take
 
@@ -56,6 +56,7 @@ def in_words(leaves: Iterable[Artifact]) -> str:
 
 def _seen_in(take: Take, patch: Patch, patches: Sequence[Patch]) -> list[Artifact]:
     """Sudden artifacts that touch a patch, once all patches are written."""
+    heed()
     margin = round(AROUND_S * take.rate)
     first, last = max(0, patch.start - margin), min(take.frames, patch.stop + margin)
     window = take.positions[first:last].copy()

@@ -13,7 +13,7 @@ from markermend.artifact import Artifact, Kind, Status
 from markermend.errors import DataError
 from markermend.mesh import Mesh
 from markermend.parameters import read_params
-from markermend.progress import Progress
+from markermend.progress import Progress, heed
 from markermend.repairs.advice import MODELS, with_expected_error
 from markermend.repairs.automatic import best_repair, counting_references, follow_one, if_good
 from markermend.repairs.lengths import at_usual_distances, ties_of
@@ -100,7 +100,9 @@ def propose(
     }
     first = (a.with_status(Status.ACCEPTED) if a in same else a for a in known)
     evidence = evidence_for(take, first, mesh, progress=progress)
+    heed()
     done = _alone(evidence, artifact, known, repaired, method, params)
+    heed()
     return _among(evidence, artifact, done, known, repaired) if method == AUTO else done
 
 

@@ -13,6 +13,7 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, IntArray, samples_of
 from markermend.artifact import Artifact
+from markermend.progress import heed
 
 # Within so many seconds of the interval every frame is learnt from, further away every second and
 # then every fourth: they tell nearly the same.
@@ -83,6 +84,7 @@ def _most_alike(
     apart = np.empty((len(pairs), points.shape[1]))
     # Pair by pair, since arrays of all pairs at once do not fit where they would be quick.
     for row, (one, other) in zip(apart, pairs, strict=True):
+        heed()
         way = one - other
         np.einsum("fk,fk->f", way, way, out=row)
     np.sqrt(apart, out=apart)

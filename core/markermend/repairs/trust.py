@@ -9,7 +9,7 @@ import numpy as np
 
 from markermend.artifact import Artifact, Kind, Status, mark_damage, trusted_samples
 from markermend.mesh import Mesh
-from markermend.progress import Progress, quiet
+from markermend.progress import Progress, heed, quiet
 from markermend.repairs.registry import Evidence
 from markermend.take import Take
 
@@ -49,6 +49,7 @@ def evidence_for(
         trusted[:, :, axis] = take.present
     mark_damage(trusted, take, doubtful, False)
     trusted.flags.writeable = False
+    heed()
     evidence = Evidence(take, trusted, mesh, progress or quiet)
     return evidence.with_seen(trusted_samples(take, doubtful))
 

@@ -17,6 +17,7 @@ from markermend.detectors.joint.partners import find_partners
 from markermend.detectors.joint.shapes import judge
 from markermend.detectors.joint.slides import Slide, find_slides
 from markermend.detectors.joint.steps import LONGEST_S, pair_jumps
+from markermend.progress import heed
 
 LEAST_SCORE = 4.5
 """Standard errors from which a shape is written down; confidence decides what is flagged."""
@@ -109,8 +110,10 @@ def find_sudden(
     jumps, rest = find_jumps(
         signal, seen, rate, least_score=LEAST_SCORE, longest=SHORT_STEP * peak_frames
     )
+    heed()
     noise = find_noise(signal, rest, seen, neighbours, rate)
     jumps = _outside(jumps, noise, reach_at(rate))
+    heed()
     beside = _beside(signal, seen, neighbours, jumps, rate)
     own = beside <= SHARED * np.abs(jumps.size)
     slides = find_slides(jumps, own, signal, seen, rate)
