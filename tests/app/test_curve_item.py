@@ -106,6 +106,21 @@ def test_points_without_neighbours_are_drawn_as_dots(view):
     assert dark[:, 104:196].max() == 0.0
 
 
+def test_a_single_point_is_drawn_and_goes(view):
+    dots, other = Curve(BLACK, dots=True), Curve(BLACK)
+    for curve in (dots, other):
+        view.add_curve(curve)
+    dots.set_points(np.array([100.0]), np.array([0.5]))
+    assert picture(view)[47:54, 97:104].sum() == pytest.approx(4 * np.pi, rel=0.3)
+    dots.set_points(np.array([3.0]), np.array([0.0]))
+    assert picture(view)[97:104, :8].max() > 0.5
+    dots.clear()
+    other.set_values(np.full(401, 0.9))
+    # A curve without extent is thought to be at frame 0 and value 0, which is in view.
+    view.setRange(xRange=(-10, 390), padding=0)
+    assert picture(view)[20:].max() == 0.0
+
+
 def test_wide_lines_are_as_wide_on_fine_screens(view, monkeypatch):
     wide = Curve(BLACK, width=2)
     view.add_curve(wide)

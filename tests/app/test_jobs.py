@@ -7,6 +7,7 @@ import threading
 import pytest
 
 from markermend.errors import DataError
+from markermend.progress import heed
 from markermend_app.background.jobs import Lane
 
 
@@ -51,6 +52,21 @@ def test_progress_is_told_and_ends(lane, qtbot):
         lane.submit("work", work, lambda _: None, never)
     assert told == [(0.25, "one"), (1.0, "two")]
     assert not lane.busy
+
+
+def test_the_same_is_told_once(lane, qtbot):
+    told = []
+    lane.progressed.connect(lambda share, doing: told.append((share, doing)))
+
+    def work(progress):
+        heed()
+        for share in (0.25, 0.25, 0.5):
+            progress(share, "one")
+            heed()
+
+    with qtbot.waitSignal(lane.finished):
+        lane.submit("work", work, lambda _: None, never)
+    assert told == [(0.25, "one"), (0.5, "one")]
 
 
 def test_an_error_reaches_the_caller(lane, qtbot):

@@ -8,8 +8,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from markermend.errors import Cancelled
 from markermend.mesh import infer_mesh
 from markermend.patch import Patch
+from markermend.progress import heed
 from markermend.repairs.registry import Repair
 from markermend.review.edits import Change
 from markermend.review.session import Session
@@ -60,6 +62,30 @@ def test_artifacts_passed_by_are_not_worked_on(slow, qtbot):
     last = artifacts[-1]
     qtbot.waitUntil(lambda: proposals.get(last, "auto") is not None, timeout=WAIT)
     assert begun == [artifacts[0].marker, last.marker]
+
+
+def test_one_under_way_that_nobody_wants_any_more_is_stopped(slow, qtbot, monkeypatch):
+    proposals, ask, artifacts, _, entered, _ = slow
+    stopped = []
+
+    def propose(take, artifact, *_, **__):
+        entered.set()
+        try:
+            for _ in range(1000):
+                heed()
+                threading.Event().wait(0.01)
+        except Cancelled:
+            stopped.append(artifact)
+            raise
+        return proposed(artifact)
+
+    monkeypatch.setattr("markermend.repairs.propose", propose)
+    ask(artifacts[0])
+    qtbot.waitUntil(entered.is_set)
+    assert stopped == []
+    ask(artifacts[1])
+    qtbot.waitUntil(lambda: stopped == [artifacts[0]], timeout=2000)
+    proposals.forget()
 
 
 def test_a_proposal_under_way_while_samples_move_is_not_used(slow, qtbot):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from plots import SHIFT, Bench
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 
@@ -255,3 +255,28 @@ def test_values_follow_the_frames_in_view(qtbot):
     assert low < 0 < 1 < high < 5
     pictures.show_way(raw, None, "X", "mm", QColor("red"))
     assert pictures.way.view.viewRange()[1][1] < 0.5
+    # A wheel over the plot zooms time, one beside it values, which then stay.
+    view = pictures.way.view
+    view.wheelEvent(Wheel())
+    assert view.viewRange()[0][1] - view.viewRange()[0][0] < 100
+    pictures.show_frames(0, 100)
+    view.wheelEvent(Wheel(), axis=1)
+    zoomed = view.viewRange()[1]
+    assert zoomed[1] - zoomed[0] < 0.9
+    pictures.show_frames(250, 399)
+    assert view.viewRange()[1] == zoomed
+    pictures.show_way(raw, raw + 1.0, "X", "mm", QColor("red"))
+    assert view.viewRange()[1][1] > 51
+
+
+class Wheel:
+    """A notch of the wheel over the middle of a view."""
+
+    def delta(self):
+        return 120
+
+    def pos(self):
+        return QPointF(100, 50)
+
+    def accept(self):
+        """Take it."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from dataclasses import replace
 
 import numpy as np
@@ -283,6 +284,38 @@ def test_prediction_is_made_anew_when_what_it_learned_from_changes(bench, qtbot)
     qtbot.waitUntil(lambda: known["CLAV"] is not first, timeout=20_000)
     apart = np.abs(known["CLAV"] - first)
     assert np.nanmax(apart[200:240]) > np.nanmedian(apart)
+
+
+def test_markers_passed_by_are_not_predicted(bench, qtbot, monkeypatch):
+    labels = bench.document.session.original.labels
+    begun, go_on = [], threading.Event()
+
+    def predict(positions, marker, *, trusted):
+        begun.append(labels[marker])
+        assert go_on.wait(10)
+        return positions[:, marker]
+
+    monkeypatch.setattr("markermend.predictors.local.predict_local", predict)
+    bench.document.show(labels[:2])
+    bench.panel.set_prediction_shown(True)
+    qtbot.waitUntil(lambda: bool(begun))
+    for name in labels[2:5]:
+        bench.document.show([name])
+    go_on.set()
+    known = bench.panel.predictions.known
+    qtbot.waitUntil(lambda: labels[4] in known)
+    assert begun == [labels[0], labels[4]]
+    bench.document.show(labels[5:8])
+    qtbot.waitUntil(lambda: set(labels[5:8]) <= set(known))
+    assert begun == [labels[0], *labels[4:8]]
+    go_on.clear()
+    bench.document.show(labels[1:4])
+    qtbot.waitUntil(lambda: len(begun) == 6)
+    bench.panel.set_prediction_shown(False)
+    go_on.set()
+    qtbot.waitUntil(lambda: labels[1] in known)
+    qtbot.wait(50)
+    assert len(begun) == 6
 
 
 def test_the_view_follows_a_cursor_that_leaves_it(bench):

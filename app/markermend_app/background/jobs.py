@@ -88,12 +88,18 @@ class Lane(QObject):
         self._waiting[number] = (done, failed, dropped or _let_be)
         self._stop[number] = stop
 
+        told = 0.0, ""
+
         def report(share: float, doing: str) -> None:
+            nonlocal told
             while self._behind is not None and self._behind.busy and not stop.is_set():
                 time.sleep(REST_S)
             if stop.is_set():
                 raise Cancelled
-            self.progressed.emit(share, doing)
+            if (share, doing) != told:
+                # Who only heeds whether it is still wanted tells the same again.
+                told = share, doing
+                self.progressed.emit(share, doing)
 
         def run() -> None:
             result: Any = None

@@ -19,7 +19,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from markermend.artifact import Artifact, Status
 from markermend.errors import Cancelled
 from markermend.mesh import Mesh
-from markermend.progress import Progress
+from markermend.progress import Progress, heeded
 from markermend.review.edits import Change
 from markermend.review.session import Session
 from markermend.take import Take
@@ -195,16 +195,17 @@ class Proposals(QObject):
         from markermend.repairs import propose
 
         artifact, method, references = key
-        return propose(
-            take,
-            artifact,
-            token.artifacts,
-            method=method,
-            mesh=mesh,
-            references=references,
-            errors=token.errors,
-            progress=report,
-        )
+        with heeded(report) as told:
+            return propose(
+                take,
+                artifact,
+                token.artifacts,
+                method=method,
+                mesh=mesh,
+                references=references,
+                errors=token.errors,
+                progress=told,
+            )
 
 
 def _told(key: Key) -> Key:

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QWidget
 
@@ -52,6 +52,31 @@ class _PowerAxis(ValueAxis):
         return [f"10{power}" if v else "1" for v, power in zip(values, powers, strict=True)]
 
 
+class _View(CurveView):
+    """An area in which the mouse moves what lies below, and beside which it moves values.
+
+    Signals
+    -------
+    values_moved() : the range of values was zoomed or panned by hand
+    """
+
+    values_moved = Signal()
+
+    def wheelEvent(self, ev: Any, axis: int | None = None) -> None:
+        """Zoom."""
+        self._tell(axis)
+        super().wheelEvent(ev, 0 if axis is None else axis)
+
+    def mouseDragEvent(self, ev: Any, axis: int | None = None) -> None:
+        """Pan with the left or middle button, zoom with the right one."""
+        self._tell(axis)
+        super().mouseDragEvent(ev, 0 if axis is None else axis)
+
+    def _tell(self, axis: int | None) -> None:
+        if axis == 1 and self.mouseEnabled()[1]:
+            self.values_moved.emit()
+
+
 class _Picture:
     """One of the plots.
 
@@ -62,7 +87,7 @@ class _Picture:
     """
 
     def __init__(self, left: Axis, bottom: Axis, *curves: Curve) -> None:
-        self.view = CurveView(enableMenu=False)
+        self.view = _View(enableMenu=False)
         self.view.disableAutoRange()
         self.view.setDefaultPadding(0)
         self.left, self.bottom = left, bottom
@@ -106,6 +131,7 @@ class SmoothPictures(pg.GraphicsLayoutWidget):
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._todo: list[Callable[[], None]] = [self._make_way, self._make_spectrum]
         self._todo += [self._make_residual, self._finish]
+        self._follows = True
 
     def make_one(self) -> bool:
         """Make one more of the plots, which takes long; whether some are left to be made."""
@@ -118,8 +144,8 @@ class SmoothPictures(pg.GraphicsLayoutWidget):
         self._time = TimeAxis()
         self.raw, self.smooth = Curve(look.original, width=_ROUGH), Curve(look.accent)
         self.way = _Picture(ValueAxis(), self._time, self.raw, self.smooth)
-        self.way.view.setMouseEnabled(x=True, y=False)
         self.way.view.sigXRangeChanged.connect(self._show_values)
+        self.way.view.values_moved.connect(self._let_go)
         self.addItem(self.way.plot, 0, 0, 1, 2)
 
     def _make_spectrum(self) -> None:
@@ -181,10 +207,17 @@ class SmoothPictures(pg.GraphicsLayoutWidget):
         if smooth is not None:
             self.smooth.set_values(smooth * factor)
         self.way.left.setLabel(f"{name} ({text})", **_label(color))
+        self._follows = True
         self._show_values()
+
+    def _let_go(self) -> None:
+        """Leave the values as the operator put them, until there is something else to be seen."""
+        self._follows = False
 
     def _show_values(self, *_: object) -> None:
         """Show what there is of values among the frames in view."""
+        if not self._follows:
+            return
         low, high = self.way.view.viewRange()[0]
         part = slice(max(0, math.floor(low)), max(0, math.ceil(high) + 1))
         shown = (self.raw, self.smooth) if self.smooth.isVisible() else (self.raw,)

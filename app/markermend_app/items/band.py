@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QPointF, QRectF, Qt
+from pyqtgraph.functions import arrayToQPolygonF
+from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPolygonF
 
 from markermend.arrays import FloatArray, runs
@@ -30,9 +31,10 @@ class Band(pg.GraphicsObject):
         low, high = middle - half_width, middle + half_width
         self._polygons = []
         for start, stop in runs(np.isfinite(low)).tolist():
-            upper = zip(x[start:stop].tolist(), high[start:stop].tolist(), strict=True)
-            lower = zip(x[start:stop][::-1].tolist(), low[start:stop][::-1].tolist(), strict=True)
-            self._polygons.append(QPolygonF([QPointF(a, b) for a, b in (*upper, *lower)]))
+            part = slice(start, stop)
+            there_and_back = np.concatenate((x[part], x[part][::-1]))
+            edges = np.concatenate((high[part], low[part][::-1]))
+            self._polygons.append(arrayToQPolygonF(there_and_back, edges))
         self.update()
 
     def clear(self) -> None:

@@ -117,14 +117,19 @@ class Curve(QGraphicsPathItem):
             x, y = thinned_values(self.values, self._step, place)
         else:
             x, y = thinned_points(self.frames, self.values, place)
-        if not len(x) and self.path().isEmpty():
+        if not len(x) and not self.path().elementCount():
             return
         y = np.clip(y, -_FAR, _FAR)
-        path = arrayToQPath(x, y, connect="finite")
+        path = QPainterPath()
         if self._dots:
             there = np.isfinite(y)
-            self._drawn = arrayToQPolygonF(x[there], y[there])
-        elif isinstance(self._drawn, list):
+            points = arrayToQPolygonF(x[there], y[there]) if there.any() else QPolygonF()
+            self._drawn = points
+            path.addPolygon(points)
+            self.setPath(path)
+            return
+        path = arrayToQPath(x, y, connect="finite")
+        if isinstance(self._drawn, list):
             there = np.isfinite(y)
             ends = np.column_stack((x[:-1], y[:-1], x[1:], y[1:]))[there[:-1] & there[1:]]
             self._drawn = [QLineF(*line) for line in ends.tolist()]

@@ -133,8 +133,9 @@ class Overview(QWidget):
             self._span = (0.0, 1.0 if take is None else max(1.0, float(take.frames)))
             self._view = self._span
         self.residuals.forget()
-        self._missing.forget()
-        self._changed.clear()
+        if not self.document.renaming:
+            self._missing.forget()
+            self._changed.clear()
         self.mode.setVisible(take is not None and take.markers > 0)
         self.setCursor(
             Qt.CursorShape.ArrowCursor if take is None else Qt.CursorShape.PointingHandCursor

@@ -64,10 +64,11 @@ class Predictions(QObject):
         Who walks from artifact to artifact would be followed by work on markers passed by: where
         one takes long, it begins when nothing else was wanted for as long as the last one took.
         """
-        if not self._fresh and self._asked is None:
-            self._session, self._rests_on = session, distrusted(session.artifacts)
+        before = {*self._wanted, self._asked}
         self._wanted = tuple(m for m in markers if m not in self._fresh and m != self._asked)
-        if self._wanted:
+        if self._wanted and not self._fresh and self._asked is None:
+            self._session, self._rests_on = session, distrusted(session.artifacts)
+        if not before.issuperset(self._wanted):
             self._pause.start(min(MOST_PATIENCE_MS, round(1000 * self._took_s)))
 
     def _begin(self) -> None:
@@ -151,9 +152,10 @@ def _work(session: Session, name: str) -> Work:
         from markermend.predictors.local import predict_local
 
         progress(0.0, f"Predicting {name}")
-        began = time.monotonic()
+        # Of this thread alone: it may rest while others go first.
+        began = time.thread_time()
         trusted = trusted_samples(take, artifacts)
         found = predict_local(take.positions, take.index(name), trusted=trusted)
-        return found, time.monotonic() - began
+        return found, time.thread_time() - began
 
     return run

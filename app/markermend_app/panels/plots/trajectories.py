@@ -324,8 +324,9 @@ class TrajectoryPanel(QWidget):
     def _show_predictions(self) -> None:
         """Draw predictions that are there and ask for those that are not."""
         session, residual = self.document.session, self.canvas.row("residual")
-        if session is not None and (self._predicting or residual is not None):
-            self.predictions.want(session, self.document.shown)
+        if session is not None:
+            wanted = self._predicting or residual is not None
+            self.predictions.want(session, self.document.shown if wanted else ())
         for row in self.rows:
             row.show_prediction(self.predictions.known if self._predicting else {})
         if session is not None and residual is not None:
