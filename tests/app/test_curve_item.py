@@ -11,7 +11,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QGuiApplication, QImage
 
 from markermend_app.items.curve import Curve, CurveView
-from markermend_app.items.points import thinned_points, thinned_values
+from markermend_app.items.points import pieces, thinned_points, thinned_values
 
 BLACK = QColor("black")
 
@@ -240,3 +240,14 @@ def test_a_spike_among_many_is_drawn():
         assert len(x) < 1000
         assert y.max() == 99.0
         assert abs(x[np.argmax(y)] - 31_234) <= 125
+
+
+def test_short_stretches_of_a_long_take_are_drawn_however_far_out():
+    mask = np.zeros(144_000, dtype=bool)
+    starts = np.arange(70, 143_000, 700)
+    for start in starts:
+        mask[start : start + 2] = True
+    pixels = 900.0
+    x, y = thinned_points(*pieces(np.zeros(144_000), mask), (0.0, 144_000.0, pixels))
+    drawn = set(np.floor(x[np.isfinite(y)] / (144_000 / pixels)).tolist())
+    assert set(np.floor(starts / (144_000 / pixels)).tolist()) <= drawn
