@@ -313,9 +313,19 @@ def test_markers_passed_by_are_not_predicted(bench, qtbot, monkeypatch):
     qtbot.waitUntil(lambda: len(begun) == 6)
     bench.panel.set_prediction_shown(False)
     go_on.set()
-    qtbot.waitUntil(lambda: labels[1] in known)
     qtbot.wait(50)
     assert len(begun) == 6
+    assert labels[1] not in known
+    bench.panel.set_prediction_shown(True)
+    qtbot.waitUntil(lambda: set(labels[1:4]) <= set(known))
+    go_on.clear()
+    bench.panel.predictions.forget()
+    bench.document.show(labels[:2])
+    qtbot.waitUntil(lambda: begun[-1] == labels[0])
+    bench.document.show([labels[1]])
+    go_on.set()
+    qtbot.waitUntil(lambda: labels[1] in known)
+    assert labels[0] not in known
 
 
 def test_the_view_follows_a_cursor_that_leaves_it(bench):

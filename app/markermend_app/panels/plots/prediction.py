@@ -64,8 +64,13 @@ class Predictions(QObject):
         Who walks from artifact to artifact would be followed by work on markers passed by: where
         one takes long, it begins when nothing else was wanted for as long as the last one took.
         """
+        shown = tuple(markers)
+        if self._lane is not None and self._asked not in (None, *shown):
+            self._lane.cancel()
+            # Nobody goes on after one that was stopped.
+            self._wanted, self._asked = (), None
         before = {*self._wanted, self._asked}
-        self._wanted = tuple(m for m in markers if m not in self._fresh and m != self._asked)
+        self._wanted = tuple(m for m in shown if m not in self._fresh and m != self._asked)
         if self._wanted and not self._fresh and self._asked is None:
             self._session, self._rests_on = session, distrusted(session.artifacts)
         if not before.issuperset(self._wanted):
