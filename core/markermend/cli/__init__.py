@@ -37,7 +37,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     _set_up(own=arguments is None)
     given = _with_command(list(sys.argv[1:] if arguments is None else arguments))
     try:
-        options = make_parser().parse_args(given)
+        options = make_parser(given[0]).parse_args(given)
     except SystemExit as leaving:
         return int(leaving.code or DONE)
     try:

@@ -5,12 +5,10 @@ from __future__ import annotations
 import argparse
 
 import markermend
-from markermend.cli.bench_parser import add_experiments
 from markermend.cli.detection import add_detection
 from markermend.cli.numbers import Span, add_jobs, add_seed, positive, share
 from markermend.cli.smooth_parser import SUMMARY as SMOOTH
 from markermend.cli.smooth_parser import add_smoothing
-from markermend.cli.train_parser import add_training
 
 ABOUT = """\
 Find, name and repair damaged intervals in optical motion capture takes.
@@ -48,8 +46,11 @@ COMMANDS = {
 }
 
 
-def make_parser() -> argparse.ArgumentParser:
-    """Build the parser of all commands."""
+def make_parser(command: str) -> argparse.ArgumentParser:
+    """Build a parser that knows all commands, and the options of the one that was given.
+
+    Those of the experiments alone take longer than to open a take's file.
+    """
     parser = argparse.ArgumentParser(
         "markermend",
         description=ABOUT,
@@ -74,17 +75,28 @@ def make_parser() -> argparse.ArgumentParser:
         "batch": _add_batch,
         "methods": _add_methods,
         "simulate": _add_simulate,
-        "bench": add_experiments,
-        "train": add_training,
+        "bench": _add_bench,
+        "train": _add_train,
     }
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
     for name, summary in COMMANDS.items():
-        adders[name](
-            commands.add_parser(
-                name, help=summary, description=f"{summary[0].upper()}{summary[1:]}."
-            )
-        )
+        described = f"{summary[0].upper()}{summary[1:]}."
+        known = commands.add_parser(name, help=summary, description=described)
+        if name == command:
+            adders[name](known)
     return parser
+
+
+def _add_bench(p: argparse.ArgumentParser) -> None:
+    from markermend.cli.bench_parser import add_experiments
+
+    add_experiments(p)
+
+
+def _add_train(p: argparse.ArgumentParser) -> None:
+    from markermend.cli.train_parser import add_training
+
+    add_training(p)
 
 
 def _add_open(p: argparse.ArgumentParser) -> None:
