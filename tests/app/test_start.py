@@ -52,3 +52,25 @@ def test_nothing_heavy_is_loaded_before_the_take_is_painted(tmp_path):
     path = tmp_path / "walk.c3d"
     mm.write(take, path)
     assert first_paint(path, tmp_path / "settings.ini")["heavy"] == []
+
+
+LAZY = """
+import markermend_app
+import PySide6.QtWidgets
+import pyqtgraph as pg
+
+made = vars(pg.Qt.QtWidgets)
+assert "QCalendarWidget" not in made, "all of Qt was made"
+assert "QCalendarWidget" in dir(pg.Qt.QtWidgets)
+assert len(dir(PySide6.QtWidgets)) > 100
+assert pg.QtWidgets.QCalendarWidget is PySide6.QtWidgets.QCalendarWidget
+assert "QCalendarWidget" in made
+assert not hasattr(pg.QtWidgets, "QNothing")
+"""
+
+
+def test_pyqtgraph_finds_names_of_qt_when_it_asks_for_them():
+    done = subprocess.run(
+        [sys.executable, "-c", LAZY], capture_output=True, text=True, timeout=120, check=False
+    )
+    assert done.returncode == 0, done.stderr
