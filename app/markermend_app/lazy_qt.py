@@ -1,7 +1,7 @@
 """Import pyqtgraph without having all of Qt made at once.
 
 PySide6 makes each of Qt's thousand classes when it is first asked for. pyqtgraph copies every name
-of three modules when it is imported, and has all of them made: a fifth of the time until the first
+of three modules when it is imported, and has all of them made: a tenth of the time until the first
 picture of a take.
 """
 

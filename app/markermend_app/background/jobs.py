@@ -22,6 +22,7 @@ from markermend_app.later import OneByOne
 
 Work = Callable[[Progress], Any]
 REST_S = 0.005
+"""How often a job that rests looks whether it may go on."""
 Callbacks = tuple[Callable[[Any], None], Callable[[Exception], None], Callable[[Any], None]]
 
 

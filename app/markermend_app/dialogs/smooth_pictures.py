@@ -95,8 +95,6 @@ class _Picture:
         self.title = pg.LabelItem("")
         left.setWidth(_VALUES_WIDTH)
         bottom.setHeight(TIME_HEIGHT)
-        for axis in (left, bottom):
-            axis.enableAutoSIPrefix(False)
         for curve in curves:
             self.view.add_curve(curve)
 
@@ -106,14 +104,8 @@ class _Picture:
 
     def restyle(self) -> None:
         """Take over the theme's colours."""
-        look = theme.current()
         for axis in (self.left, self.bottom):
-            axis.setPen(pg.mkPen(look.border))
-            axis.setTickPen(pg.mkPen(look.grid))
-            axis.setTextPen(pg.mkPen(look.muted))
-            font = axis.font()
-            font.setPointSize(theme.SMALL_PT)
-            axis.setTickFont(font)
+            axis.restyle()
 
 
 class SmoothPictures(pg.GraphicsLayoutWidget):

@@ -20,6 +20,8 @@ from PySide6.QtGui import (
     QTransform,
 )
 
+from markermend_app.style import theme
+
 _ALPHA_PX = 20.0
 """Lines that are less than this apart fade."""
 
@@ -49,6 +51,17 @@ class Axis(pg.AxisItem):
     def __init__(self, orientation: str) -> None:
         super().__init__(orientation)
         self.setStyle(maxTickLevel=0)
+        self.enableAutoSIPrefix(False)
+
+    def restyle(self) -> None:
+        """Take over the theme's colours and size of small text."""
+        look = theme.current()
+        self.setPen(pg.mkPen(look.border))
+        self.setTickPen(pg.mkPen(look.grid))
+        self.setTextPen(pg.mkPen(look.muted))
+        font = self.font()
+        font.setPointSize(theme.SMALL_PT)
+        self.setTickFont(font)
 
     def boundingRect(self) -> QRectF:
         """Its own room and the plot's, which a scene asks for many times in each picture."""

@@ -36,8 +36,10 @@ class Curve(QGraphicsPathItem):
 
     Attributes
     ----------
-    frames : of the points, or None where there is one value a step
-    values : what was given to be drawn, or None
+    frames : (n,) of the points, or None where there is one value a step
+    values : (n,) what was given to be drawn, or None
+    view : where it is drawn, if anywhere
+    worn : the pen it is drawn with
     """
 
     def __init__(

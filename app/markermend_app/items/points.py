@@ -24,7 +24,7 @@ def thinned_values(values: FloatArray, step: float, place: Place) -> tuple[Float
 
     Returns
     -------
-    x, y : frames and values, with one more on either side of what is in view
+    x, y : (m,) frames and values, with one more on either side of what is in view
     """
     low, high, pixels = place[0] / step, place[1] / step, place[2]
     first = min(max(0, math.floor(low)), len(values))
@@ -56,7 +56,8 @@ def thinned_points(x: FloatArray, y: FloatArray, place: Place) -> tuple[FloatArr
 
     Returns
     -------
-    x, y : frames and values, with one more on either side of what is in view
+    x, y : (m,) frames and values, a NaN in y between stretches that lie more than a pixel apart;
+        with one more on either side of what is in view
     """
     low, high, pixels = place
     view = slice(max(0, bisect_left(x, low) - 1), bisect_right(x, high) + 1)

@@ -39,8 +39,6 @@ class PlotFrame:
         self.view.disableAutoRange()
         self.view.setDefaultPadding(0)
         self.values.setWidth(_VALUES_WIDTH)
-        for side in (self.values, self.time):
-            side.enableAutoSIPrefix(False)
         self.flags = Flags()
         self.sweep = pg.LinearRegionItem(movable=False)
         self.cursor = pg.InfiniteLine(angle=90, movable=False)
@@ -95,12 +93,7 @@ class PlotFrame:
         """Take over the theme's colours."""
         look = theme.current()
         for axis in (self.values, self.time):
-            axis.setPen(pg.mkPen(look.border))
-            axis.setTickPen(pg.mkPen(look.grid))
-            axis.setTextPen(pg.mkPen(look.muted))
-            font = axis.font()
-            font.setPointSize(theme.SMALL_PT)
-            axis.setTickFont(font)
+            axis.restyle()
         self.sweep.setBrush(pg.mkBrush(theme.faded(look.selection, 0.28)))
         for line in self.sweep.lines:
             line.setPen(pg.mkPen(look.selection, width=1, style=Qt.PenStyle.DashLine))
