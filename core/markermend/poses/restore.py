@@ -41,6 +41,8 @@ _SURE, _ROUNDS = 2e-3, 2
 # Where nothing is noisy the way a body bends may change what was filled only so much: its squared
 # errors count as this share of themselves.
 _FIRM = 0.25
+# Brief gaps, known better once all is smooth, make it worth to smooth a second time from there.
+_BRIEFLY_HIDDEN = 2
 # Shares of what two earlier steps made in the mean of what was seen and smoothed in three ways.
 _BEFORE, _AT_FIRST = 0.3, 0.1
 _LEAST_FRAMES = 3
@@ -167,12 +169,13 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     if level > _NOISY:
         tell(0.8, "Smoothing again")
         first = features
-        pilot = _columns(features, channels)[:, usable]
-        again = np.where(known, channels.values[:, usable], pilot)
-        whole[:, usable] = smooth_again(again, pilot, noise[usable], pose.rate)
-        features, bones = _agreed(whole, variance, channels, pose, known_joints, level)
-        last = _in_time(features, channels, noise, pose)
-        features = _between(last, features, first, known_joints)
+        for _ in range(1 if filled.lasting or known.all() else _BRIEFLY_HIDDEN):
+            pilot = _columns(features, channels)[:, usable]
+            again = np.where(known, channels.values[:, usable], pilot)
+            whole[:, usable] = smooth_again(again, pilot, noise[usable], pose.rate)
+            features, bones = _agreed(whole, variance, channels, pose, known_joints, level)
+            last = _in_time(features, channels, noise, pose)
+            features = _between(last, features, first, known_joints)
     features = _with_bones(features, known_joints, bones)
     return _finished(pose, features, channels, noise, variance)
 
