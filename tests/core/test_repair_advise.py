@@ -14,7 +14,7 @@ from markermend.artifact import Artifact, Kind
 from markermend.bench.gaps import BAND_90, read_cases
 from markermend.mesh import infer_mesh
 from markermend.repairs import advise, evidence_for, propose, propose_from
-from markermend.repairs.advice import CANDIDATES, COMPARED, MODELS, _hidden
+from markermend.repairs.advice import CANDIDATES, COMPARED, MODELS, _hidden, _trials_of
 from markermend.simulation import simulate_clean
 from markermend.take import Take
 
@@ -69,11 +69,28 @@ def test_the_structure_of_the_body_is_worked_out_once(monkeypatch: pytest.Monkey
 def test_a_trial_hides_the_marker_and_what_is_missing_with_it() -> None:
     take, gap = hide(wave_take(), 150, 200)
     other = Artifact("M3", "y", 160, 170, Kind.NOISE)
-    hidden = _hidden(evidence_for(take, [other]), gap, 300)
+    hidden = _hidden(_trials_of(evidence_for(take, [other]), gap, 1), 300)
     assert not hidden.trusted[300:350, 0].any()
     assert not hidden.trusted[310:320, 3, 1].any()
     assert hidden.trusted[310:320, 3, 0].all()
     assert np.array_equal(hidden.seen, hidden.trusted.all(axis=2))
+
+
+def test_stray_frames_inside_a_gap_are_as_far_off_as_the_gap_is_long() -> None:
+    take, gap = hide(wave_take(alone=True), 150, 210)
+    positions = take.positions.copy()
+    positions[178:181] = positions[149] + 30.0
+    stray = Artifact("M0", "xyz", 178, 181, Kind.STEP)
+    evidence = evidence_for(Take(positions, take.labels, take.rate), [stray])
+    inside = {a.method: a for a in advise(evidence, stray)}["spline"]
+    across = {a.method: a for a in advise(evidence_for(take), gap)}["spline"]
+    truth = wave_take(alone=True).positions[178:181, 0]
+    off = np.linalg.norm(inside.repair.patches[0].values - truth, axis=1).mean()
+    assert inside.error_mm is not None and across.error_mm is not None
+    assert off / 2 < inside.error_mm < 2 * off
+    assert across.error_mm < inside.error_mm < 2 * across.error_mm
+    assert inside.repair.band_mm is not None
+    assert np.ptp(inside.repair.band_mm) < 0.05 * inside.repair.band_mm.mean()
 
 
 @pytest.mark.parametrize("method", ["linear", "spline", "pma"])

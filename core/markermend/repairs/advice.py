@@ -9,14 +9,13 @@ from typing import Any
 import numpy as np
 from threadpoolctl import threadpool_limits
 
-from markermend.arrays import FloatArray
+from markermend.arrays import BoolArray, FloatArray
 from markermend.artifact import Artifact, Kind, axis_columns
 from markermend.parameters import read_params
 from markermend.repairs.body_frame import rank_references
 from markermend.repairs.choice import choose
 from markermend.repairs.registry import REPAIRS, Evidence, Repair, find_method
 from markermend.repairs.result import axes_of, without_own
-from markermend.take import Take
 
 CANDIDATES = ("local_regression", "kalman", "spline", "pchip", "makima", "linear")
 """Methods that invent what was not seen; they can be measured by hiding what was."""
@@ -77,10 +76,10 @@ def advise(
 ) -> tuple[Advice, ...]:
     """Rank methods for an artifact by expected error, best first.
 
-    The nearest stretches of the same length in which the marker is known are hidden one at a
-    time, together with every other marker that is missing during the artifact, and each method
-    fills them. Its expected error is the mean over these; where a method also gives a band of
-    its own for this very interval, the geometric mean of the two.
+    The nearest stretches as long as the marker is unknown around the artifact, in which it is
+    known, are hidden one at a time, together with every other marker that is missing then, and
+    each method fills the artifact's part of them. Its expected error is the mean over these; where
+    a method also gives a band of its own for this very interval, the geometric mean of the two.
 
     Parameters
     ----------
@@ -103,9 +102,9 @@ def advise(
 
         # Each trial would work it out anew.
         own = replace(own, mesh=infer_mesh(own.take)).with_seen(own.seen)
-    places = _places(own, artifact, trials)
+    tried = _trials_of(own, artifact, trials)
     with threadpool_limits(1):
-        advice = [_measure(own, artifact, name, places) for name in names]
+        advice = [_measure(tried, name) for name in names]
         if choose(artifact) == "swap":
             method = find_method("swap")
             advice.insert(0, Advice(method.run(own, artifact, method.params()), 0))
@@ -156,22 +155,53 @@ def with_expected_error(
         return repair
     own = without_own(evidence, artifact)
     params = read_params(find_method(repair.method), repair.params)
-    places = _places(own, artifact, trials)
-    misses = _trials(own, artifact, repair.method, places, params)
-    return _told(own.take, artifact, repair, misses) if misses else repair
+    tried = _trials_of(own, artifact, trials)
+    misses = _misses(tried, repair.method, params)
+    return _told(tried, repair, misses) if misses else repair
 
 
-def _told(take: Take, artifact: Artifact, repair: Repair, misses: list[FloatArray]) -> Repair:
+@dataclass(frozen=True, eq=False)
+class _Trials:
+    """Where an artifact's repair can be tried.
+
+    Attributes
+    ----------
+    evidence, artifact : what is to be repaired
+    start, stop : frames in which the marker is unknown, the artifact's among them: a few stray
+        frames inside a gap are as far from what is known as the gap is long
+    places : starts of known stretches as long
+    """
+
+    evidence: Evidence
+    artifact: Artifact
+    start: int
+    stop: int
+    places: tuple[int, ...]
+
+
+def _trials_of(evidence: Evidence, artifact: Artifact, count: int) -> _Trials:
+    """Find so many places, the nearest first."""
+    known = evidence.seen[:, evidence.take.index(artifact.marker)]
+    before = np.flatnonzero(known[: artifact.start])
+    after = np.flatnonzero(known[artifact.stop :])
+    start = int(before[-1]) + 1 if len(before) else 0
+    stop = artifact.stop + int(after[0]) if len(after) else len(known)
+    places = _places(known, start, stop - start, count)
+    return _Trials(evidence, artifact, start, stop, places)
+
+
+def _told(tried: _Trials, repair: Repair, misses: list[FloatArray]) -> Repair:
     """A repair with the error that was measured, and a band if it has none of its own.
 
-    The band widens from the borders, where the marker is seen, as a Brownian bridge does.
+    The band widens from where the marker is seen, as a Brownian bridge does.
     """
     error = float(np.mean([np.mean(miss) for miss in misses]))
     if repair.band_mm is not None:
         return replace(repair, error_mm=error)
-    at = (np.arange(artifact.length) + 1.0) / (artifact.length + 1.0)
-    shape = (at if artifact.start > 0 else 1.0) * (
-        (1.0 - at) if artifact.stop < take.frames else 1.0
+    frames = np.arange(tried.artifact.start, tried.artifact.stop)
+    at = (frames - tried.start + 1.0) / (tried.stop - tried.start + 1.0)
+    shape = (at if tried.start > 0 else 1.0) * (
+        (1.0 - at) if tried.stop < tried.evidence.take.frames else 1.0
     )
     shape = np.broadcast_to(shape, at.shape)
     square = np.mean([np.mean(miss**2) for miss in misses])
@@ -187,60 +217,57 @@ def _rank(advice: Advice, usual: str) -> tuple[int, float]:
     return (0, advice.error_mm * (CLEARLY_BETTER if advice.method == usual else 1.0))
 
 
-def _measure(evidence: Evidence, artifact: Artifact, name: str, places: list[int]) -> Advice:
+def _measure(tried: _Trials, name: str) -> Advice:
     """Propose with one method and measure it at each place."""
     method = find_method(name)
-    repair = method.run(evidence, artifact, method.params())
-    misses = _trials(evidence, artifact, name, places, method.params()) if repair.patches else []
+    repair = method.run(tried.evidence, tried.artifact, method.params())
+    misses = _misses(tried, name, method.params()) if repair.patches else []
     if not misses:
         return Advice(repair, 0)
-    told = _told(evidence.take, artifact, repair, misses)
+    told = _told(tried, repair, misses)
     if repair.error_mm is not None and told.error_mm is not None:
         told = replace(told, error_mm=float(np.sqrt(told.error_mm * repair.error_mm)))
     return Advice(told, len(misses))
 
 
-def _trials(
-    evidence: Evidence, artifact: Artifact, name: str, places: list[int], params: Any
-) -> list[FloatArray]:
+def _misses(tried: _Trials, name: str, params: Any) -> list[FloatArray]:
     """How far off a method is, frame by frame in mm, at each place where it could fill."""
-    method, marker = find_method(name), evidence.take.index(artifact.marker)
-    columns = axis_columns(axes_of(artifact))
+    method, artifact, take = find_method(name), tried.artifact, tried.evidence.take
+    marker, columns = take.index(artifact.marker), axis_columns(axes_of(artifact))
     misses = []
-    for start in places:
+    for place in tried.places:
+        start = place + artifact.start - tried.start
         trial = replace(artifact, start=start, stop=start + artifact.length, kind=Kind.GAP, id="")
-        done = method.run(_hidden(evidence, artifact, start), trial, params)
+        done = method.run(_hidden(tried, place), trial, params)
         if done.patches:
-            truth = evidence.take.positions[trial.start : trial.stop, marker]
+            truth = take.positions[trial.start : trial.stop, marker]
             miss = (done.patches[0].values - truth)[:, columns]
             misses.append(np.linalg.norm(miss, axis=1))
     return misses
 
 
-def _hidden(evidence: Evidence, artifact: Artifact, start: int) -> Evidence:
-    """Evidence with the marker, and all that is missing during the artifact, hidden at a place."""
-    marker = evidence.take.index(artifact.marker)
-    there = slice(start, start + artifact.length)
+def _hidden(tried: _Trials, place: int) -> Evidence:
+    """Evidence with the marker, and all that is missing while it is unknown, hidden at a place."""
+    evidence, marker = tried.evidence, tried.evidence.take.index(tried.artifact.marker)
+    there = slice(place, place + tried.stop - tried.start)
     trusted, seen = evidence.trusted.copy(), evidence.seen.copy()
     for hidden, known in ((trusted, evidence.trusted), (seen, evidence.seen)):
-        hidden[there] &= known[artifact.start : artifact.stop]
+        hidden[there] &= known[tried.start : tried.stop]
         hidden[there, marker] = False
     return replace(evidence, trusted=trusted).with_seen(seen)
 
 
-def _places(evidence: Evidence, artifact: Artifact, count: int) -> list[int]:
-    """Starts of the nearest known stretches, none overlapping another or the artifact."""
-    marker, length = evidence.take.index(artifact.marker), artifact.length
-    known = evidence.seen[:, marker]
+def _places(known: BoolArray, near: int, length: int, count: int) -> tuple[int, ...]:
+    """Starts of the nearest known stretches of a length, none overlapping another."""
     clear = np.concatenate([[0], np.cumsum(~known)])
     # One frame more on either side, so that a curve has somewhere to start from.
     starts = np.arange(1, len(known) - length)
     free = clear[starts + length + 1] == clear[starts - 1]
-    nearest = starts[free][np.argsort(np.abs(starts[free] - artifact.start), kind="stable")]
+    nearest = starts[free][np.argsort(np.abs(starts[free] - near), kind="stable")]
     places: list[int] = []
-    for start in nearest:
+    for start in nearest.tolist():
         if all(abs(start - other) >= length for other in places):
-            places.append(int(start))
+            places.append(start)
         if len(places) == count:
             break
-    return places
+    return tuple(places)
