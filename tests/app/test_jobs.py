@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 import threading
 
 import pytest
@@ -38,6 +41,19 @@ def test_result_arrives_in_the_gui_thread(lane, qtbot):
     worker, here = seen[0]
     assert here is threading.main_thread()
     assert worker is not here
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="threads are nice by themselves on Linux only")
+def test_workers_and_their_processes_come_after_the_window(lane, qtbot):
+    def niceness(progress):
+        own = os.getpriority(os.PRIO_PROCESS, threading.get_native_id())
+        return own, int(subprocess.check_output(["nice"]))
+
+    seen = []
+    lane.submit("work", niceness, seen.append, never)
+    qtbot.waitUntil(lambda: bool(seen))
+    window = os.getpriority(os.PRIO_PROCESS, threading.get_native_id())
+    assert all(nice > window for nice in seen[0])
 
 
 def test_progress_is_told_and_ends(lane, qtbot):

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import faulthandler
+import os
 import re
 import tempfile
 import threading
 import time
 from collections import Counter, defaultdict
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer
@@ -31,6 +33,7 @@ class Stall:
     ----------
     doing : what the operator did
     clock, processor : seconds that it took, of which the window's own thread worked
+    queued : seconds that it could have gone on but no processor was free, where the system tells
     stolen : seconds that the host of a virtual machine took away from its processors meanwhile
     fetched : pages of memory that had to come from the disk first, where the system tells
     seen : where the thread was, and how often the watcher found it there
@@ -39,6 +42,7 @@ class Stall:
     doing: str
     clock: float
     processor: float
+    queued: float = 0.0
     stolen: float = 0.0
     fetched: int = 0
     seen: Counter[str] = field(default_factory=Counter)
@@ -47,6 +51,7 @@ class Stall:
         places = "; ".join(f"{n}x {place}" for place, n in self.seen.most_common(3))
         return (
             f"{self.processor * 1e3:6.1f} ms processor {self.clock * 1e3:7.1f} ms clock "
+            f"{self.queued * 1e3:4.0f} ms queued "
             f"{self.stolen * 1e3:4.0f} ms stolen, {self.fetched} pages fetched, {self.doing}: "
             f"{places or 'not seen'}"
         )
@@ -67,7 +72,7 @@ class Turns:
         self.stalls: list[Stall] = []
         self._seen: Counter[str] = Counter()
         self._stolen = self._stolen_last = stolen()
-        self._fetched_last = fetched()
+        self._fetched_last, self._queued_last = fetched(), queued()
         self._last = time.perf_counter(), time.thread_time()
         self._thread = threading.get_ident()
         self._timer = QTimer()
@@ -86,10 +91,11 @@ class Turns:
         self.clock[self.doing].append(clock)
         self.processor[self.doing].append(processor)
         if max(clock, processor) > NOTED_S:
-            taken, came = stolen() - self._stolen_last, fetched() - self._fetched_last
-            self.stalls.append(Stall(self.doing, clock, processor, taken, came, self._seen))
+            waited, taken = queued() - self._queued_last, stolen() - self._stolen_last
+            came = fetched() - self._fetched_last
+            self.stalls.append(Stall(self.doing, clock, processor, waited, taken, came, self._seen))
         self._last, self._seen, self._stolen_last = now, Counter(), self._stolen
-        self._fetched_last = fetched()
+        self._fetched_last, self._queued_last = fetched(), queued()
 
     def _watch(self) -> None:
         """Look where the thread is whenever it is held for long."""
@@ -111,6 +117,19 @@ def fetched() -> int:
     if resource is None or not hasattr(resource, "RUSAGE_THREAD"):
         return 0
     return int(resource.getrusage(resource.RUSAGE_THREAD).ru_majflt)
+
+
+def queued() -> float:
+    """Seconds that this thread has waited for a processor to become free."""
+    file = _schedule_of(threading.get_native_id())
+    return int(os.pread(file, 80, 0).split()[1]) / 1e9 if file is not None else 0.0
+
+
+@cache
+def _schedule_of(thread: int) -> int | None:
+    """What Linux tells of a thread's turns, opened once: it is read with each beat."""
+    told = Path(f"/proc/self/task/{thread}/schedstat")
+    return os.open(told, os.O_RDONLY) if told.exists() else None
 
 
 def stolen() -> float:

@@ -18,6 +18,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 
 from markermend.errors import Cancelled
 from markermend.progress import Progress, heeded
+from markermend_app.background.priority import give_way
 from markermend_app.later import OneByOne
 
 Work = Callable[[Progress], Any]
@@ -51,7 +52,9 @@ class Lane(QObject):
         self, name: str, parent: QObject | None = None, behind: Lane | None = None
     ) -> None:
         super().__init__(parent)
-        self._pool = ThreadPoolExecutor(max_workers=1, thread_name_prefix=name)
+        self._pool = ThreadPoolExecutor(
+            max_workers=1, thread_name_prefix=name, initializer=give_way
+        )
         self._numbers = itertools.count()
         self._waiting: dict[int, Callbacks] = {}
         self._stop: dict[int, threading.Event] = {}

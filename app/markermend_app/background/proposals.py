@@ -210,7 +210,7 @@ class Proposals(QObject):
 
 def _told(key: Key) -> Key:
     """The same without the operator's note, on which no repair rests."""
-    return (replace(key[0], note=""), *key[1:])
+    return (replace(key[0], note=""), *key[1:]) if key[0].note else key
 
 
 def _nothing() -> None:

@@ -249,7 +249,6 @@ class TrajectoryPanel(QWidget):
             if not self._unframed:
                 self._show_afresh(*self._view)
         self.show_current()
-        self.cross.read_out(self.document.frame)
 
     def _turn_page(self) -> None:
         """Show the plots where there is something in them, else say what to do."""
