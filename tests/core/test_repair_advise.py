@@ -86,7 +86,8 @@ def test_stray_frames_inside_a_gap_are_as_far_off_as_the_gap_is_long() -> None:
     across = {a.method: a for a in advise(evidence_for(take), gap)}["spline"]
     truth = wave_take(alone=True).positions[178:181, 0]
     off = np.linalg.norm(inside.repair.patches[0].values - truth, axis=1).mean()
-    assert inside.error_mm is not None and across.error_mm is not None
+    assert inside.error_mm is not None
+    assert across.error_mm is not None
     assert off / 2 < inside.error_mm < 2 * off
     assert across.error_mm < inside.error_mm < 2 * across.error_mm
     assert inside.repair.band_mm is not None

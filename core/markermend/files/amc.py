@@ -9,13 +9,13 @@ import numpy as np
 
 from markermend.arrays import FloatArray
 from markermend.errors import FileFormatError
+from markermend.files.amc_patch import patched
 from markermend.files.asf import words_of
 from markermend.files.text import read_lines
-from markermend.poses.skeleton import Movement, Skeleton
+from markermend.poses.skeleton import TURNS, Movement, Skeleton
 from markermend.progress import Progress
 
 _POSES_A_REPORT = 1024
-_TURNS = ("rx", "ry", "rz")
 
 
 def find_skeleton(path: Path) -> Path:
@@ -68,12 +68,12 @@ def read_amc(path: Path, skeleton: Skeleton) -> tuple[Movement, float | None, li
     if not degrees:
         dofs = {segment.name: segment.dofs for segment in skeleton.segments}
         for name, values in channels.items():
-            turns = [i for i, dof in enumerate(dofs[name]) if dof in _TURNS]
+            turns = [i for i, dof in enumerate(dofs[name]) if dof in TURNS]
             values[:, turns] = np.degrees(values[:, turns])
     left_out = [s.name for s in skeleton.segments if s.dofs and s.name not in channels]
     if left_out:
         warnings.append(f"Segments without movement, left as at rest: {', '.join(left_out)}.")
-    return Movement(skeleton, channels, frames), rate, warnings
+    return Movement(skeleton, channels, frames, path), rate, warnings
 
 
 def _head(path: Path, degrees: bool) -> tuple[bool, float | None, list[str]]:
@@ -177,7 +177,7 @@ def _finite(cells: list[str]) -> list[float]:
 
 
 def write_amc(movement: Movement, file: IO[bytes], progress: Progress) -> None:
-    """Write a movement in degrees.
+    """Write a movement: over the file it was read from, else in degrees.
 
     Parameters
     ----------
@@ -185,6 +185,10 @@ def write_amc(movement: Movement, file: IO[bytes], progress: Progress) -> None:
     file : written from its beginning
     progress : told the share of poses written
     """
+    content = patched(movement.file, movement) if movement.file is not None else None
+    if content is not None:
+        file.write(content)
+        return
     file.write(b":FULLY-SPECIFIED\n:DEGREES\n")
     names = [s.name for s in movement.skeleton.segments if s.name in movement.channels and s.dofs]
     for pose in range(movement.frames):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -12,7 +13,9 @@ from markermend.arrays import BoolArray, FloatArray
 from markermend.poses.pose import Pose
 
 ROOT = "root"
-_TURNS = ("rx", "ry", "rz")
+TURNS = ("rx", "ry", "rz")
+"""Degrees of freedom that are angles."""
+
 # What normalising a quaternion once more may change.
 _SAME = 1e-9
 
@@ -76,11 +79,13 @@ class Movement:
         the file's units of length; NaN in frames that leave the segment out. A segment that is
         not here stays as at rest.
     frames : number of poses
+    file : that it was read from
     """
 
     skeleton: Skeleton
     channels: Mapping[str, FloatArray]
     frames: int
+    file: Path | None = None
 
 
 def forward_kinematics(movement: Movement, rate: float, *, warnings: tuple[str, ...] = ()) -> Pose:
@@ -173,7 +178,7 @@ def inverse_kinematics(pose: Pose, source: Movement) -> Movement:
         own = Rotation.from_quat(pose.rotations[anew, i])
         if segment.parent >= 0:
             own = Rotation.from_quat(pose.rotations[anew, segment.parent]).inv() * own
-        turns = [k for k, dof in enumerate(segment.dofs) if dof in _TURNS]
+        turns = [k for k, dof in enumerate(segment.dofs) if dof in TURNS]
         order = "".join(segment.dofs[k][1] for k in turns)
         if order and len(anew):
             order += "".join(axis for axis in "xyz" if axis not in order)
@@ -186,7 +191,7 @@ def inverse_kinematics(pose: Pose, source: Movement) -> Movement:
                     values[anew, k] = start[anew, "xyz".index(dof[1])]
         values[~seen] = np.nan
         channels[segment.name] = values
-    return Movement(skeleton, channels, pose.frames)
+    return Movement(skeleton, channels, pose.frames, source.file)
 
 
 def _moved(pose: Pose, source: Movement) -> BoolArray:
@@ -209,7 +214,7 @@ def local_rotation(segment: Segment, values: FloatArray) -> Rotation:
     segment : whose ``dofs`` say what the columns are
     values : (frames, dofs) degrees where rotations
     """
-    columns = [i for i, dof in enumerate(segment.dofs) if dof in _TURNS]
+    columns = [i for i, dof in enumerate(segment.dofs) if dof in TURNS]
     if not columns:
         return Rotation.identity(len(values))
     order = "".join(segment.dofs[i][1] for i in columns)
