@@ -62,10 +62,44 @@ def test_what_goes_out_comes_back(tmp_path, shared_data):
     assert back.frames == body.frames
     turned = np.abs(np.sum(back.rotations[:, same] * body.rotations, axis=2))
     assert_allclose(turned, 1.0, atol=1e-8)
-    # Arms and legs are rigid; shoulders move in the trunk, where a BVH has them fixed.
-    knee, hip = body.index("left_knee"), body.index("left_hip")
-    one = back.positions[:, same][:, knee] - back.positions[:, same][:, hip]
-    assert_allclose(one, body.positions[:, knee] - body.positions[:, hip], atol=0.01)
+    # Arms and legs are rigid; shoulders move in the trunk, and are moved.
+    assert_allclose(back.positions[:, same], body.positions, atol=1.0)
+    text = (tmp_path / "body.bvh").read_text()
+    assert "left_elbow\n" in text
+    moved = [line.split()[1] for line in text.splitlines() if line.strip().startswith("CHANNELS")]
+    assert 1 < moved.count("6") < len(moved) / 2
+
+
+def test_joints_at_the_ends_of_their_bones_are_written_where_these_begin(tmp_path, shared_data):
+    pose = mm.read_pose(shared_data / "poses" / "02_01.amc")
+    mm.write_pose(pose, tmp_path / "body.bvh")
+    back = mm.read_pose(tmp_path / "body.bvh")
+    for joint, name in enumerate(pose.joints):
+        here, above = back.index(name), max(pose.parents[joint], 0)
+        assert_allclose(back.positions[:, here], pose.positions[:, above], atol=0.01)
+        turned = np.abs(np.sum(back.rotations[:, here] * pose.rotations[:, joint], axis=1))
+        assert_allclose(turned, 1.0, atol=1e-8)
+        if f"{name}_end" in back.joints:
+            end = back.positions[:, back.index(f"{name}_end")]
+            assert_allclose(end, pose.positions[:, joint], atol=0.01)
+    assert (tmp_path / "body.bvh").read_text().count("6 Xposition") == 1
+    # What was read is written as it was.
+    mm.write_pose(back, tmp_path / "again.bvh")
+    one, two = ((tmp_path / n).read_text().split("MOTION") for n in ("body.bvh", "again.bvh"))
+    assert one[0] == two[0]
+
+
+def test_a_root_that_stands_still_keeps_its_place(tmp_path):
+    pose = mm.read_pose(written(tmp_path, TEXT))
+    mm.write_pose(pose, tmp_path / "still.bvh")
+    assert_allclose(mm.read_pose(tmp_path / "still.bvh").positions, pose.positions, atol=1e-4)
+
+
+def test_without_rotations_there_is_no_bvh(tmp_path):
+    rotations = np.full((5, 1, 4), np.nan)
+    pose = Pose(np.zeros((5, 1, 3)), rotations, ("waist",), (-1,), 30.0)
+    with pytest.raises(ExportError, match="write a CSV"):
+        mm.write_pose(pose, tmp_path / "no.bvh")
 
 
 @pytest.mark.parametrize(

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 from typing import IO
+from warnings import catch_warnings, filterwarnings
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from markermend.arrays import FloatArray
+from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import ExportError, FileFormatError
 from markermend.files.text import read_lines
 from markermend.poses.pose import Pose
@@ -17,6 +19,8 @@ from markermend.progress import Progress
 
 _END = "_end"
 _CM = 10.0
+# What a joint may come off its place in its parent's axes and still be written as fixed there.
+_RIGID_MM = 1.0
 # Mean length of bones, in the file's own unit, below which it must be metres, or centimetres.
 _METRES, _CENTIMETRES = 1.0, 60.0
 _MOVES = {"Xposition": 0, "Yposition": 1, "Zposition": 2}
@@ -155,8 +159,7 @@ def write_bvh(pose: Pose, file: IO[bytes], progress: Progress) -> None:
 
     Parameters
     ----------
-    pose : every joint seen in every frame, with rotations; bones become as long as they are in
-        the middle of their range
+    pose : every joint seen in every frame, with rotations
     file : written from its beginning
     progress : told the share of poses written
 
@@ -164,25 +167,42 @@ def write_bvh(pose: Pose, file: IO[bytes], progress: Progress) -> None:
     ------
     ExportError
         when a joint was not seen, or rotations are unknown
+
+    Notes
+    -----
+    A joint of a BVH stands where its bone begins and carries those below it. Where joints of a
+    recording stand where their bone ends, as those of an AMC, they are written so, and the ends of
+    chains as its ends. A joint that others do not carry along, as a shoulder in the trunk, has
+    channels of position besides, so that it is where the recording has it.
     """
+    if np.isnan(pose.rotations).all(axis=(0, 2)).any():
+        raise ExportError("A BVH holds rotations, which this recording has none of; write a CSV.")
     if np.isnan(pose.positions).any() or np.isnan(pose.rotations).any():
         raise ExportError("A BVH holds every joint and rotation of every pose; denoise it first.")
+    if sum(parent < 0 for parent in pose.parents) != 1:
+        raise ExportError("A BVH has one root; this recording has several.")
+    offsets = _offsets(pose, pose.parents)
+    by_own = _strays(_offsets(pose, range(len(pose.joints))))
+    if by_own.sum() + _RIGID_MM < _strays(offsets).sum():
+        pose = _at_starts(pose)
+        offsets = _offsets(pose, pose.parents)
     children: dict[int, list[int]] = {}
     for joint, parent in enumerate(pose.parents):
         children.setdefault(parent, []).append(joint)
-    if len(children[-1]) != 1:
-        raise ExportError("A BVH has one root; this recording has several.")
+    carried = (_strays(offsets) < _RIGID_MM) & (np.array(pose.parents) >= 0)
     lines, order = ["HIERARCHY"], list[int]()
-    _describe(children[-1][0], pose, children, 0, lines, order)
+    usual = np.median(offsets, axis=0)
+    _describe(children[-1][0], pose, children, usual, carried, lines, order)
     lines += ["MOTION", f"Frames: {pose.frames}", f"Frame Time: {1.0 / pose.rate:.7f}"]
     file.write(("\n".join(lines) + "\n").encode())
-    columns = [pose.positions[:, order[0]] / _CM]
+    columns = []
     for joint in order:
-        local = pose.rotations[:, joint]
-        if pose.parents[joint] >= 0:
-            local = multiply(inverse(pose.rotations[:, pose.parents[joint]]), local)
-        angles = Rotation.from_quat(local).as_euler(_WRITTEN, degrees=True)  # type: ignore[call-overload]
-        columns.append(np.asarray(angles))
+        local, parent = pose.rotations[:, joint], pose.parents[joint]
+        if parent >= 0:
+            local = multiply(inverse(pose.rotations[:, parent]), local)
+        if not carried[joint]:
+            columns.append(offsets[:, joint] / _CM)
+        columns.append(_angles(local))
     table = np.concatenate(columns, axis=1)
     for start in range(0, pose.frames, _POSES_A_REPORT):
         progress(start / pose.frames, "Writing poses")
@@ -190,37 +210,79 @@ def write_bvh(pose: Pose, file: IO[bytes], progress: Progress) -> None:
         file.write("".join(" ".join(f"{v:.6f}" for v in row) + "\n" for row in rows).encode())
 
 
+def _angles(rotations: FloatArray) -> FloatArray:
+    """(frames, 3) degrees about the axes in the order written."""
+    with catch_warnings():
+        # Where two axes fall together one of their turns is as good as the other.
+        filterwarnings("ignore", message="Gimbal lock")
+        angles = Rotation.from_quat(rotations).as_euler(_WRITTEN, degrees=True)  # type: ignore[call-overload]
+    return np.asarray(angles)
+
+
+def _offsets(pose: Pose, by: Iterable[int]) -> FloatArray:
+    """(frames, joints, 3) mm from each joint's parent, in the axes of the joints in ``by``.
+
+    Of the root its position.
+    """
+    found = pose.positions.copy()
+    for joint, (parent, axes) in enumerate(zip(pose.parents, by, strict=True)):
+        if parent >= 0:
+            bone = pose.positions[:, joint] - pose.positions[:, parent]
+            found[:, joint] = turn(inverse(pose.rotations[:, axes]), bone)
+    return found
+
+
+def _strays(offsets: FloatArray) -> FloatArray:
+    """(joints,) mm, how far they come from their usual place; a root goes where it likes."""
+    away = np.linalg.norm(offsets - np.median(offsets, axis=0), axis=2)
+    return np.asarray(away.max(axis=0))
+
+
+def _at_starts(pose: Pose) -> Pose:
+    """The same with joints where their bones begin, and a joint more at each end."""
+    above = np.maximum(pose.parents, 0)
+    ends = sorted(set(range(len(pose.joints))) - set(pose.parents))
+    return Pose(
+        np.concatenate([pose.positions[:, above], pose.positions[:, ends]], axis=1),
+        np.concatenate([pose.rotations, pose.rotations[:, ends]], axis=1),
+        (*pose.joints, *(pose.joints[end] + _END for end in ends)),
+        (*pose.parents, *ends),
+        pose.rate,
+    )
+
+
 def _describe(
     joint: int,
     pose: Pose,
     children: dict[int, list[int]],
-    depth: int,
+    offsets: FloatArray,
+    carried: BoolArray,
     lines: list[str],
     order: list[int],
+    depth: int = 0,
 ) -> None:
     """Add a joint and all below it to the hierarchy."""
-    tab, parent = "  " * depth, pose.parents[joint]
+    tab, parent, below = "  " * depth, pose.parents[joint], children.get(joint, [])
     order.append(joint)
-    offset = np.zeros(3)
-    moves = "6 Xposition Yposition Zposition" if parent < 0 else "3"
-    if parent >= 0:
-        offset = _place(pose, joint, parent)
+    offset = offsets[joint] if parent >= 0 else np.zeros(3)
+    moves = "3" if carried[joint] else f"6 {' '.join(_MOVES)}"
     lines += [f"{tab}{'ROOT' if parent < 0 else 'JOINT'} {pose.joints[joint].replace(' ', '_')}"]
     lines += [tab + "{", f"{tab}  OFFSET {_three(offset)}"]
     lines.append(f"{tab}  CHANNELS {moves} Zrotation Xrotation Yrotation")
-    for child in children.get(joint, []):
-        _describe(child, pose, children, depth + 1, lines, order)
-    if joint not in children:
-        lines += [f"{tab}  End Site", tab + "  {", f"{tab}    OFFSET {_three(np.zeros(3))}"]
-        lines.append(tab + "  }")
+    ends = [c for c in below if _is_end(c, pose, children) and carried[c]]
+    for child in below:
+        if child not in ends:
+            _describe(child, pose, children, offsets, carried, lines, order, depth + 1)
+    tips = [offsets[end] for end in ends] or ([] if below else [np.zeros(3)])
+    for tip in tips:
+        lines += [f"{tab}  End Site", tab + "  {", f"{tab}    OFFSET {_three(tip)}", tab + "  }"]
     lines.append(tab + "}")
 
 
-def _place(pose: Pose, joint: int, parent: int) -> FloatArray:
-    """A joint's usual place in its parent's axes, in mm."""
-    bone = pose.positions[:, joint] - pose.positions[:, parent]
-    return np.asarray(np.median(turn(inverse(pose.rotations[:, parent]), bone), axis=0))
+def _is_end(joint: int, pose: Pose, children: dict[int, list[int]]) -> bool:
+    """Whether a joint is nothing but the end of its parent's bone."""
+    return joint not in children and pose.joints[joint] == pose.joints[pose.parents[joint]] + _END
 
 
 def _three(values: FloatArray) -> str:
-    return " ".join(f"{value / _CM:.6f}" for value in values.tolist())
+    return " ".join(f"{value:.6f}" for value in (np.round(values / _CM, 6) + 0.0).tolist())
