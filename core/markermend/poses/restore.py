@@ -23,7 +23,8 @@ from markermend.poses.quaternion import signed_like, unit
 from markermend.poses.settling import settle, settle_in_time
 from markermend.poses.smoothing import LEAST_NOISE, noise_level, smooth, smooth_again
 from markermend.poses.stance import stance
-from markermend.progress import Progress, quiet
+from markermend.poses.trials import enough_around, hidden_in, trials_of
+from markermend.progress import Progress, part, quiet
 
 INFERRED = 0.5
 """Confidence of a joint that was not seen but worked out, as depth sensors write it."""
@@ -46,6 +47,8 @@ _BRIEFLY_HIDDEN = 2
 # Shares of what two earlier steps made in the mean of what was seen and smoothed in three ways.
 _BEFORE, _AT_FIRST = 0.3, 0.1
 _LEAST_FRAMES = 3
+# What is divided by is at least so much.
+_TINY = 1e-12
 # Poses that it takes to tell how a body bends.
 _SETTLES = 30
 
@@ -121,9 +124,32 @@ def restore(
         fit = fitting(pose, prior) if prior is not None else None
         moments, left_handed = fit or (None, False)
         restored = _restore(mirrored(pose) if left_handed else pose, moments, tell)
+        if moments is None:
+            restored = _tried(restored, part(tell, 0.9, 1.0))
     if left_handed:
         restored = replace(restored, pose=mirrored(restored.pose))
     return replace(restored, faults=faults)
+
+
+def _tried(restored: Restored, tell: Progress) -> Restored:
+    """Expect the errors that are made where something known is hidden.
+
+    A body's covariances fit the recording that they were learnt from, and so say too little of
+    what they foretell elsewhere in it. Others' recordings keep them from that; without these it is
+    tried, on stretches as long and of the same joints as some that were filled.
+    """
+    whole, rows = restored.pose, enough_around(restored.filled)
+    trials = trials_of(restored.filled[rows], whole.rate)
+    if not trials:
+        return restored
+    positions, rotations = whole.positions[rows], whole.rotations[rows]
+    hidden = hidden_in(trials, len(positions), len(whole.joints))
+    known = whole.with_samples(positions, rotations, np.where(hidden, 0.0, 1.0))
+    again = _restore(known, None, tell)
+    away = np.sum((again.pose.positions - positions)[hidden] ** 2, axis=1)
+    more = np.sqrt(np.nansum(away) / max(np.nansum(again.error_mm[hidden] ** 2), _TINY))
+    error = np.where(restored.filled, max(more, 1.0) * restored.error_mm, restored.error_mm)
+    return replace(restored, error_mm=error)
 
 
 def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:

@@ -1,0 +1,81 @@
+"""How far off what was filled is, tried where the recording is known."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from markermend.arrays import BoolArray, runs
+
+# Gaps tried at most; shorter ones are crossed by time, of which single frames tell enough.
+_MOST, _LEAST_S = 12, 0.1
+# Frames that must be known on either side.
+_BESIDE = 2
+# Of a long recording so many frames are tried on, which is slower by as much.
+_ENOUGH = 2000
+
+
+@dataclass(frozen=True)
+class Trial:
+    """Joints to be hidden over some frames."""
+
+    start: int
+    stop: int
+    joints: tuple[int, ...]
+
+
+def enough_around(filled: BoolArray) -> slice:
+    """Frames of a long recording about the middle of what was filled; of a short one all."""
+    frames = len(filled)
+    there = np.flatnonzero(filled.any(axis=1))
+    if frames <= _ENOUGH or not len(there):
+        return slice(0, frames)
+    start = min(max(int(np.median(there)) - _ENOUGH // 2, 0), frames - _ENOUGH)
+    return slice(start, start + _ENOUGH)
+
+
+def trials_of(filled: BoolArray, rate: float) -> tuple[Trial, ...]:
+    """Stretches that are known, as long and of the same joints as some that were filled.
+
+    Parameters
+    ----------
+    filled : (frames, joints) bool
+    rate : frames per second
+
+    Returns
+    -------
+    None two at the same time; each as near as there is room to what it stands for
+    """
+    together: dict[tuple[int, int], list[int]] = {}
+    for joint in range(filled.shape[1]):
+        for start, stop in runs(filled[:, joint]).tolist():
+            if stop - start >= _LEAST_S * rate:
+                together.setdefault((start, stop), []).append(joint)
+    found: list[Trial] = []
+    taken = np.zeros(len(filled), dtype=bool)
+    places = sorted(together)
+    for start, stop in places[:: max(-(-len(places) // _MOST), 1)]:
+        joints = together[start, stop]
+        at = _room(taken | filled[:, joints].any(axis=1), start, stop - start)
+        if at is not None:
+            found.append(Trial(at, at + stop - start, tuple(joints)))
+            taken[at : at + stop - start] = True
+    return tuple(found)
+
+
+def hidden_in(trials: Sequence[Trial], frames: int, joints: int) -> BoolArray:
+    """(frames, joints) bool, what is hidden in trials."""
+    hidden = np.zeros((frames, joints), dtype=bool)
+    for trial in trials:
+        hidden[trial.start : trial.stop, trial.joints] = True
+    return hidden
+
+
+def _room(taken: BoolArray, near: int, length: int) -> int | None:
+    """Nearest start of so many frames that are not taken, with some on either side."""
+    before = np.concatenate([[0], np.cumsum(taken)])
+    starts = np.arange(_BESIDE, len(taken) - length - _BESIDE + 1)
+    free = starts[before[starts + length + _BESIDE] == before[starts - _BESIDE]]
+    return int(free[np.argmin(np.abs(free - near))]) if len(free) else None

@@ -1,0 +1,55 @@
+"""Expected errors without others' recordings, from what is hidden where it is known."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import markermend as mm
+from markermend.poses.restore import restore
+from markermend.poses.trials import Trial, enough_around, hidden_in, trials_of
+
+
+def test_trials_are_known_and_never_two_at_a_time():
+    filled = np.zeros((400, 5), dtype=bool)
+    filled[100:130, (1, 2)] = True
+    filled[110:150, 4] = True
+    filled[200:202, 3] = True
+    trials = trials_of(filled, 100.0)
+    assert [(t.stop - t.start, t.joints) for t in trials] == [(30, (1, 2)), (40, (4,))]
+    hidden = hidden_in(trials, 400, 5)
+    assert not (hidden & filled).any()
+    assert hidden.any(axis=1).sum() == 70
+
+
+def test_without_room_nothing_is_tried():
+    filled = np.zeros((100, 2), dtype=bool)
+    filled[20:70, 0] = True
+    assert trials_of(filled, 100.0) == ()
+    assert trials_of(filled[:0], 100.0) == ()
+    assert not hidden_in((), 100, 2).any()
+    assert Trial(1, 2, (0,)) != Trial(1, 3, (0,))
+
+
+def test_of_a_long_recording_the_surroundings_are_enough():
+    filled = np.zeros((9000, 2), dtype=bool)
+    assert enough_around(filled) == slice(0, 9000)
+    filled[4000:4060, 1] = True
+    assert enough_around(filled) == slice(3029, 5029)
+    assert enough_around(filled[3950:]) == slice(0, 2000)
+    assert enough_around(filled[3000:4500]) == slice(0, 1500)
+
+
+def test_without_a_prior_expected_errors_are_of_the_size_of_the_true_ones(shared_data):
+    pose = mm.read_pose(shared_data / "poses" / "03_01.amc")
+    rng, true, expected = np.random.default_rng(5), [], []
+    for joint in ("lclavicle", "head", "rwrist", "ltibia", "lfemur", "rhumerus"):
+        j, start = pose.index(joint), int(rng.integers(60, 300))
+        confidence = np.ones(pose.seen.shape)
+        confidence[start : start + 60, j] = 0.0
+        restored = restore(pose.with_samples(pose.positions, pose.rotations, confidence))
+        away = restored.pose.positions - pose.positions
+        true.append(np.mean(np.sum(away[start : start + 60, j] ** 2, axis=1)))
+        expected.append(np.mean(restored.error_mm[start : start + 60, j] ** 2))
+    ratio = np.sqrt(np.array(true) / expected)
+    assert 0.3 < np.median(ratio) < 1.7
+    assert np.count_nonzero(ratio > 3) <= 1
