@@ -155,9 +155,12 @@ def test_same_recording_in_six_codings(shared_data: Path) -> None:
         np.testing.assert_array_equal(take.cameras, takes[0].cameras)
 
 
-def test_zeros_are_missing(shared_data: Path) -> None:
+def test_zeros_and_no_numbers_are_missing(shared_data: Path) -> None:
     take = mm.read(shared_data / "props/sample_static.c3d")
     assert (~take.present).sum() == 5883
+    assert any("no numbers" in w for w in take.warnings)
+    assert take.info["missing_samples"] == "no place in a room (5883 samples)"
+    take = mm.read(shared_data / "bodies/03_rolling.c3d")
     assert any("(0, 0, 0)" in w for w in take.warnings)
     assert "(0, 0, 0)" in take.info["missing_samples"]
 

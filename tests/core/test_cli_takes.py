@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import os
 from pathlib import Path
 
 import ezc3d
@@ -15,6 +16,7 @@ from command_line import FRAMES, GAP, RATE, run, strict, write_swing
 import markermend as mm
 from markermend.artifact import Artifact, Kind
 from markermend.cli.repairing import left_over
+from markermend.errors import ExportError
 from markermend.outcome import Outcome
 
 
@@ -50,6 +52,63 @@ def test_info_counts_unlabelled_trajectories_apart(
     assert run("info", tmp_path / "t.c3d") == 0
     told = " ".join(capsys.readouterr().out.split())
     assert "markers 2, seen 75.0% of the time unlabelled 1" in told
+
+
+def test_what_is_read_is_never_replaced(
+    recording: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    listed, review = tmp_path / "list.json", tmp_path / "swing.c3d.markermend.json"
+    assert run("detect", recording, "--no-slow", "--json", listed) == 0
+    review.write_text("hours of work")
+    before = listed.read_text()
+    capsys.readouterr()
+    clean = ("clean", recording, "--artifacts", listed, "-o", tmp_path / "o.c3d", "--force")
+    assert run(*clean, "--json", listed) == 1
+    assert "the list itself" in capsys.readouterr().err
+    assert run("report", recording, "-o", review, "--force") == 1
+    assert "is a review" in capsys.readouterr().err
+    assert (listed.read_text(), review.read_text()) == (before, "hours of work")
+
+
+def test_a_list_of_another_take_is_refused(
+    recording: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    listed = tmp_path / "list.json"
+    assert run("detect", recording, "--no-slow", "--json", listed) == 0
+    other = json.loads(listed.read_text()) | {"frames": 50}
+    listed.write_text(json.dumps(other))
+    capsys.readouterr()
+    assert run("clean", recording, "--artifacts", listed, "-o", tmp_path / "o.c3d") == 1
+    assert "a take of 50 frames" in capsys.readouterr().err
+    assert not (tmp_path / "o.c3d").exists()
+
+
+@pytest.mark.skipif(
+    not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root may write anywhere"
+)
+def test_a_folder_that_takes_no_files_is_told_first(
+    recording: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "ro").mkdir(mode=0o555)
+    words = ("clean", recording, "-o", tmp_path / "o.c3d", "--json", tmp_path / "ro" / "o.json")
+    assert run(*words) == 1
+    assert "takes no files" in capsys.readouterr().err
+    assert not (tmp_path / "o.c3d").exists()
+
+
+def test_labels_that_end_in_a_dot_come_back_from_a_table(tmp_path: Path) -> None:
+    positions = np.ones((9, 3, 3)) * np.arange(1, 4)[None, :, None]
+    mm.write(mm.Take(positions, ("L.Fem.", "B-", "C"), 100.0), tmp_path / "t.csv")
+    assert mm.read(tmp_path / "t.csv").labels == ("L.Fem.", "B-", "C")
+    (tmp_path / "u.csv").write_text("Frame,A - X,A - Y,A - Z\n1,1,2,3\n2,1,2,3\n")
+    assert mm.read(tmp_path / "u.csv").labels == ("A",)
+
+
+def test_a_take_without_markers_is_no_trc(tmp_path: Path) -> None:
+    take = mm.Take(np.zeros((9, 0, 3)), (), 100.0)
+    with pytest.raises(ExportError, match="nothing but markers"):
+        mm.write(take, tmp_path / "t.trc")
+    assert not (tmp_path / "t.trc").exists()
 
 
 def test_detect_finds_gap_and_spike(recording: Path, capsys: pytest.CaptureFixture[str]) -> None:

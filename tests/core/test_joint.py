@@ -235,6 +235,15 @@ def test_what_no_pair_of_jumps_shows_is_found_and_explained(kind, many, words):
     assert len(found) == len(hit)
 
 
+def test_a_marker_by_itself_has_no_neighbours_to_be_told_of(performer):
+    column = performer.index("LWRA")
+    positions = performer.positions[:, [column]].copy()
+    positions[300:302, 0] += 60.0
+    (found,) = sudden(Take(positions, ("LWRA",), performer.rate))
+    assert "neighbours" not in found.why
+    assert "times its usual scatter" in found.why
+
+
 def test_after_a_frozen_stretch_the_marker_is_where_it_should_be(performer):
     positions = performer.positions.copy()
     a, end = performer.index("LWRA"), performer.frames

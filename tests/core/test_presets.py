@@ -73,6 +73,16 @@ def test_the_command_line_saves_and_uses_presets(take, capsys):
     assert (method, params.least_mm, params.slow) == ("joint", 2.5, False)
 
 
+def test_a_preset_is_replaced_only_with_force(take, capsys):
+    found(take, capsys, "--set", "least_mm=2.5", "--save-preset", "mine")
+    again = ["detect", str(take), "--no-slow", "--save-preset", "mine"]
+    assert main(again) == 1
+    assert "--force" in capsys.readouterr().err
+    assert load_preset("mine")[1].least_mm == 2.5
+    assert main([*again, "--force"]) == 0
+    assert load_preset("mine")[1].least_mm != 2.5
+
+
 @pytest.mark.parametrize(
     ("words", "part"),
     [

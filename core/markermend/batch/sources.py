@@ -76,9 +76,11 @@ def find_takes(
         named[_key(name)].append(Source(path, str(name)))
     for twins in named.values():
         if len(twins) > 1:
+            together = twins[0].path.parent == twins[1].path.parent
+            what_to_do = "rename one" if together else "name the folder that holds both"
             raise MarkermendError(
-                f"“{twins[0].path}” and “{twins[1].path}” have the same name; "
-                "name the folder that holds both, or clean them apart."
+                f"“{twins[0].path}” and “{twins[1].path}” have the same name; {what_to_do}, or"
+                " clean them apart."
             )
     return tuple(sorted((s for (s,) in named.values()), key=lambda s: s.name))
 

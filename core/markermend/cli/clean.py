@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
+from typing import Any
 
 import markermend as mm
 from markermend.artifact import repair_in_words
@@ -22,7 +23,7 @@ from markermend.cli.console import (
 from markermend.cli.detect import find, summary
 from markermend.cli.detection import choose, refuse_choice
 from markermend.cli.repairing import left_over, listing, seen_again, summary_table
-from markermend.errors import ExportError
+from markermend.errors import DataError, ExportError
 from markermend.outcome import cleaned_document, outcomes
 from markermend.patch import patched
 from markermend.progress import part
@@ -42,6 +43,7 @@ def run(options: argparse.Namespace) -> int:
             found, method = find(take, mesh, options, chosen, part(bar, 0.0, 0.8)), chosen[0]
         else:
             found, method = listed[0], str(listed[1].get("method", ""))
+            _check_list(options.artifacts, listed[1], take)
         pairs = repair_all(
             take,
             found,
@@ -82,10 +84,21 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
+def _check_list(path: str, listed: dict[str, Any], take: mm.Take) -> None:
+    """Refuse a list of artifacts that says it is about another take."""
+    for key, word in (("frames", "frames"), ("rate", "Hz")):
+        said, there = listed.get(key), getattr(take, key)
+        if isinstance(said, int | float) and abs(said - there) > 1e-6 * there:
+            raise DataError(
+                f"“{path}” lists artifacts of a take of {said:g} {word}, and this one has"
+                f" {there:g}; name the list that belongs to it."
+            )
+
+
 def _check(options: argparse.Namespace) -> None:
     """Refuse, before any work is done, what cannot be written or would have no effect."""
     outputs = [options.output, options.json, options.report]
-    check_outputs(outputs, source=options.take, force=options.force)
+    check_outputs(outputs, source=options.take, force=options.force, listed=options.artifacts)
     check_take_output(options.output, source=options.take)
     if options.method != "auto":
         find_method(options.method)

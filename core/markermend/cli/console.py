@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import shutil
 import sys
 import time
@@ -100,7 +101,9 @@ def count(number: int, noun: str) -> str:
     return f"{number:,} {noun}{'' if number == 1 else 's'}"
 
 
-def check_outputs(paths: Sequence[str | None], *, source: str | None, force: bool) -> None:
+def check_outputs(
+    paths: Sequence[str | None], *, source: str | None, force: bool, listed: str | None = None
+) -> None:
     """Refuse, before any work is done, what could not or should not be written.
 
     Parameters
@@ -108,12 +111,13 @@ def check_outputs(paths: Sequence[str | None], *, source: str | None, force: boo
     paths : files to be written; None and ``"-"`` are passed over
     source : the take that is read
     force : existing files may be overwritten
+    listed : another file that is read
 
     Raises
     ------
     ExportError
-        when a path is the source, exists, is a folder or a device, is named twice, or lies in no
-        folder; and when two want standard output
+        when a path is one that is read, a review, exists, is a folder or a device, is named twice,
+        or lies in no folder or one that takes no files; and when two want standard output
     """
     if sum(path == STDOUT for path in paths) > 1:
         raise ExportError("Only one result can go to standard output.")
@@ -126,6 +130,11 @@ def check_outputs(paths: Sequence[str | None], *, source: str | None, force: boo
             )
         if where.is_dir():
             raise ExportError(f"“{path}” is a folder; name a file to write.")
+        if not os.access(where.parent, os.W_OK):
+            raise ExportError(
+                f"“{path}” could not be written: the folder “{where.parent}” takes no files; name"
+                " another place."
+            )
         # /dev/stdout may be a file that a shell writes to, which would be replaced under it.
         device = path.absolute().parent in (Path("/dev"), Path("/dev/fd"))
         if device or (path.exists() and not path.is_file()):
@@ -134,10 +143,20 @@ def check_outputs(paths: Sequence[str | None], *, source: str | None, force: boo
             raise ExportError(f"“{path}” is named for two results; give each its own file.")
         seen.add(where)
         if path.exists():
-            if source is not None and Path(source).exists() and where.samefile(source):
-                raise ExportError(f"“{path}” is the take itself; name another file to write.")
-            if not force:
-                raise ExportError(f"“{path}” exists already; add --force to overwrite it.")
+            _check_replaced(path, {"the take": source, "the list": listed}, force=force)
+
+
+def _check_replaced(path: Path, read: Mapping[str, str | None], *, force: bool) -> None:
+    """Refuse to replace what is read, and a review, which is hours of somebody's work."""
+    from markermend.review.place import JOURNAL_SUFFIX, SUFFIX
+
+    for what, other in read.items():
+        if other is not None and Path(other).exists() and path.samefile(other):
+            raise ExportError(f"“{path}” is {what} itself; name another file to write.")
+    if path.resolve().name.endswith((SUFFIX, JOURNAL_SUFFIX)):
+        raise ExportError(f"“{path}” is a review; name another file to write.")
+    if not force:
+        raise ExportError(f"“{path}” exists already; add --force to overwrite it.")
 
 
 def check_figures(folder: str | None, names: Iterable[str], *, force: bool) -> None:

@@ -7,6 +7,7 @@ from dataclasses import fields
 from typing import Any
 
 from markermend.cli.numbers import share
+from markermend.errors import ExportError
 
 
 def add_detection(p: argparse.ArgumentParser, option: str) -> None:
@@ -99,7 +100,11 @@ def choose(options: argparse.Namespace) -> tuple[str, Any]:
         given["slow"] = False
     params = read_params(method, params, given)
     if options.save_preset is not None:
-        from markermend.presets import save_preset
+        from markermend.presets import list_presets, save_preset
 
+        if options.save_preset in list_presets() and not options.force:
+            raise ExportError(
+                f"There is a preset “{options.save_preset}” already; add --force to replace it."
+            )
         save_preset(options.save_preset, name, params)
     return name, params

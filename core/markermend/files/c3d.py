@@ -129,6 +129,7 @@ class _Contents:
     missing: int = 0
     unsigned: int = 0
     by_zero: int = 0
+    nowhere: int = 0
 
 
 def _read_contents(file: IO[bytes], layout: C3dLayout, progress: Progress) -> _Contents:
@@ -159,6 +160,11 @@ def _read_contents(file: IO[bytes], layout: C3dLayout, progress: Progress) -> _C
         oddities.append(
             f"{contents.by_zero} samples at exactly (0, 0, 0) with a valid residual were read as"
             " missing."
+        )
+    if contents.nowhere:
+        oddities.append(
+            f"{contents.nowhere} samples whose coordinates are no numbers, or farther out than any"
+            " room, were read as missing."
         )
     return contents
 
@@ -199,10 +205,13 @@ def _decode(
         contents.cameras[start:stop] = cameras
         if layout.residuals_hold:
             marked = invalid(stored[..., 3])
-            contents.by_zero += int(np.count_nonzero(missing & ~marked))
+            unmarked = stored[missing & ~marked][:, :3]
+            by_zero = int(np.count_nonzero((unmarked == 0).all(axis=1)))
+            contents.by_zero += by_zero
+            contents.nowhere += len(unmarked) - by_zero
             contents.unsigned += int(np.count_nonzero(marked & (stored[..., 3] > 0)))
         seen = seen or not missing.all()
-        placed = placed or bool((stored[..., :3] != 0).any())
+        placed = placed or bool((stored[..., :3] < 0).any() or (stored[..., :3] > 0).any())
         if len(others):
             seen |= _decode_others(quads[:, others], layout, contents.others[start:stop])
         if channels is not None:
@@ -304,13 +313,15 @@ def _info(layout: C3dLayout, contents: _Contents) -> dict[str, str]:
     if not layout.residuals_hold or contents.residuals is None:
         coding.append("far-off coordinates or (0, 0, 0); residuals mean nothing")
     else:
-        negative = missing - contents.by_zero - contents.unsigned
+        negative = missing - contents.by_zero - contents.nowhere - contents.unsigned
         if negative:
             coding.append(f"negative residual ({negative} samples)")
         if contents.unsigned:
             coding.append(f"residual word 65535, read as -1 ({contents.unsigned} samples)")
         if contents.by_zero:
             coding.append(f"(0, 0, 0) with a valid residual ({contents.by_zero} samples)")
+        if contents.nowhere:
+            coding.append(f"no place in a room ({contents.nowhere} samples)")
     named = {
         "manufacturer": ("MANUFACTURER", "COMPANY"),
         "software": ("MANUFACTURER", "SOFTWARE"),

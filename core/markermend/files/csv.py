@@ -33,7 +33,9 @@ from markermend.progress import Progress, quiet
 from markermend.take import AXES, Source, Take
 
 _ROWS_A_REPORT = 4096
-_COLUMN = re.compile(r"^(?P<label>.+?)[\s._:/-]*(?P<axis>[xyzXYZ])\s*(?:[\[(](?P<unit>\w+)[\])])?$")
+_COLUMN = re.compile(
+    r"^(?P<label>.+?)\s*[._:/-]?\s*(?P<axis>[xyzXYZ])\s*(?:[\[(](?P<unit>\w+)[\])])?$"
+)
 _FRAME = re.compile(r"^frame( ?(#|number|no\.?))?$", re.IGNORECASE)
 _TIME = re.compile(r"^time(stamp)?(_s| ?[\[(](s|sec|seconds)[\])])?$", re.IGNORECASE)
 

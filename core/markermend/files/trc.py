@@ -14,7 +14,7 @@ from typing import IO
 
 import numpy as np
 
-from markermend.errors import FileFormatError
+from markermend.errors import ExportError, FileFormatError
 from markermend.files.labels import unique_labels
 from markermend.files.text import (
     check_width,
@@ -113,7 +113,14 @@ def write_trc(take: Take, file: IO[bytes], progress: Progress, *, name: str) -> 
     file : written from its beginning
     progress : told the share of frames written
     name : what the file calls itself
+
+    Raises
+    ------
+    ExportError
+        when there are no markers
     """
+    if not take.markers:
+        raise ExportError("A TRC holds nothing but markers, and this take has none.")
     source = take.source
     kept = source is not None and source.format == "trc"
     unit = take.info.get("units", "") if kept and unit_mm(take.info.get("units", "")) else "mm"

@@ -291,11 +291,11 @@ def _restore(result: SessionFile, beside: Path) -> bool:
             result.warning = f"The review made of this take at “{where}” goes on here."
     if stored is None:
         return False
-    if stored["source"]["sha256"] != result.hash:
-        result.warning = carry_over(session, stored, path)
-        return True
-    result.generation = int(stored["generation"])
     try:
+        if stored["source"]["sha256"] != result.hash:
+            result.warning = carry_over(session, stored, path)
+            return True
+        result.generation = int(stored["generation"])
         _replay_document(session, stored)
     except (KeyError, TypeError, ValueError, AttributeError, DataError) as error:
         raise _unreadable(path) from error
@@ -310,6 +310,8 @@ def _load(path: Path) -> dict[str, Any] | None:
         version = int(document["version"])
         if document["format"] != "markermend session":
             raise KeyError
+        if version <= VERSION and not _has_its_parts(document):
+            raise TypeError
     except FileNotFoundError:
         return None
     except (ValueError, KeyError, TypeError, OSError) as error:
@@ -319,6 +321,12 @@ def _load(path: Path) -> dict[str, Any] | None:
             f"“{path}” was written by a newer Markermend; update, or move it away to start anew."
         )
     return document  # type: ignore[no-any-return]
+
+
+def _has_its_parts(document: Mapping[str, Any]) -> bool:
+    """Whether a session file holds a source and lists of steps."""
+    lists = isinstance(document["done"], list) and isinstance(document["undone"], list)
+    return lists and isinstance(document["source"]["sha256"], str)
 
 
 def _unreadable(path: Path) -> FileFormatError:
