@@ -15,6 +15,7 @@ VALUES = (
     "negative residual ({0} samples)",
     "residual word 65535, read as -1 ({0} samples)",
     "(0, 0, 0) with a valid residual ({0} samples)",
+    "no place in a room ({0} samples)",
 )
 
 ODDITIES = (
@@ -22,6 +23,8 @@ ODDITIES = (
     "missing.",
     "{0} samples at exactly (0, 0, 0) with a valid residual were read as missing.",
     "{0} samples at exactly (0, 0, 0) were read as missing.",
+    "{0} samples whose coordinates are no numbers, or farther out than any room, were read as "
+    "missing.",
     "{0} cells that are no numbers were read as missing.",
     "Labels that occur more than once were numbered: {0}.",
     "Of columns that stand more than once the first was read: {0}.",

@@ -16,16 +16,19 @@ class Sight(QObject):
     -------
     changed() : the artifact under review came into sight, left it, or is another one
     said(str) : a sentence for the status bar
+    taken_back(str) : what was said does not hold any more
     """
 
     changed = Signal()
     said = Signal(str)
+    taken_back = Signal(str)
 
     def __init__(self, document: Document, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._document = document
         self._view = (0.0, 0.0)
         self._told: Artifact | None = None
+        self._said: tuple[str, str] | None = None
         document.current_changed.connect(self._tell)
         document.shown_changed.connect(self._shown_changed)
 
@@ -43,7 +46,15 @@ class Sight(QObject):
     def _tell(self) -> None:
         """Say that something changed."""
         self._told = self.lost
+        self._take_back()
         self.changed.emit()
+
+    def _take_back(self) -> None:
+        """Say no longer what was said of another artifact."""
+        current = self._document.current
+        if self._said is not None and (current is None or current.id != self._said[0]):
+            text, self._said = self._said[1], None
+            self.taken_back.emit(text)
 
     @property
     def lost(self) -> Artifact | None:
@@ -60,5 +71,7 @@ class Sight(QObject):
             return False
         self._document.look_at(lost.markers, lost.start, lost.stop)
         text = self.tr("{0} on {1} is under review, but was out of sight. Press again to decide.")
-        self.said.emit(text.format(theme.kind_name(lost.kind), lost.marker))
+        text = text.format(theme.kind_name(lost.kind), lost.marker)
+        self._said = lost.id, text
+        self.said.emit(text)
         return True

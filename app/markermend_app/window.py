@@ -219,6 +219,7 @@ class MainWindow(QMainWindow):
         document = self.document
         for speaker in (document, *self._verbs, self.references, self.sight, self.inspector):
             speaker.said.connect(self.status.say)
+        self.sight.taken_back.connect(self.status.take_back)
         self.batch.started.connect(self._show_takes)
         choosing = self.actions_by_name["choose_references"]
         self.references.changed.connect(choosing.setChecked)

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from markermend.take import Take
 from markermend.vertical import vertical_axis
 from markermend_app.panels.scene.camera import Camera
-from markermend_app.panels.scene.stage import set_stage
+from markermend_app.panels.scene.stage import centre_at, reach_of, set_stage
 
 
 def test_target_is_in_the_middle_and_up_is_up():
@@ -73,6 +73,23 @@ def test_vertical_axis_of_a_walking_body(up):
     if up == 1:
         positions = positions[:, :, [1, 2, 0]]
     assert vertical_axis(positions) == up
+
+
+def test_amid_a_gap_the_middle_is_where_the_body_is_seen_next():
+    positions = np.arange(3000.0)[:, None, None] * np.ones((1, 2, 3))
+    positions[200:900] = np.nan
+    assert centre_at(positions, 100, [0, 1])[0] == 100
+    assert centre_at(positions, 300, [0])[0] == 199
+    assert centre_at(positions, 700, [0, 1])[0] == 900
+    assert np.isnan(centre_at(np.full((40, 2, 3), np.nan), 7, [0, 1])).all()
+
+
+def test_one_marker_is_seen_with_its_way():
+    way = np.zeros((300, 1, 3))
+    way[:, 0, 0] = np.linspace(0, 200, 300)
+    assert reach_of(Take(way, ("A",), 100.0), [0]) == pytest.approx(100, rel=0.02)
+    assert reach_of(Take(20 * way, ("A",), 100.0), [0]) == 300
+    assert reach_of(Take(0 * way, ("A",), 100.0), [0]) >= 10
 
 
 def test_stage_of_an_empty_take_stands():

@@ -26,7 +26,7 @@ from markermend_app.window import MainWindow
 
 def export(window, qtbot, monkeypatch, target):
     choice = export_dialog.ExportChoice(record=False, mark_outputs=False)
-    monkeypatch.setattr(export_dialog, "ask_export", lambda *_: choice)
+    monkeypatch.setattr(export_dialog, "ask_export", lambda *_, **__: choice)
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(target), "C3D (*.c3d)"))
     key(qtbot, window, Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
     qtbot.waitUntil(lambda: not window.lane.busy, timeout=WAIT)
@@ -77,7 +77,7 @@ def test_export_asks_when_artifacts_are_left_and_no_means_no(
     reviewed, qtbot, monkeypatch, tmp_path
 ):
     asked = []
-    monkeypatch.setattr(export_dialog, "ask_export", lambda *args: asked.append(args) or None)
+    monkeypatch.setattr(export_dialog, "ask_export", lambda *args, **_: asked.append(args) or None)
     key(qtbot, reviewed, Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
     assert len(asked) == 1
     assert list(tmp_path.glob("*_clean*")) == []
@@ -92,7 +92,7 @@ def test_cancelling_the_export_before_closing_stays(reviewed, qtbot, monkeypatch
     monkeypatch.setattr(dialogs, "ask_unexported", lambda *_: "export")
     monkeypatch.setattr(files, "write", cancelled)
     choice = export_dialog.ExportChoice(record=False, mark_outputs=False)
-    monkeypatch.setattr(export_dialog, "ask_export", lambda *_: choice)
+    monkeypatch.setattr(export_dialog, "ask_export", lambda *_, **__: choice)
     name = (str(tmp_path / "out.c3d"), "C3D (*.c3d)")
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: name)
     assert not reviewed.close()

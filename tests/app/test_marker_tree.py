@@ -183,6 +183,11 @@ def test_filter_keeps_the_branch_of_what_matches(qtbot, tree):
     assert visible(tree) == ["Trunk", "Left arm", "LWRA", "LWRB"]
     tree.filter.clear()
     assert len(visible(tree)) == 10
+    assert tree._nothing.label.isHidden()
+    qtbot.keyClicks(tree.filter, "zzz")
+    assert not tree._nothing.label.isHidden()
+    tree.filter.clear()
+    assert tree._nothing.label.isHidden()
 
 
 def test_missing_share_is_shown(tree):

@@ -138,6 +138,13 @@ def test_the_sheet_finds_by_name_and_by_key(qtbot, window):
     shown = [i.data(0, Qt.ItemDataRole.UserRole) for i in sheet._items() if not i.isHidden()]
     assert "export" in shown
     assert "accept" not in shown
+    # As others call it.
+    sheet.filter.setText("fill")
+    shown = [i.data(0, Qt.ItemDataRole.UserRole) for i in sheet._items() if not i.isHidden()]
+    assert "repair" in shown
+    assert sheet._nothing.label.isHidden()
+    sheet.filter.setText("zzz")
+    assert not sheet._nothing.label.isHidden()
 
 
 def test_a_preset_chosen_in_the_sheet_stays(qtbot, window):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import re
 from dataclasses import replace
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -112,11 +113,13 @@ def test_every_course_of_a_jump_is_told(brackets):
     from markermend.detectors.joint.sudden import Course, Sudden
     from markermend.detectors.joint.verdict import _explain
 
-    for course in Course:
-        for beside in (0.0, 3.0):
-            jump = Sudden(0, 10, 30, Kind.STEP, 12.0, 9.0, beside, course)
-            why = _explain([jump], 12.0, 20, 100.0)
-            assert told(why).startswith("⟦⟦"), why
+    for kind, course, beside, alone in product(
+        (Kind.STEP, Kind.PEAK, Kind.NOISE), Course, (0.0, 3.0), (False, True)
+    ):
+        jump = Sudden(0, 10, 30, kind, 12.0, 9.0, beside, course)
+        why = _explain([jump], 12.0, 20, 100.0, alone=alone)
+        assert told(why).startswith("⟦"), why
+        assert "neighbours" not in why or not alone or course is Course.FALLEN
 
 
 def test_why_there_is_no_repair_is_told(damaged, brackets):

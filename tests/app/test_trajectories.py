@@ -47,6 +47,31 @@ def test_click_moves_the_cursor_and_drag_scrubs(bench):
     assert all(row.cursor.value() == bench.document.frame for row in bench.panel.rows)
 
 
+def test_the_buttons_stay_beside_their_interval_when_the_plots_have_another_size(bench, qtbot):
+    bench.click(75)
+    for height in (200, 500, 320):
+        bench.panel.resize(bench.panel.width(), height)
+        row = next(row for row in bench.panel.rows if row.edges.visible)
+        qtbot.waitUntil(
+            lambda row=row: (
+                abs(bench.panel.buttons.y() - row.view.sceneBoundingRect().top() - row.flags.height)
+                <= 10
+            )
+        )
+
+
+def test_what_is_gone_back_to_is_in_view_with_its_values(bench):
+    panel, document = bench.panel, bench.document
+    document.show(["CLAV"])
+    document.look_at(["CLAV"], 60, 90)
+    view = panel.rows[0].view
+    fitted = view.viewRange()[1]
+    # As a repair that is taken back leaves it.
+    view.setYRange(fitted[1], fitted[1] + 1, padding=0)
+    document.reveal(["CLAV"], 60, 90)
+    assert view.viewRange()[1] == pytest.approx(fitted)
+
+
 def test_click_on_an_interval_selects_and_frames_it(bench):
     bench.click(75)
     current = bench.document.current

@@ -149,6 +149,11 @@ def test_keys_decide_about_nothing_that_is_out_of_sight(reviewed, qtbot):
         assert document.session.artifact(artifact.id).status is Status.PENDING
         assert document.shown == (artifact.marker,)
         assert not back.isVisible()
+    said = reviewed.status._said
+    assert artifact.marker in said.text()
+    qtbot.keyClick(reviewed, Qt.Key.Key_N)
+    assert not said.text()
+    qtbot.keyClick(reviewed, Qt.Key.Key_P)
     reviewed.trajectories.set_view(artifact.stop + 20, artifact.stop + 60)
     assert back.isVisible()
     qtbot.mouseClick(back, Qt.MouseButton.LeftButton)

@@ -21,8 +21,10 @@ from PySide6.QtWidgets import (
 )
 
 from markermend_app.actions import shortcuts
+from markermend_app.actions.synonyms import SYNONYMS
 from markermend_app.actions.table import ACTIONS
 from markermend_app.dialogs.help_key import help_in
+from markermend_app.panels.nothing import Nothing
 from markermend_app.style import theme
 from markermend_app.words import tr
 
@@ -55,6 +57,7 @@ class ShortcutSheet(QDialog):
         self.tree = QTreeWidget()
         self.tree.setAccessibleName(self.tr("Actions and keys"))
         self.tree.setHeaderLabels([self.tr("What"), self.tr("Keys")])
+        self._nothing = Nothing(self.tree, self.tr("No action or key is named so."))
         self.tree.setRootIsDecorated(False)
         self.tree.setIndentation(12)
         self.tree.currentItemChanged.connect(lambda *_: self._chosen())
@@ -155,10 +158,12 @@ class ShortcutSheet(QDialog):
     def _narrow(self, wanted: str) -> None:
         """Show only what fits what was typed."""
         for item in self._items():
-            text = f"{item.text(0)} {item.text(1)}".casefold()
+            also = tr(SYNONYMS.get(item.data(0, _NAME) or "", ""))
+            text = f"{item.text(0)} {item.text(1)} {also}".casefold()
             item.setHidden(not all(word in text for word in wanted.casefold().split()))
         for section in self._sections():
             section.setHidden(all(item.isHidden() for item in _below(section)))
+        self._nothing.show(all(section.isHidden() for section in self._sections()))
 
     def _go_to_list(self) -> None:
         """Go on from the filter to the first action that is left."""

@@ -145,6 +145,9 @@ def ask_text(
         problem.setText(refuse(line.text()))
         problem.setVisible(bool(problem.text()))
         if problem.text():
+            # What is wrapped asks for the height of one line only.
+            problem.setMinimumHeight(problem.heightForWidth(line.width()))
+            dialog.adjustSize()
             line.setFocus()
         else:
             dialog.accept()

@@ -42,6 +42,7 @@ class ExportDialog(QDialog):
     outputs : model outputs that no longer match the repaired markers
     first_frame : the file's number of frame index 0
     record : whether writing down the repairs is proposed
+    empty : whether nothing was found or marked at all
     """
 
     def __init__(
@@ -52,11 +53,14 @@ class ExportDialog(QDialog):
         outputs: Sequence[str],
         first_frame: int,
         record: bool,
+        *,
+        empty: bool = False,
     ) -> None:
         super().__init__(parent)
         help_in(self)
         self.setWindowTitle(self.tr("Export"))
-        title = QLabel(self._title(pending, accepted))
+        nothing = self.tr("Nothing was found or marked. Export the take as it is?")
+        title = QLabel(nothing if empty else self._title(pending, accepted))
         title.setProperty("role", "heading")
         box = QVBoxLayout(self)
         box.setContentsMargins(20, 16, 20, 16)
@@ -149,7 +153,9 @@ def ask_export(
     outputs: Sequence[str],
     first_frame: int,
     record: bool,
+    *,
+    empty: bool = False,
 ) -> ExportChoice | None:
     """Ask; None to stay."""
-    dialog = ExportDialog(parent, pending, accepted, outputs, first_frame, record)
+    dialog = ExportDialog(parent, pending, accepted, outputs, first_frame, record, empty=empty)
     return dialog.choice if dialog.exec() == QDialog.DialogCode.Accepted else None

@@ -61,6 +61,11 @@ class StatusLine(QStatusBar):
         self._said.setText(text)
         self._said.setToolTip(text)
 
+    def take_back(self, text: str) -> None:
+        """Show a sentence no longer, unless another one has followed."""
+        if self._said.text() == text:
+            self.say("")
+
     def _stop(self) -> None:
         """Ask the work to stop, which it does at its next step."""
         self._stopping = True
@@ -109,7 +114,7 @@ class StatusLine(QStatusBar):
         if pace.seconds_each is not None and pace.spent_s:
             text += self.tr(" · {0:.1f} s each").format(pace.seconds_each)
             short = pace.spent_s < 60.0
-            spent = self.tr(" · {0:.0f} s in all") if short else self.tr(" · {0:.1f} min in all")
+            spent = self.tr(" · {0:.1f} s in all") if short else self.tr(" · {0:.1f} min in all")
             text += spent.format(pace.spent_s if short else pace.minutes)
         self._counts.setText(text)
 

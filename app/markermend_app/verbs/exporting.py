@@ -72,6 +72,7 @@ class Exporter(QObject):
             stale_outputs(session.take),
             session.original.first_frame,
             settings.flag("record_repairs", False),
+            empty=not session.artifacts and not session.history,
         )
         if choice is None:
             return False

@@ -1652,6 +1652,10 @@
         <translation>{0} Werte bei genau (0, 0, 0) wurden als fehlend gelesen.</translation>
     </message>
     <message>
+        <source>{0} samples whose coordinates are no numbers, or farther out than any room, were read as missing.</source>
+        <translation>{0} Werte, deren Koordinaten keine Zahlen sind oder weiter draußen liegen als jeder Raum, wurden als fehlend gelesen.</translation>
+    </message>
+    <message>
         <source>{0} cells that are no numbers were read as missing.</source>
         <translation>{0} Zellen, die keine Zahlen sind, wurden als fehlend gelesen.</translation>
     </message>
@@ -1754,6 +1758,10 @@
     <message>
         <source>(0, 0, 0) with a valid residual ({0} samples)</source>
         <translation>(0, 0, 0) mit gültigem Residuum ({0} Werte)</translation>
+    </message>
+    <message>
+        <source>no place in a room ({0} samples)</source>
+        <translation>kein Ort in einem Raum ({0} Werte)</translation>
     </message>
     <message>
         <source>{0} is empty; look for another copy of it.</source>
@@ -1972,6 +1980,14 @@
         <translation>zittert um etwa {0}, {1} lang, {2}-mal so stark wie sonst; seine Nachbarn sind ruhig</translation>
     </message>
     <message>
+        <source>jitters by about {0} for {1}, {2} times its usual</source>
+        <translation>zittert um etwa {0}, {1} lang, {2}-mal so stark wie sonst</translation>
+    </message>
+    <message>
+        <source>jumps {0} in one frame and slides back within {1}</source>
+        <translation>springt {0} in einem Frame und gleitet in {1} zurück</translation>
+    </message>
+    <message>
         <source>jumps {0} in one frame, its neighbours do not, and comes back {1} later</source>
         <translation>springt {0} in einem Frame, seine Nachbarn nicht, und kommt {1} später zurück</translation>
     </message>
@@ -1994,6 +2010,10 @@
     <message>
         <source>slides {0} off within {1} and jumps back, its neighbours by {2}</source>
         <translation>gleitet {0} weg in {1} und springt zurück, seine Nachbarn um {2}</translation>
+    </message>
+    <message>
+        <source>slides {0} off within {1} and jumps back</source>
+        <translation>gleitet {0} weg in {1} und springt zurück</translation>
     </message>
     <message>
         <source>slides {0} off, jumps past its course and slides back, {1} in all</source>
@@ -3071,6 +3091,10 @@
         <translation>Exportieren</translation>
     </message>
     <message>
+        <source>Nothing was found or marked. Export the take as it is?</source>
+        <translation>Nichts wurde gefunden oder markiert. Die Aufnahme exportieren, wie sie ist?</translation>
+    </message>
+    <message>
         <source>Export repairs nothing by itself: only what you repaired differs.</source>
         <translation>Der Export repariert nichts von selbst: Nur was Sie repariert haben, unterscheidet sich.</translation>
     </message>
@@ -3382,6 +3406,10 @@
     <message>
         <source>Worst first</source>
         <translation>Schlimmste zuerst</translation>
+    </message>
+    <message>
+        <source>Nothing here is named so.</source>
+        <translation>Nichts hier heißt so.</translation>
     </message>
     <message>
         <source>Markers</source>
@@ -3951,6 +3979,10 @@
         <translation>Noch nichts gefunden. {0} sucht nach Artefakten.</translation>
     </message>
     <message>
+        <source>The only artifact is decided. {0} exports the repaired take.</source>
+        <translation>Das einzige Artefakt ist entschieden. {0} exportiert die reparierte Aufnahme.</translation>
+    </message>
+    <message>
         <source>All {0} artifacts are decided. {1} exports the repaired take.</source>
         <translation>Alle {0} Artefakte sind entschieden. {1} exportiert die reparierte Aufnahme.</translation>
     </message>
@@ -4089,6 +4121,10 @@
     <message>
         <source>Keys</source>
         <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>No action or key is named so.</source>
+        <translation>Keine Aktion oder Taste heißt so.</translation>
     </message>
     <message>
         <source>New key</source>
@@ -4274,8 +4310,8 @@
         <translation> · je {0:.1f} s</translation>
     </message>
     <message>
-        <source> · {0:.0f} s in all</source>
-        <translation> · insgesamt {0:.0f} s</translation>
+        <source> · {0:.1f} s in all</source>
+        <translation> · {0:.1f} s insgesamt</translation>
     </message>
     <message>
         <source> · {0:.1f} min in all</source>

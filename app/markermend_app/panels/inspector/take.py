@@ -175,7 +175,7 @@ class TakePage(QWidget):
         for text, value in (
             (
                 self.tr("Frames"),
-                f"{take.frames:,} ({take.first_frame}–{take.frame_number(take.frames - 1)})",
+                f"{take.frames} ({take.first_frame}–{take.frame_number(take.frames - 1)})",
             ),
             (self.tr("Rate"), f"{take.rate:g} Hz"),
             (self.tr("Duration"), f"{take.duration_s:.2f} s"),

@@ -41,6 +41,7 @@ from markermend_app.panels.markers.marker_model import (
 )
 from markermend_app.panels.markers.rows import Node, flatten, grow
 from markermend_app.panels.markers.tree_view import CountsDelegate, Filter, TreeView
+from markermend_app.panels.nothing import Nothing
 from markermend_app.panels.own_ends import OwnEnds
 from markermend_app.panels.queue.filter_line import FilterLine
 from markermend_app.style import theme
@@ -90,6 +91,7 @@ class MarkerTree(QWidget):
         self.worst_first.toggled.connect(self._rebuild)
 
         self.view.setModel(self._proxy)
+        self._nothing = Nothing(self.view, self.tr("Nothing here is named so."))
         self.view.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.view.setUniformRowHeights(True)
         self.view.setIndentation(8)
@@ -193,6 +195,7 @@ class MarkerTree(QWidget):
         """Open the body, but not what merely stands beside it."""
         self.view.expandAll()
         self._span_all(QModelIndex())
+        self._nothing.show(bool(self.filter.text().strip()) and not self._proxy.rowCount())
         if self.filter.text():
             return
         for row in range(self._proxy.rowCount()):

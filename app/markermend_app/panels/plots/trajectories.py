@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 
-from PySide6.QtCore import QEvent, Signal
+from PySide6.QtCore import QEvent, QTimer, Signal
 from PySide6.QtWidgets import QStackedLayout, QVBoxLayout, QWidget
 
 from markermend.review.edits import Change
@@ -68,7 +68,9 @@ class TrajectoryPanel(QWidget):
 
         self.header = PlotHeader()
         self.gestures = Gestures(self)
-        self.canvas = PlotStack(self.gestures.listen)
+        self._placing = QTimer(self, singleShot=True, interval=0)
+        self._placing.timeout.connect(self.place_buttons)
+        self.canvas = PlotStack(self._made)
         self.cross = Crosshair(document, self.canvas, self.header)
         self.canvas.setAccessibleName(self.tr("Plots of the shown markers"))
         self.menu = StayingMenu(self)
@@ -88,7 +90,6 @@ class TrajectoryPanel(QWidget):
         self._stack.addWidget(self.empty)
         self._stack.addWidget(plots)
 
-        self.canvas.sigDeviceRangeChanged.connect(self.place_buttons)
         self.header.chosen.connect(lambda marker: document.show_too([marker]))
         self.predictions.changed.connect(self._show_predictions)
         document.opened.connect(self._opened)
@@ -108,6 +109,12 @@ class TrajectoryPanel(QWidget):
         self._restyle()
         self._opened()
         self._show_markers()
+
+    def _made(self, row: PlotFrame) -> None:
+        """Listen to a new row."""
+        self.gestures.listen(row)
+        # Rows are laid out after the canvas has another size, and flags after their row.
+        row.view.sigResized.connect(self._placing.start)
 
     # Public verbs
 
@@ -370,6 +377,10 @@ class TrajectoryPanel(QWidget):
             self._frame(start, stop)
         elif self._unframed:
             self._show_afresh(*self._view)
+        else:
+            # Values that are others than before may be out of view.
+            self._catch_up()
+            self.set_view(*self._view)
 
     # What the mouse says
 

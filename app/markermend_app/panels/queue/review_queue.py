@@ -428,8 +428,13 @@ class ReviewQueue(QWidget):
                     shortcuts.way_to("detect")
                 )
         elif not session.with_status(Status.PENDING) and self.status.currentData() == _OPEN:
-            text = self.tr("All {0} artifacts are decided. {1} exports the repaired take.")
-            text = text.format(len(session.artifacts), shortcuts.way_to("export"))
+            count, way = len(session.artifacts), shortcuts.way_to("export")
+            if count == 1:
+                text = self.tr("The only artifact is decided. {0} exports the repaired take.")
+                text = text.format(way)
+            else:
+                text = self.tr("All {0} artifacts are decided. {1} exports the repaired take.")
+                text = text.format(count, way)
         else:
             text = self.tr("No artifact matches these filters.")
         self._hint.setText(text)

@@ -17,7 +17,9 @@ from markermend.vertical import vertical_axis
 from markermend_app.panels.scene.camera import FOV, Camera
 
 _SAMPLED = 200
-LEAST_RADIUS_MM = 10.0
+# Frames on either side that say where a body is.
+_AROUND = 5
+LEAST_RADIUS_MM, LONE_RADIUS_MM = 10.0, 300.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,8 +113,14 @@ def floor_lines(stage: Stage) -> tuple[FloatArray, FloatArray]:
 
 
 def reach_of(take: Take, body: Sequence[int]) -> float:
-    """How far some markers are from their :func:`centre_at`, mm; at least what is to be seen."""
+    """How far some markers are from their :func:`centre_at`, mm; at least what is to be seen.
+
+    One marker by itself has no extent, but goes somewhere.
+    """
     points = _sample(take.positions)[:, body]
+    if len(body) == 1:
+        way = _extent(points[:, 0][None])
+        return min(max(way / 2, LEAST_RADIUS_MM), LONE_RADIUS_MM)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RuntimeWarning)
         centres = np.nanmedian(points, axis=1, keepdims=True)
@@ -122,10 +130,23 @@ def reach_of(take: Take, body: Sequence[int]) -> float:
 
 
 def centre_at(positions: FloatArray, frame: int, body: Sequence[int]) -> FloatArray:
-    """(3,) middle of what is seen of some markers around a frame; NaN when nothing is."""
-    near = positions[max(0, frame - 5) : frame + 6, body].reshape(-1, 3)
-    near = near[~np.isnan(near[:, 0])]
-    return np.median(near, axis=0) if len(near) else np.full(3, np.nan)
+    """(3,) middle of what is seen of some markers around a frame; NaN when nothing ever is.
+
+    Amid a gap of all of them it is where they are seen next.
+    """
+    reach, frames = _AROUND, len(positions)
+    while True:
+        start = max(0, frame - reach)
+        near = positions[start : frame + reach + 1, body]
+        seen = ~np.isnan(near[..., 0])
+        if seen.any():
+            away = np.abs(np.arange(start, start + len(near)) - frame)
+            first = int(away[seen.any(axis=1)].min())
+            close = seen & (away <= max(first, _AROUND))[:, None]
+            return np.asarray(np.median(near[close], axis=0))
+        if reach >= frames:
+            return np.full(3, np.nan)
+        reach *= 4
 
 
 def _extent(points: FloatArray) -> float:

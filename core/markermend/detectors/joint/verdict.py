@@ -82,38 +82,48 @@ def _artifact(take: Take, marker: int, group: Sequence[Sudden], confidence: floa
         kind=group[0].kind,
         confidence=confidence,
         amplitude_mm=size,
-        why=_explain(group, size, stop - start, take.rate),
+        why=_explain(group, size, stop - start, take.rate, alone=_alone(take, marker, start, stop)),
     )
 
 
-def _explain(group: Sequence[Sudden], size: float, length: int, rate: float) -> str:
+def _alone(take: Take, marker: int, start: int, stop: int) -> bool:
+    """Whether no other marker is seen then, which could move along or not."""
+    seen = ~np.isnan(take.positions[max(start - 1, 0) : stop + 1, :, 0])
+    seen[:, marker] = False
+    return not seen.any()
+
+
+def _explain(group: Sequence[Sudden], size: float, length: int, rate: float, *, alone: bool) -> str:
     """The evidence in one sentence."""
     surest = max(group, key=lambda s: s.score)
     lasting, mm = how_long(length, rate), in_mm(size)
     if surest.kind is Kind.NOISE:
+        calm = "" if alone else "; its neighbours are calm"
         return (
-            f"jitters by about {mm} mm for {lasting}, {6 * surest.score:.0f} times its usual; its "
-            "neighbours are calm"
+            f"jitters by about {mm} mm for {lasting}, {6 * surest.score:.0f} times its usual{calm}"
         )
-    beside = "its neighbours do not"
+    beside = ", its neighbours do not"
     if surest.beside_mm >= NOTICED * size:
-        beside = f"its neighbours by {in_mm(surest.beside_mm)} mm"
+        beside = f", its neighbours by {in_mm(surest.beside_mm)} mm"
+    # What fell off is known by its neighbours, wherever they are seen.
+    alone = alone and surest.course is not Course.FALLEN
+    beside, then = ("", " and") if alone else (beside, ", and")
     clear = f"{surest.score:.0f} times its usual scatter"
     if surest.course is Course.CUT_OFF:
         return f"lies {mm} mm off for {lasting} beside a gap or an end, one jump away; {clear}"
     if surest.kind is Kind.PEAK:
-        return f"sticks out by {mm} mm for {lasting}, {beside}; {clear}"
+        return f"sticks out by {mm} mm for {lasting}{beside}; {clear}"
     if surest.course is Course.FALLEN:
         return (
-            f"jumps {mm} mm in one frame, {beside}, and stays off for {lasting}, up to an end of "
+            f"jumps {mm} mm in one frame{beside}{then} stays off for {lasting}, up to an end of "
             f"the take, at another distance from them: it moved on the body or fell off; {clear}"
         )
     if surest.course is Course.BUILDS_UP:
-        return f"slides {mm} mm off within {lasting} and jumps back, {beside}; {clear}"
+        return f"slides {mm} mm off within {lasting} and jumps back{beside}; {clear}"
     if surest.course is Course.RELAXES:
-        return f"jumps {mm} mm in one frame, {beside}, and slides back within {lasting}; {clear}"
+        return f"jumps {mm} mm in one frame{beside}{then} slides back within {lasting}; {clear}"
     if surest.course is Course.OVERSHOOTS:
         return (
             f"slides {mm} mm off, jumps past its course and slides back, {lasting} in all; {clear}"
         )
-    return f"jumps {mm} mm in one frame, {beside}, and comes back {lasting} later; {clear}"
+    return f"jumps {mm} mm in one frame{beside}{then} comes back {lasting} later; {clear}"
