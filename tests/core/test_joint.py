@@ -337,9 +337,13 @@ def test_fits_are_exact_for_a_polynomial_and_a_shape():
     for frame in (20,):
         judged = judge(signal, one, np.array([frame]), 3, 6, first, stop)
         assert judged.size[0] == pytest.approx(7.0)
-        assert judged.error[0] < 1e-6
+        assert judged.error[0] < 1e-5
     fit = fit_of(15, 6, 9)
-    assert np.abs(fit.rest.T @ fit.rest - np.eye(fit.rest.shape[1])).max() < 1e-12
+    assert np.abs(fit.basis.T @ fit.basis - np.eye(7)).max() < 1e-12
+    shape = np.zeros(15)
+    shape[6:9] = 4.0
+    assert fit.size @ (shape + np.linspace(-3, 9, 15) ** 5) == pytest.approx(4.0)
+    assert fit.error == pytest.approx(np.linalg.norm(fit.size))
 
 
 def test_pairs_are_opposite_and_never_overlap():

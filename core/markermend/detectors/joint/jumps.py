@@ -75,7 +75,7 @@ def find_jumps(
     -------
     the jumps, and the signal (frames, channels) without them
     """
-    rest = signal.copy()
+    rest = signal.copy(order="F")
     begin, end = segments(seen)
     reach = reach_at(rate)
     noise = jitter(sixth_difference(signal), seen, rate)

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from scipy.linalg import null_space
+from numpy.lib.stride_tricks import sliding_window_view
 
 from markermend.arrays import FloatArray, IntArray
 
@@ -27,17 +27,27 @@ class Fit:
 
     Attributes
     ----------
-    size : (window,) weights that give the shape's size
-    rest : (window, free) orthonormal weights that give what the fit leaves over
-    error : standard error of the size for noise of standard deviation 1
+    basis : (window, terms) orthonormal columns that span what is fitted; the last one is what of
+        the shape no polynomial follows
+    size_of_last : the shape's size for a last part of 1
     """
 
-    size: FloatArray
-    rest: FloatArray
-    error: float
+    basis: FloatArray
+    size_of_last: float
+
+    @property
+    def size(self) -> FloatArray:
+        """(window,) weights that give the shape's size."""
+        return np.asarray(self.basis[:, -1] * self.size_of_last)
+
+    @property
+    def error(self) -> float:
+        """Standard error of the size for noise of standard deviation 1."""
+        return abs(self.size_of_last)
 
 
-@lru_cache(maxsize=512)
+# At 250 Hz a search takes some hundred: blocks of all lengths, and places beside gaps.
+@lru_cache(maxsize=4096)
 def fit_of(window: int, first: int, last: int) -> Fit:
     """Make the fit of a shape that is 1 on ``[first, last)`` of a window and 0 elsewhere.
 
@@ -50,8 +60,8 @@ def fit_of(window: int, first: int, last: int) -> Fit:
     shape = np.zeros(window)
     shape[first:last] = 1.0
     design = np.column_stack([np.vander(place, ORDER + 1), shape])
-    size = np.linalg.pinv(design)[-1]
-    return Fit(size, null_space(design.T), float(np.linalg.norm(size)))
+    basis, triangle = np.linalg.qr(design)
+    return Fit(basis, 1.0 / float(triangle[-1, -1]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,7 +93,7 @@ def judge(
 
     Parameters
     ----------
-    signal : (frames, channels) mm, without NaN
+    signal : (frames, channels) mm, without NaN; best where a channel lies in one piece
     channel, frame : (n,) where the shape begins
     length : frames of the block; 0 for a jump that does not come back in the window
     reach : frames looked at on either side of the shape
@@ -101,15 +111,20 @@ def judge(
     fits = (start + window <= stop) & (offset >= LEAST_SIDE)
     fits &= (offset + length <= window - LEAST_SIDE) if length else (offset <= window - LEAST_SIDE)
     size, error, unit = (np.full(len(frame), value) for value in (0.0, np.inf, np.inf))
+    if not fits.any():
+        return Judged(size, error, unit)
+    windows = sliding_window_view(signal, window, axis=0)
     for one in np.flatnonzero(np.bincount(offset[fits])):
         at = np.flatnonzero(fits & (offset == one))
         fit = fit_of(window, int(one), int(one) + length if length else window)
-        values = signal[start[at][:, None] + np.arange(window), channel[at][:, None]]
+        values = windows[start[at], channel[at]]
         # Far from the origin a difference of large numbers would lose digits.
         values = values - values[:, :1]
-        rest = values @ fit.rest
-        size[at] = values @ fit.size
-        error[at] = fit.error * np.sqrt(np.einsum("nk,nk->n", rest, rest) / rest.shape[1])
+        parts = values @ fit.basis
+        left = np.einsum("nk,nk->n", values, values) - np.einsum("nk,nk->n", parts, parts)
+        free = window - parts.shape[1]
+        size[at] = parts[:, -1] * fit.size_of_last
+        error[at] = fit.error * np.sqrt(np.maximum(left, 0.0) / free)
         unit[at] = fit.error
     return Judged(size, error, unit)
 
