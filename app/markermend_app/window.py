@@ -217,7 +217,8 @@ class MainWindow(QMainWindow):
 
     def _connect(self) -> None:
         document = self.document
-        for speaker in (document, *self._verbs, self.references, self.sight, self.inspector):
+        aside = (self.references, self.sight, self.inspector, self.comparison)
+        for speaker in (document, *self._verbs, *aside):
             speaker.said.connect(self.status.say)
         self.sight.taken_back.connect(self.status.take_back)
         self.batch.started.connect(self._show_takes)

@@ -27,6 +27,7 @@ class Comparison(QObject):
     Signals
     -------
     changed() : it is shown or hidden, the candidates have come, or another one is chosen
+    said(str) : a sentence for the status bar
 
     Attributes
     ----------
@@ -37,6 +38,7 @@ class Comparison(QObject):
     """
 
     changed = Signal()
+    said = Signal(str)
 
     def __init__(self, document: Document, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -78,6 +80,9 @@ class Comparison(QObject):
         """Hide them; the one that was walked to stays previewed."""
         self._letting_go.stop()
         if self.shown:
+            if self.candidates is None:
+                # Whoever tapped the key would see nothing happen.
+                self.said.emit(self.tr("Hold the key until the repairs to compare are there."))
             self.shown = False
             _app().removeEventFilter(self)
             self.changed.emit()

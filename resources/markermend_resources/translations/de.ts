@@ -3043,6 +3043,13 @@
     </message>
 </context>
 <context>
+    <name>Comparison</name>
+    <message>
+        <source>Hold the key until the repairs to compare are there.</source>
+        <translation>Taste halten, bis die Reparaturen zum Vergleichen da sind.</translation>
+    </message>
+</context>
+<context>
     <name>Decisions</name>
     <message>
         <source>Accept</source>

@@ -146,6 +146,8 @@ class MethodList(QWidget):
         self.more.setEnabled(offered)
         self.more.setCurrentIndex(self.more.findData(chosen))
         self.outcome.setText(self._promise())
+        # A low panel has no room for all of it.
+        self.outcome.setToolTip(self.outcome.text())
         proposal, session = self._document.proposal, self._document.session
         skeleton = session is not None and session.original.skeleton
         most = _DOUBTFUL_JOINT_MM if skeleton else _DOUBTFUL_MM

@@ -87,7 +87,10 @@ class ReviewQueue(QWidget):
         self.view.sortByColumn(STATUS, Qt.SortOrder.AscendingOrder)
         self._widths = list(_WIDTHS)
         for column, width in enumerate(_WIDTHS):
-            self.view.setColumnWidth(column, width)
+            # Some languages have longer words for it.
+            named = self.view.horizontalHeader().sectionSizeHint(column)
+            self.view.setColumnWidth(column, width if column == WHY else max(width, named))
+            self._widths[column] = self.view.columnWidth(column)
         self.view.horizontalHeader().sectionResized.connect(self._remember_width)
 
         self._hint = hint("")
