@@ -141,6 +141,14 @@ def test_without_a_reference_there_is_no_ratio(ramps: Take) -> None:
     assert "ratio" not in gaps_table(rows, None)[0]
 
 
+def test_gaps_over_what_was_never_seen_are_refused(tmp_path: Path, ramps: Take) -> None:
+    positions = ramps.positions.copy()
+    positions[25, 0] = np.nan
+    cases = read_cases(write_list(tmp_path, ENTRY))
+    with pytest.raises(DataError, match="nothing to compare"):
+        replay(cases, {"ramps": Take(positions, ramps.labels, ramps.rate)})
+
+
 def test_wrong_lists_are_errors(tmp_path: Path, ramps: Take) -> None:
     with pytest.raises(FileFormatError):
         read_cases(write_list(tmp_path, {"take": "ramps"}))

@@ -143,7 +143,14 @@ def replay(
     Returns
     -------
     One result for each case and method, in that order.
+
+    Raises
+    ------
+    DataError
+        when a case hides what was never seen, so that nothing tells how far off a fill is
     """
+    for case in cases:
+        _check_known(case, takes[case.take])
     chosen = params or {}
     tasks = [(case, name) for case in cases for name in dict.fromkeys(methods)]
     report = progress or quiet
@@ -154,6 +161,17 @@ def replay(
             results.append(result)
             report((i + 1) / len(tasks), f"{case.protocol}, {case.length} frames, {name}")
     return tuple(results)
+
+
+def _check_known(case: GapCase, take: Take) -> None:
+    """Refuse gaps over frames of which the truth is not known."""
+    for marker, start, stop in case.gaps:
+        if np.isnan(take.positions[start:stop, take.index(marker)]).any():
+            raise DataError(
+                f"The gap of {marker} at index {start} to {stop} of {case.take} lies where it was"
+                " not seen, so that there is nothing to compare a fill with; take it out of the"
+                " list."
+            )
 
 
 def _replay_one(
