@@ -167,6 +167,6 @@ def test_the_status_line_tells_the_operators_pace(peaks, qtbot, monkeypatch):
     for pause in (4.0, 500.0, 2.0):
         now[0] += pause
         qtbot.keyClick(peaks, Qt.Key.Key_R)
-    assert "3 of 9 decided · 2.0 s each · 6 s in all" in [
+    assert "3 of 9 decided · 2.0 s each · 6.0 s in all" in [
         label.text() for label in peaks.status.findChildren(QLabel)
     ]
