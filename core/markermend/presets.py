@@ -22,6 +22,11 @@ def list_presets() -> tuple[str, ...]:
     return tuple(sorted(path.stem for path in _folder().glob("*.toml")))
 
 
+def has_preset(name: str) -> bool:
+    """Whether saving under a name would replace a preset; some systems take A and a for one."""
+    return _path(name).exists()
+
+
 def save_preset(name: str, method: str, params: Any) -> Path:
     """Keep how to detect under a name; a preset of that name is replaced.
 

@@ -82,6 +82,9 @@ def test_amid_a_gap_the_middle_is_where_the_body_is_seen_next():
     assert centre_at(positions, 300, [0])[0] == 199
     assert centre_at(positions, 700, [0, 1])[0] == 900
     assert np.isnan(centre_at(np.full((40, 2, 3), np.nan), 7, [0, 1])).all()
+    # Nobody waits for a whole recording to be looked through.
+    positions[200:] = np.nan
+    assert np.isnan(centre_at(positions, 2900, [0, 1])).all()
 
 
 def test_one_marker_is_seen_with_its_way():

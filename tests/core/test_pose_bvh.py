@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from scipy.spatial.transform import Rotation
 
 import markermend as mm
 from markermend.errors import ExportError, FileFormatError
@@ -93,6 +94,28 @@ def test_a_root_that_stands_still_keeps_its_place(tmp_path):
     pose = mm.read_pose(written(tmp_path, TEXT))
     mm.write_pose(pose, tmp_path / "still.bvh")
     assert_allclose(mm.read_pose(tmp_path / "still.bvh").positions, pose.positions, atol=1e-4)
+
+
+def test_a_root_may_be_any_of_the_joints(tmp_path):
+    turned = Rotation.from_euler("z", np.linspace(0, 60, 9)[:, None], degrees=True)
+    bent = turned * Rotation.from_euler("x", np.linspace(0, 80, 9)[:, None], degrees=True)
+    root = np.tile([500.0, 900.0, 20.0], (9, 1))
+    knee = root + turned.apply([0, -400, 0])
+    ankle = knee + bent.apply([0, -380, 0])
+    still = np.tile([0.0, 0.0, 0.0, 1.0], (9, 1))
+    rotations = np.stack([bent.as_quat(), turned.as_quat(), still], axis=1)
+    positions = np.stack([ankle, knee, root], axis=1)
+    pose = Pose(positions, rotations, ("shank", "thigh", "hips"), (1, 2, -1), 30.0)
+    mm.write_pose(pose, tmp_path / "last.bvh")
+    back = mm.read_pose(tmp_path / "last.bvh")
+    for name, at in (("hips", root), ("thigh", root), ("shank", knee), ("shank_end", ankle)):
+        assert_allclose(back.positions[:, back.index(name)], at, atol=0.01)
+
+
+def test_nothing_is_no_bvh(tmp_path):
+    pose = Pose(np.zeros((0, 1, 3)), np.zeros((0, 1, 4)), ("waist",), (-1,), 30.0)
+    with pytest.raises(ExportError, match="no pose"):
+        mm.write_pose(pose, tmp_path / "no.bvh")
 
 
 def test_without_rotations_there_is_no_bvh(tmp_path):

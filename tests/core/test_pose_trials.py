@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 import markermend as mm
 from markermend.poses.restore import restore
-from markermend.poses.trials import Trial, enough_around, hidden_in, trials_of
+from markermend.poses.trials import enough_around, hidden_in, trials_of
 
 
 def test_trials_are_known_and_never_two_at_a_time():
@@ -26,8 +27,6 @@ def test_without_room_nothing_is_tried():
     filled[20:70, 0] = True
     assert trials_of(filled, 100.0) == ()
     assert trials_of(filled[:0], 100.0) == ()
-    assert not hidden_in((), 100, 2).any()
-    assert Trial(1, 2, (0,)) != Trial(1, 3, (0,))
 
 
 def test_of_a_long_recording_the_surroundings_are_enough():
@@ -37,6 +36,19 @@ def test_of_a_long_recording_the_surroundings_are_enough():
     assert enough_around(filled) == slice(3029, 5029)
     assert enough_around(filled[3950:]) == slice(0, 2000)
     assert enough_around(filled[3000:4500]) == slice(0, 1500)
+
+
+def test_a_root_that_was_not_seen_says_nothing_of_others(shared_data):
+    pose = mm.read_pose(shared_data / "poses" / "03_01.amc")
+    pose = pose.with_samples(pose.positions[:250], pose.rotations[:250], np.ones((250, 31)))
+    expected = []
+    for unseen in (False, True):
+        confidence = pose.confidence.copy()
+        confidence[150:153, pose.index("lhand")] = 0.0
+        confidence[60:100, 0] = 0.0 if unseen else 1.0
+        given = pose.with_samples(pose.positions, pose.rotations, confidence)
+        expected.append(restore(given).error_mm[151, pose.index("lhand")])
+    assert expected[1] == pytest.approx(expected[0], rel=0.2)
 
 
 def test_without_a_prior_expected_errors_are_of_the_size_of_the_true_ones(shared_data):

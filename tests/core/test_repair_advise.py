@@ -94,6 +94,21 @@ def test_stray_frames_inside_a_gap_are_as_far_off_as_the_gap_is_long() -> None:
     assert np.ptp(inside.repair.band_mm) < 0.05 * inside.repair.band_mm.mean()
 
 
+@pytest.mark.parametrize("start", [200, 96, 140])
+def test_beside_a_gap_longer_than_all_that_is_known_errors_are_tried_on_less(start: int) -> None:
+    take, _ = hide(wave_take(300, alone=True), 100, 200)
+    positions = take.positions.copy()
+    positions[start : start + 4] = 0.0
+    damage = Artifact("M0", "xyz", start, start + 4, Kind.PEAK)
+    evidence = evidence_for(Take(positions, take.labels, take.rate), [damage])
+    tried = _trials_of(evidence, damage, 3)
+    assert tried.start <= damage.start < damage.stop <= tried.stop
+    assert 40 <= tried.stop - tried.start <= 50
+    assert len(tried.places) >= 1
+    known = {a.method for a in advise(evidence, damage) if a.error_mm is not None}
+    assert "spline" in known
+
+
 @pytest.mark.parametrize("method", ["linear", "spline", "pma"])
 def test_a_measured_error_comes_with_a_band_that_holds(method: str) -> None:
     take = simulate_clean(duration_s=20.0, rate=100.0, seed=3)

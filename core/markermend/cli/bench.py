@@ -44,7 +44,7 @@ def _run_e1(options: argparse.Namespace) -> int:
 
     names = figure_names([Path(t).stem for t in options.takes], options.share, options.amplitude)
     check_figures(options.figures, names, force=options.force)
-    check_outputs([options.csv], source=None, force=options.force)
+    check_outputs([options.csv], source=options.takes, force=options.force)
     takes = clean_takes(options.takes, options.flaws)
     methods = list(dict.fromkeys(options.method))
     params = {

@@ -53,7 +53,7 @@ def run_blind(options: argparse.Namespace) -> int:
         raise ExportError("Name the page to write with -o FILE.html, or count votes with --tally.")
     page = Path(options.output)
     key_path = options.key or str(page.with_name(f"{page.stem}_key.json"))
-    check_outputs([options.output, key_path], source=None, force=options.force)
+    check_outputs([options.output, key_path], source=options.versions, force=options.force)
     movements = [
         [
             Version(name, str(path), mm.read_pose(path))

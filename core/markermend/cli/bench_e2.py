@@ -59,7 +59,11 @@ def run_e2(options: argparse.Namespace) -> int:
     from markermend.detectors import find_detector
     from markermend.errors import MethodError
 
-    check_outputs([options.csv, options.figure], source=None, force=options.force)
+    check_outputs(
+        [options.csv, options.figure],
+        source=[*options.takes, *options.repaired],
+        force=options.force,
+    )
     if options.repaired and len(options.takes) != 1:
         raise MethodError("--repaired compares with one TAKE; name only that one.")
     takes = [_reviewed(Path(path), Path(options.lists)) for path in options.takes]

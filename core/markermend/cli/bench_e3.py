@@ -69,7 +69,7 @@ def run_e3(options: argparse.Namespace) -> int:
     from markermend.bench.e3_text import e3_csv, e3_table
     from markermend.detectors import find_detector
 
-    check_outputs([options.csv], source=None, force=options.force)
+    check_outputs([options.csv], source=options.takes, force=options.force)
     detectors = list(dict.fromkeys(options.method))
     params = {
         name: find_detector(name).params(slow=False, jobs=1)

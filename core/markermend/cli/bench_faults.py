@@ -29,7 +29,7 @@ def run_faults(options: argparse.Namespace) -> int:
     """Break, restore, and print the tables."""
     from markermend.bench.faults import faults_csv, faults_table, find_faults
 
-    check_outputs([options.csv], source=None, force=options.force)
+    check_outputs([options.csv], source=options.poses, force=options.force)
     poses = {Path(path).stem: mm.read_pose(path) for path in options.poses}
     with Bar() as bar:
         rows = find_faults(poses, seed=options.seed, progress=bar)

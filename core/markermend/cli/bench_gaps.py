@@ -71,7 +71,7 @@ def run_gaps(options: argparse.Namespace) -> int:
     from markermend.bench.sequence import correlate, correlate_measures, describe
     from markermend.bench.sequence_text import correlation_tables, sequence_table
 
-    check_outputs([options.csv], source=None, force=options.force)
+    check_outputs([options.csv], source=[*options.takes, options.list], force=options.force)
     takes = {Path(path).stem: only_named(mm.read(path)) for path in options.takes}
     if options.list is not None:
         cases = tuple(c for c in read_cases(options.list) if c.take in takes)

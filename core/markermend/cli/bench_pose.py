@@ -54,7 +54,9 @@ def run_pose(options: argparse.Namespace) -> int:
     )
     from markermend.poses.network import Network, load_networks
 
-    check_outputs([options.csv], source=None, force=options.force)
+    check_outputs(
+        [options.csv], source=[*options.poses, *(options.networks or ())], force=options.force
+    )
     wanted = options.case
     cases = [c for c in CASES if wanted is None or any(text in c.name for text in wanted)]
     if not cases:

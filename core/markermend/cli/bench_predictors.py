@@ -62,7 +62,7 @@ def run_predictors(options: argparse.Namespace) -> int:
 
     names = {name for path in options.takes for name in figure_names(Path(path).stem)}
     check_figures(options.figures, sorted(names), force=options.force)
-    check_outputs([options.csv], source=None, force=options.force)
+    check_outputs([options.csv], source=options.takes, force=options.force)
     takes = {Path(path).stem: mm.read(path) for path in options.takes}
     with Bar() as bar:
         study = study_predictors(

@@ -55,7 +55,7 @@ def run_smooth(options: argparse.Namespace) -> int:
     from markermend.bench.smooth_paper import kick_rows, read_root, sine_rows
     from markermend.bench.smooth_text import paper_table, smooth_csv, truth_table
 
-    check_outputs([options.csv], source=None, force=options.force)
+    check_outputs([options.csv], source=[*options.takes, *(options.amc or ())], force=options.force)
     lines: list[str] = []
     if not options.bands:
         published = list(sine_rows(seed=options.seed))

@@ -68,7 +68,9 @@ def run_training(options: argparse.Namespace) -> int:
     stems = [Path(path).stem for path in options.takes]
     names = [name for stem in stems for name in figure_names(stem, options.length)]
     check_figures(options.figures, names, force=options.force)
-    check_outputs([options.csv], source=None, force=options.force)
+    check_outputs(
+        [options.csv], source=[*options.takes, *(options.train or ())], force=options.force
+    )
     takes = {Path(path).stem: only_named(mm.read(path)) for path in options.takes}
     with Bar() as bar:
         rows = study_training(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 from pathlib import Path
 from typing import Any
 
@@ -36,6 +37,8 @@ def run(options: argparse.Namespace) -> int:
     listed = None if options.artifacts is None else read_artifacts(options.artifacts)
     chosen = choose(options)
     take = read_take(options.take)
+    if listed is not None:
+        _check_list(options.artifacts, listed[1], take)
     with Bar() as bar:
         bar(0.0, "Working out the body")
         mesh = mm.infer_mesh(take)
@@ -43,7 +46,6 @@ def run(options: argparse.Namespace) -> int:
             found, method = find(take, mesh, options, chosen, part(bar, 0.0, 0.8)), chosen[0]
         else:
             found, method = listed[0], str(listed[1].get("method", ""))
-            _check_list(options.artifacts, listed[1], take)
         pairs = repair_all(
             take,
             found,
@@ -88,17 +90,18 @@ def _check_list(path: str, listed: dict[str, Any], take: mm.Take) -> None:
     """Refuse a list of artifacts that says it is about another take."""
     for key, word in (("frames", "frames"), ("rate", "Hz")):
         said, there = listed.get(key), getattr(take, key)
-        if isinstance(said, int | float) and abs(said - there) > 1e-6 * there:
+        if isinstance(said, int | float) and not math.isclose(said, there, rel_tol=1e-9):
             raise DataError(
-                f"“{path}” lists artifacts of a take of {said:g} {word}, and this one has"
-                f" {there:g}; name the list that belongs to it."
+                f"“{path}” lists artifacts of a take of {said} {word}, and this one has {there};"
+                " name the list that belongs to it."
             )
 
 
 def _check(options: argparse.Namespace) -> None:
     """Refuse, before any work is done, what cannot be written or would have no effect."""
     outputs = [options.output, options.json, options.report]
-    check_outputs(outputs, source=options.take, force=options.force, listed=options.artifacts)
+    read = options.take if options.artifacts is None else (options.take, options.artifacts)
+    check_outputs(outputs, source=read, force=options.force)
     check_take_output(options.output, source=options.take)
     if options.method != "auto":
         find_method(options.method)

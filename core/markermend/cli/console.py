@@ -102,16 +102,15 @@ def count(number: int, noun: str) -> str:
 
 
 def check_outputs(
-    paths: Sequence[str | None], *, source: str | None, force: bool, listed: str | None = None
+    paths: Sequence[str | None], *, source: str | Iterable[str | None] | None, force: bool
 ) -> None:
     """Refuse, before any work is done, what could not or should not be written.
 
     Parameters
     ----------
     paths : files to be written; None and ``"-"`` are passed over
-    source : the take that is read
+    source : the take that is read, or all files that are
     force : existing files may be overwritten
-    listed : another file that is read
 
     Raises
     ------
@@ -130,29 +129,31 @@ def check_outputs(
             )
         if where.is_dir():
             raise ExportError(f"“{path}” is a folder; name a file to write.")
+        # /dev/stdout may be a file that a shell writes to, which would be replaced under it.
+        device = path.absolute().parent in (Path("/dev"), Path("/dev/fd"))
+        if device or (path.exists() and not path.is_file()):
+            raise ExportError(f"“{path}” is a device; name a file, or “-” for standard output.")
         if not os.access(where.parent, os.W_OK):
             raise ExportError(
                 f"“{path}” could not be written: the folder “{where.parent}” takes no files; name"
                 " another place."
             )
-        # /dev/stdout may be a file that a shell writes to, which would be replaced under it.
-        device = path.absolute().parent in (Path("/dev"), Path("/dev/fd"))
-        if device or (path.exists() and not path.is_file()):
-            raise ExportError(f"“{path}” is a device; name a file, or “-” for standard output.")
         if where in seen:
             raise ExportError(f"“{path}” is named for two results; give each its own file.")
         seen.add(where)
         if path.exists():
-            _check_replaced(path, {"the take": source, "the list": listed}, force=force)
+            _check_replaced(path, source, force=force)
 
 
-def _check_replaced(path: Path, read: Mapping[str, str | None], *, force: bool) -> None:
+def _check_replaced(path: Path, source: str | Iterable[str | None] | None, *, force: bool) -> None:
     """Refuse to replace what is read, and a review, which is hours of somebody's work."""
     from markermend.review.place import JOURNAL_SUFFIX, SUFFIX
 
-    for what, other in read.items():
+    alone = isinstance(source, str)
+    for other in [source] if isinstance(source, str) else source or ():
         if other is not None and Path(other).exists() and path.samefile(other):
-            raise ExportError(f"“{path}” is {what} itself; name another file to write.")
+            what = "the take itself" if alone else "read itself"
+            raise ExportError(f"“{path}” is {what}; name another file to write.")
     if path.resolve().name.endswith((SUFFIX, JOURNAL_SUFFIX)):
         raise ExportError(f"“{path}” is a review; name another file to write.")
     if not force:

@@ -100,9 +100,9 @@ def choose(options: argparse.Namespace) -> tuple[str, Any]:
         given["slow"] = False
     params = read_params(method, params, given)
     if options.save_preset is not None:
-        from markermend.presets import list_presets, save_preset
+        from markermend.presets import has_preset, save_preset
 
-        if options.save_preset in list_presets() and not options.force:
+        if has_preset(options.save_preset) and not options.force:
             raise ExportError(
                 f"There is a preset “{options.save_preset}” already; add --force to replace it."
             )

@@ -20,7 +20,7 @@ def _run_sudden(options: argparse.Namespace) -> int:
     from markermend.detectors.joint.training import as_json, collect, fit_curves, performers
     from markermend.errors import MethodError
 
-    check_outputs([options.output], source=None, force=options.force)
+    check_outputs([options.output], source=options.takes, force=options.force)
     if not options.takes and not options.performers:
         raise MethodError("Training needs a take, or a performer at least.")
     known = clean_takes(options.takes, options.flaws)
@@ -58,7 +58,7 @@ def _run_slow(options: argparse.Namespace) -> int:
     from markermend.detectors.joint.training import performers
     from markermend.errors import MethodError
 
-    check_outputs([options.output], source=None, force=options.force)
+    check_outputs([options.output], source=options.takes, force=options.force)
     known = [(c.take, c.flaws) for c in clean_takes(options.takes, options.flaws)]
     known += [(take, ()) for take in performers(options.performers, options.seed)]
     folder = Path(options.poses) if options.poses else None

@@ -100,5 +100,5 @@ def run_networks(options: argparse.Namespace) -> int:
 
 def _read(options: argparse.Namespace) -> dict[str, Pose]:
     """Name to recording."""
-    check_outputs([options.output], source=None, force=options.force)
+    check_outputs([options.output], source=options.poses, force=options.force)
     return {Path(path).stem: mm.read_pose(path) for path in options.poses}

@@ -185,7 +185,7 @@ def write_amc(movement: Movement, file: IO[bytes], progress: Progress) -> None:
     file : written from its beginning
     progress : told the share of poses written
     """
-    content = patched(movement.file, movement) if movement.file is not None else None
+    content = patched(movement.file, movement, progress) if movement.file is not None else None
     if content is not None:
         file.write(content)
         return

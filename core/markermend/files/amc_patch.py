@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from math import isfinite, pi
 from pathlib import Path
 
 import numpy as np
 
 from markermend.arrays import FloatArray
 from markermend.poses.skeleton import TURNS, Movement
+from markermend.progress import Progress
 
 _COMMENT = re.compile(rb"#|//|;")
+_BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _SAME = 1e-9
-_NOT_MORE_DIGITS = ".9g"
+_POSES_A_REPORT = 256
 
 
-def patched(path: Path, movement: Movement) -> bytes | None:
+def patched(path: Path, movement: Movement, progress: Progress) -> bytes | None:
     """A movement's file with other numbers where the movement is another.
 
     Header, comments, order of segments, endings of lines and every number that is not changed stay
@@ -26,6 +28,7 @@ def patched(path: Path, movement: Movement) -> bytes | None:
     ----------
     path : the file, as it was when the movement was read
     movement : of the same poses; where a segment is NaN its line goes
+    progress : told the share of poses written; may raise to stop
 
     Returns
     -------
@@ -36,61 +39,56 @@ def patched(path: Path, movement: Movement) -> bytes | None:
         lines = path.read_bytes().splitlines(keepends=True)
     except OSError:
         return None
-    needed = sum(
-        int(np.isfinite(values).all(axis=1).sum())
-        for values in movement.channels.values()
-        if values.shape[1]
-    )
+    told = _in_file(movement, degrees=movement.skeleton.degrees)
     out, pose, written = [], -1, 0
-    scales = _scales(movement, movement.skeleton.degrees)
-    for line, words in zip(lines, _words(lines), strict=True):
-        name = words[0] if words else ""
-        if pose < 0 and name.upper() in (":RADIANS", ":DEGREES"):
-            scales = _scales(movement, name.upper() == ":DEGREES")
-        if name.isdigit() and len(words) == 1:
+    for line in lines:
+        bare = _COMMENT.split(line, maxsplit=1)[0].removeprefix(_BYTE_ORDER_MARK)
+        name, *cells = bare.decode("latin-1").split() or [""]
+        if pose < 0 and name.upper().startswith((":RADIANS", ":DEGREES")):
+            told = _in_file(movement, degrees=name.upper().startswith(":DEGREES"))
+        if name.isdigit() and not cells:
             pose += 1
-        if pose >= movement.frames:
-            return None
-        if pose < 0 or name not in scales:
+            if pose >= movement.frames:
+                return None
+            if pose % _POSES_A_REPORT == 0:
+                progress(pose / movement.frames, "Writing poses")
+        if pose < 0 or name not in told:
             out.append(line)
             continue
-        values = movement.channels[name][pose] * scales[name]
-        if not np.isfinite(values).all():
-            continue
-        written += 1
-        out.append(line if _says(words[1:], values) else _said(line, name, values))
+        values = told[name][pose]
+        if all(map(isfinite, values)):
+            written += 1
+            out.append(line if _says(cells, values) else _said(line, name, values))
+    needed = sum(all(map(isfinite, values)) for rows in told.values() for values in rows)
     fits = pose + 1 == movement.frames and written == needed
     return b"".join(out) if fits else None
 
 
-def _words(lines: list[bytes]) -> Iterator[list[str]]:
-    for line in lines:
-        yield _COMMENT.split(line, maxsplit=1)[0].decode("latin-1").split()
+def _in_file(movement: Movement, *, degrees: bool) -> dict[str, list[list[float]]]:
+    """Channels of each segment, pose by pose, with angles as the file has them."""
+    turn = 1.0 if degrees else pi / 180.0
+    found = {}
+    for segment in movement.skeleton.segments:
+        if segment.name in movement.channels and segment.dofs:
+            scales: FloatArray = np.array([turn if dof in TURNS else 1.0 for dof in segment.dofs])
+            found[segment.name] = (movement.channels[segment.name] * scales).tolist()
+    return found
 
 
-def _scales(movement: Movement, degrees: bool) -> dict[str, FloatArray]:
-    """What each segment's channels, whose angles are degrees, are multiplied by in the file."""
-    turn = 1.0 if degrees else np.pi / 180.0
-    return {
-        segment.name: np.array([turn if dof in TURNS else 1.0 for dof in segment.dofs])
-        for segment in movement.skeleton.segments
-        if segment.name in movement.channels and segment.dofs
-    }
-
-
-def _says(cells: list[str], values: FloatArray) -> bool:
+def _says(cells: list[str], values: list[float]) -> bool:
     """Whether a line has these values already."""
     try:
-        there = np.array([float(cell) for cell in cells])
+        there = [float(cell) for cell in cells]
     except ValueError:
         return False
-    return len(there) == len(values) and bool(np.allclose(there, values, rtol=_SAME, atol=_SAME))
+    return len(there) == len(values) and all(
+        abs(a - b) <= _SAME * max(abs(b), 1.0) for a, b in zip(there, values, strict=True)
+    )
 
 
-def _said(line: bytes, name: str, values: FloatArray) -> bytes:
+def _said(line: bytes, name: str, values: list[float]) -> bytes:
     """The line with other values; its comment and ending stay."""
-    numbers = " ".join(format(value, _NOT_MORE_DIGITS) for value in values.tolist())
     ending = line[len(line.rstrip(b"\r\n")) :]
     comment = _COMMENT.search(line.rstrip())
-    told = b" " + line.rstrip()[comment.start() :] if comment else b""
-    return f"{name} {numbers}".encode("latin-1") + told + ending
+    also = b" " + line.rstrip()[comment.start() :] if comment else b""
+    return " ".join([name, *(f"{v:.9g}" for v in values)]).encode("latin-1") + also + ending

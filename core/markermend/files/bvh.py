@@ -166,7 +166,7 @@ def write_bvh(pose: Pose, file: IO[bytes], progress: Progress) -> None:
     Raises
     ------
     ExportError
-        when a joint was not seen, or rotations are unknown
+        when there is no pose, a joint was not seen, or rotations are unknown
 
     Notes
     -----
@@ -175,6 +175,8 @@ def write_bvh(pose: Pose, file: IO[bytes], progress: Progress) -> None:
     chains as its ends. A joint that others do not carry along, as a shoulder in the trunk, has
     channels of position besides, so that it is where the recording has it.
     """
+    if not pose.positions.size:
+        raise ExportError("There is no pose to write into a BVH.")
     if np.isnan(pose.rotations).all(axis=(0, 2)).any():
         raise ExportError("A BVH holds rotations, which this recording has none of; write a CSV.")
     if np.isnan(pose.positions).any() or np.isnan(pose.rotations).any():
@@ -240,7 +242,7 @@ def _strays(offsets: FloatArray) -> FloatArray:
 
 def _at_starts(pose: Pose) -> Pose:
     """The same with joints where their bones begin, and a joint more at each end."""
-    above = np.maximum(pose.parents, 0)
+    above = [joint if parent < 0 else parent for joint, parent in enumerate(pose.parents)]
     ends = sorted(set(range(len(pose.joints))) - set(pose.parents))
     return Pose(
         np.concatenate([pose.positions[:, above], pose.positions[:, ends]], axis=1),

@@ -47,8 +47,6 @@ _BRIEFLY_HIDDEN = 2
 # Shares of what two earlier steps made in the mean of what was seen and smoothed in three ways.
 _BEFORE, _AT_FIRST = 0.3, 0.1
 _LEAST_FRAMES = 3
-# What is divided by is at least so much.
-_TINY = 1e-12
 # Poses that it takes to tell how a body bends.
 _SETTLES = 30
 
@@ -146,8 +144,12 @@ def _tried(restored: Restored, tell: Progress) -> Restored:
     hidden = hidden_in(trials, len(positions), len(whole.joints))
     known = whole.with_samples(positions, rotations, np.where(hidden, 0.0, 1.0))
     again = _restore(known, None, tell)
-    away = np.sum((again.pose.positions - positions)[hidden] ** 2, axis=1)
-    more = np.sqrt(np.nansum(away) / max(np.nansum(again.error_mm[hidden] ** 2), _TINY))
+    # Of a root, which everything is measured from, no error is expected.
+    judged = hidden & (again.error_mm > 0)
+    if not judged.any():
+        return restored
+    away = np.sum((again.pose.positions - positions)[judged] ** 2, axis=1)
+    more = float(np.sqrt(np.sum(away) / np.sum(again.error_mm[judged] ** 2)))
     error = np.where(restored.filled, max(more, 1.0) * restored.error_mm, restored.error_mm)
     return replace(restored, error_mm=error)
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from threadpoolctl import threadpool_limits
 
-from markermend.arrays import BoolArray, FloatArray
+from markermend.arrays import BoolArray, FloatArray, runs
 from markermend.artifact import Artifact, Kind, axis_columns
 from markermend.parameters import read_params
 from markermend.repairs.body_frame import rank_references
@@ -180,14 +180,22 @@ class _Trials:
 
 
 def _trials_of(evidence: Evidence, artifact: Artifact, count: int) -> _Trials:
-    """Find so many places, the nearest first."""
+    """Find so many places, the nearest first.
+
+    Where the marker is never known for as long, half of the longest time that it is gets hidden,
+    on the side that is nearer to what is known.
+    """
     known = evidence.seen[:, evidence.take.index(artifact.marker)]
-    before = np.flatnonzero(known[: artifact.start])
-    after = np.flatnonzero(known[artifact.stop :])
+    before, after = np.flatnonzero(known[: artifact.start]), np.flatnonzero(known[artifact.stop :])
     start = int(before[-1]) + 1 if len(before) else 0
     stop = artifact.stop + int(after[0]) if len(after) else len(known)
-    places = _places(known, start, stop - start, count)
-    return _Trials(evidence, artifact, start, stop, places)
+    longest = max((int(b - a) for a, b in runs(known)), default=0)
+    room = max(longest // 2, artifact.length)
+    if stop - start > max(longest - 2, artifact.length):
+        first = artifact.start - start <= stop - artifact.stop
+        begin = max(start, artifact.stop - room) if first else min(stop - room, artifact.start)
+        start, stop = begin, begin + room
+    return _Trials(evidence, artifact, start, stop, _places(known, start, stop - start, count))
 
 
 def _told(tried: _Trials, repair: Repair, misses: list[FloatArray]) -> Repair:

@@ -18,7 +18,7 @@ from markermend_app.panels.scene.camera import FOV, Camera
 
 _SAMPLED = 200
 # Frames on either side that say where a body is.
-_AROUND = 5
+_AROUND, _AWAY = 5, 2000
 LEAST_RADIUS_MM, LONE_RADIUS_MM = 10.0, 300.0
 
 
@@ -130,12 +130,12 @@ def reach_of(take: Take, body: Sequence[int]) -> float:
 
 
 def centre_at(positions: FloatArray, frame: int, body: Sequence[int]) -> FloatArray:
-    """(3,) middle of what is seen of some markers around a frame; NaN when nothing ever is.
+    """(3,) middle of what is seen of some markers around a frame.
 
-    Amid a gap of all of them it is where they are seen next.
+    Amid a gap of all of them it is where they are seen next; NaN when that is long before or after.
     """
-    reach, frames = _AROUND, len(positions)
-    while True:
+    reach = _AROUND
+    while reach < _AWAY:
         start = max(0, frame - reach)
         near = positions[start : frame + reach + 1, body]
         seen = ~np.isnan(near[..., 0])
@@ -144,9 +144,8 @@ def centre_at(positions: FloatArray, frame: int, body: Sequence[int]) -> FloatAr
             first = int(away[seen.any(axis=1)].min())
             close = seen & (away <= max(first, _AROUND))[:, None]
             return np.asarray(np.median(near[close], axis=0))
-        if reach >= frames:
-            return np.full(3, np.nan)
         reach *= 4
+    return np.full(3, np.nan)
 
 
 def _extent(points: FloatArray) -> float:
