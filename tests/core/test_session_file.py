@@ -16,7 +16,7 @@ from markermend.errors import FileFormatError
 from markermend.files import read, write
 from markermend.repairs import propose
 from markermend.review import file as session_file
-from markermend.review.file import open_session
+from markermend.review.file import open_session, read_review
 from markermend.simulation import simulate_clean
 from markermend.take import Take
 
@@ -227,6 +227,20 @@ def test_a_review_in_a_folder_that_became_read_only_goes_on_in_the_users_own(tmp
     assert len(again.session.artifacts) == 1
     assert again.path.parent == tmp_path / "own" / "sessions"
     again.close()
+
+
+@pytest.mark.parametrize("spoilt", [None, "x", [1], {}])
+@pytest.mark.parametrize("part", ["source", "generation", "done", "undone"])
+def test_a_review_with_a_spoilt_part_is_refused_in_one_sentence(tmp_path, part, spoilt):
+    kept = open_session(make_take(), folder=tmp_path)
+    kept.session.mark(artifact())
+    kept.save()
+    kept.close()
+    document = json.loads(kept.path.read_text()) | {part: spoilt}
+    kept.path.write_text(json.dumps(document))
+    for reads in (open_session, read_review):
+        with pytest.raises(FileFormatError, match="move it away"):
+            reads(make_take(), folder=tmp_path)
 
 
 def test_a_review_with_a_broken_step_is_refused_in_one_sentence(tmp_path):

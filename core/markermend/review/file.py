@@ -27,10 +27,11 @@ from markermend.review.edits import samples_in
 from markermend.review.lock import open_locked
 from markermend.review.on_disk import OnDisk
 from markermend.review.place import index_entry, journal_path, own_path, session_path, source_hash
+from markermend.review.replay import replay_document, replay_journal
 from markermend.review.saving import Snapshot
 from markermend.review.session import Session
 from markermend.review.step import Step
-from markermend.review.steps_json import step_from_dict, step_to_dict
+from markermend.review.steps_json import step_to_dict
 from markermend.take import Take
 
 VERSION = 2
@@ -235,7 +236,7 @@ def open_session(take: Take, *, folder: Path | None = None) -> SessionFile:
             handle.truncate(0)
         if handle is not None:
             handle.seek(0)
-            result.recovered = _replay_journal(session, handle.read(), result.generation, digest)
+            result.recovered = replay_journal(session, handle.read(), result.generation, digest)
             result._journal = handle
             if result.recovered or result.warning:
                 # What came from elsewhere is nowhere at this place yet.
@@ -276,7 +277,7 @@ def read_review(take: Take, *, folder: Path | None = None) -> Session:
     if not _restore(result, beside):
         with contextlib.suppress(FileNotFoundError):
             text = journal_path(path).read_bytes()
-            _replay_journal(result.session, text, result.generation, digest)
+            replay_journal(result.session, text, result.generation, digest)
     return result.session
 
 
@@ -296,7 +297,7 @@ def _restore(result: SessionFile, beside: Path) -> bool:
             result.warning = carry_over(session, stored, path)
             return True
         result.generation = int(stored["generation"])
-        _replay_document(session, stored)
+        replay_document(session, stored)
     except (KeyError, TypeError, ValueError, AttributeError, DataError) as error:
         raise _unreadable(path) from error
     return False
@@ -353,49 +354,6 @@ def _moved(digest: str, path: Path, beside: Path) -> dict[str, Any] | None:
                 if stored is not None and stored["source"]["sha256"] == digest:
                     return stored
     return None
-
-
-def _replay_document(session: Session, document: Mapping[str, Any]) -> None:
-    """Do again every step of a session file, then take back what stood undone."""
-    undone = [step_from_dict(d) for d in document["undone"]]
-    for entry in document["done"]:
-        session.perform(*step_from_dict(entry))
-    for step in reversed(undone):
-        session.perform(*step)
-    for _ in undone:
-        session.undo()
-    if document.get("exported") is not None:
-        session.mark_exported(int(document["exported"]))
-
-
-def _replay_journal(session: Session, text: bytes, generation: int, digest: str) -> int:
-    """Do again what a journal holds; stops at the first line that a crash cut short."""
-    lines = text.split(b"\n")
-    head = _parse(lines[0])
-    if head is None or head.get("generation") != generation or head.get("sha256") != digest:
-        return 0
-    count = 0
-    for line in lines[1:]:
-        entry = _parse(line)
-        if entry is None:
-            break
-        if "do" in entry:
-            session.perform(*step_from_dict(entry["do"]))
-        elif "undo" in entry:
-            session.undo()
-        else:
-            session.redo()
-        count += 1
-    return count
-
-
-def _parse(line: bytes) -> dict[str, Any] | None:
-    """One journal line, or None when it is empty or cut short."""
-    try:
-        entry = json.loads(line)
-    except ValueError:
-        return None
-    return entry if isinstance(entry, dict) else None
 
 
 def _lines(journal: IO[bytes]) -> int:
