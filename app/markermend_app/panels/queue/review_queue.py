@@ -47,6 +47,7 @@ from markermend_app.panels.spared import show_if_it_fits, spare
 from markermend_app.style import theme
 
 _WIDTHS = (80, 96, 96, 54, 90, 66, 66, 90, 92, 180, 60)
+_PADDING = 24
 _SPARED = (TIME, LENGTH, AXES, SIZE, FRAMES, STATUS)
 """Columns that are left out one after the other where room is scarce; tooltips tell them."""
 _WHY_LEAST = 200
@@ -87,10 +88,12 @@ class ReviewQueue(QWidget):
         self.view.sortByColumn(STATUS, Qt.SortOrder.AscendingOrder)
         self._widths = list(_WIDTHS)
         for column, width in enumerate(_WIDTHS):
-            # Some languages have longer words for it.
-            named = self.view.horizontalHeader().sectionSizeHint(column)
-            self.view.setColumnWidth(column, width if column == WHY else max(width, named))
-            self._widths[column] = self.view.columnWidth(column)
+            self.view.setColumnWidth(column, width)
+        # Some languages have a longer word for what needs least room.
+        name = self.model.headerData(AXES, Qt.Orientation.Horizontal)
+        named = self.view.horizontalHeader().fontMetrics().horizontalAdvance(name) + _PADDING
+        self._widths[AXES] = max(_WIDTHS[AXES], named)
+        self.view.setColumnWidth(AXES, self._widths[AXES])
         self.view.horizontalHeader().sectionResized.connect(self._remember_width)
 
         self._hint = hint("")
