@@ -83,3 +83,21 @@ def _middle(ordered: FloatArray, axis: int) -> FloatArray:
     low, high = np.maximum(count - 1, 0) // 2, np.minimum(count // 2, size - 1)
     middle = (np.take_along_axis(ordered, at, axis) for at in (low, high))
     return np.asarray(0.5 * np.squeeze(sum(middle), axis))
+
+
+def free_starts(free: BoolArray, length: int, beside: int) -> IntArray:
+    """Starts of all stretches of a length that are free.
+
+    Parameters
+    ----------
+    free : (frames,) bool
+    length : frames
+    beside : frames on either side that are to be free, too
+
+    Returns
+    -------
+    (n,) int64, rising; none where there is no room
+    """
+    taken = np.concatenate([[0], np.cumsum(~free)])
+    starts = np.arange(beside, len(free) - length - beside + 1)
+    return np.asarray(starts[taken[starts + length + beside] == taken[starts - beside]])

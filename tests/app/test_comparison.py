@@ -94,6 +94,15 @@ def test_arrows_step_frames_again_when_the_key_is_let_go(window, qtbot):
     assert document.frame == frame + 1
 
 
+def test_a_tap_of_the_key_says_to_hold_it(window, qtbot):
+    QTest.keyPress(window, Qt.Key.Key_C)
+    QTest.keyRelease(window, Qt.Key.Key_C)
+    with qtbot.waitSignal(window.comparison.changed):
+        window.comparison.candidates = None
+    assert "Hold the key" in window.status._said.text()
+    assert not window.comparison.shown
+
+
 def test_walking_on_while_comparing_compares_the_next(window, qtbot):
     comparison = window.comparison
     QTest.keyPress(window, Qt.Key.Key_C)

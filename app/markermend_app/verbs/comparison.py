@@ -50,7 +50,7 @@ class Comparison(QObject):
         self.candidates: tuple[Any, ...] | None = None
         self.hopeless = 0
         self._letting_go = QTimer(self, interval=LET_GO_MS, singleShot=True)
-        self._letting_go.timeout.connect(self.stop)
+        self._letting_go.timeout.connect(self._let_go)
         document.opened.connect(self._forget)
         document.data_changed.connect(self._forget)
         document.current_changed.connect(self._follow)
@@ -80,12 +80,15 @@ class Comparison(QObject):
         """Hide them; the one that was walked to stays previewed."""
         self._letting_go.stop()
         if self.shown:
-            if self.candidates is None:
-                # Whoever tapped the key would see nothing happen.
-                self.said.emit(self.tr("Hold the key until the repairs to compare are there."))
             self.shown = False
             _app().removeEventFilter(self)
             self.changed.emit()
+
+    def _let_go(self) -> None:
+        """Hide them once the key is let go; whoever tapped it would see nothing happen."""
+        if self.shown and self.candidates is None:
+            self.said.emit(self.tr("Hold the key until the repairs to compare are there."))
+        self.stop()
 
     def step(self, by: int) -> None:
         """Preview the next or the previous candidate."""

@@ -43,7 +43,7 @@ _SURE, _ROUNDS = 2e-3, 2
 # errors count as this share of themselves.
 _FIRM = 0.25
 # Brief gaps, known better once all is smooth, make it worth to smooth a second time from there.
-_BRIEFLY_HIDDEN = 2
+_ROUNDS_WHERE_BRIEF = 2
 # Shares of what two earlier steps made in the mean of what was seen and smoothed in three ways.
 _BEFORE, _AT_FIRST = 0.3, 0.1
 _LEAST_FRAMES = 3
@@ -105,6 +105,8 @@ def restore(
     Returns
     -------
     Restored
+        whose expected errors, where no prior fits, are those made where as much that is known was
+        hidden, which takes up to as long again
 
     Raises
     ------
@@ -197,7 +199,7 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     if level > _NOISY:
         tell(0.8, "Smoothing again")
         first = features
-        for _ in range(1 if filled.lasting or known.all() else _BRIEFLY_HIDDEN):
+        for _ in range(1 if filled.lasting or known.all() else _ROUNDS_WHERE_BRIEF):
             pilot = _columns(features, channels)[:, usable]
             again = np.where(known, channels.values[:, usable], pilot)
             whole[:, usable] = smooth_again(again, pilot, noise[usable], pose.rate)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from markermend.arrays import BoolArray, runs
+from markermend.arrays import BoolArray, free_starts, runs
 
 # Gaps tried at most; shorter ones are crossed by time, of which single frames tell enough.
 _MOST, _LEAST_S = 12, 0.1
@@ -19,7 +19,7 @@ _ENOUGH = 2000
 
 @dataclass(frozen=True)
 class Trial:
-    """Joints to be hidden over some frames."""
+    """Joints, by index, to be hidden over frames ``[start, stop)``."""
 
     start: int
     stop: int
@@ -27,7 +27,12 @@ class Trial:
 
 
 def enough_around(filled: BoolArray) -> slice:
-    """Frames of a long recording about the middle of what was filled; of a short one all."""
+    """Frames of a long recording about the middle of what was filled; of a short one all.
+
+    Parameters
+    ----------
+    filled : (frames, joints) bool
+    """
     frames = len(filled)
     there = np.flatnonzero(filled.any(axis=1))
     if frames <= _ENOUGH or not len(there):
@@ -58,8 +63,10 @@ def trials_of(filled: BoolArray, rate: float) -> tuple[Trial, ...]:
     places = sorted(together)
     for start, stop in places[:: max(-(-len(places) // _MOST), 1)]:
         joints = together[start, stop]
-        at = _room(taken | filled[:, joints].any(axis=1), start, stop - start)
-        if at is not None:
+        free = ~(taken | filled[:, joints].any(axis=1))
+        room = free_starts(free, stop - start, _BESIDE)
+        if len(room):
+            at = int(room[np.argmin(np.abs(room - start))])
             found.append(Trial(at, at + stop - start, tuple(joints)))
             taken[at : at + stop - start] = True
     return tuple(found)
@@ -71,11 +78,3 @@ def hidden_in(trials: Sequence[Trial], frames: int, joints: int) -> BoolArray:
     for trial in trials:
         hidden[trial.start : trial.stop, trial.joints] = True
     return hidden
-
-
-def _room(taken: BoolArray, near: int, length: int) -> int | None:
-    """Nearest start of so many frames that are not taken, with some on either side."""
-    before = np.concatenate([[0], np.cumsum(taken)])
-    starts = np.arange(_BESIDE, len(taken) - length - _BESIDE + 1)
-    free = starts[before[starts + length + _BESIDE] == before[starts - _BESIDE]]
-    return int(free[np.argmin(np.abs(free - near))]) if len(free) else None

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from threadpoolctl import threadpool_limits
 
-from markermend.arrays import BoolArray, FloatArray, runs
+from markermend.arrays import BoolArray, FloatArray, free_starts, runs
 from markermend.artifact import Artifact, Kind, axis_columns
 from markermend.parameters import read_params
 from markermend.repairs.body_frame import rank_references
@@ -191,6 +191,7 @@ def _trials_of(evidence: Evidence, artifact: Artifact, count: int) -> _Trials:
     stop = artifact.stop + int(after[0]) if len(after) else len(known)
     longest = max((int(b - a) for a, b in runs(known)), default=0)
     room = max(longest // 2, artifact.length)
+    # A frame on either side stays known.
     if stop - start > max(longest - 2, artifact.length):
         first = artifact.start - start <= stop - artifact.stop
         begin = max(start, artifact.stop - room) if first else min(stop - room, artifact.start)
@@ -267,11 +268,9 @@ def _hidden(tried: _Trials, place: int) -> Evidence:
 
 def _places(known: BoolArray, near: int, length: int, count: int) -> tuple[int, ...]:
     """Starts of the nearest known stretches of a length, none overlapping another."""
-    clear = np.concatenate([[0], np.cumsum(~known)])
     # One frame more on either side, so that a curve has somewhere to start from.
-    starts = np.arange(1, len(known) - length)
-    free = clear[starts + length + 1] == clear[starts - 1]
-    nearest = starts[free][np.argsort(np.abs(starts[free] - near), kind="stable")]
+    starts = free_starts(known, length, 1)
+    nearest = starts[np.argsort(np.abs(starts - near), kind="stable")]
     places: list[int] = []
     for start in nearest.tolist():
         if all(abs(start - other) >= length for other in places):

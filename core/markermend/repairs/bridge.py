@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from markermend.arrays import BoolArray, FloatArray, IntArray
+from markermend.arrays import BoolArray, FloatArray, IntArray, free_starts
 
 # Scales of the two Matérn 3/2 covariances, and how far on either side the bridge looks.
 SCALES_S = (0.13, 0.67)
@@ -115,8 +115,7 @@ def bridge_within(
 
 def _stretches(known: BoolArray, length: int) -> IntArray:
     """Starts of stretches of a length that are known throughout, spread evenly over the take."""
-    lacking = np.concatenate([[0], np.cumsum(~known)])
-    starts = np.flatnonzero(lacking[length:] == lacking[: len(lacking) - length])
+    starts = free_starts(known, length, 0)
     if len(starts) == 0:
         return starts
     places = np.linspace(0, len(starts) - 1, TRIALS + 2)[1:-1]
