@@ -43,7 +43,7 @@ class PanelWalk:
         """Give the keyboard to what narrows down the review queue, if it is there, or the tree."""
         name, line = "markers", self._window.tree.filter
         if _is_in(QApplication.focusWidget(), self._window.docks["queue"]):
-            name, line = "queue", self._window.queue.filter
+            name, line = "queue", self._window.queue.filters.marker
         self._window.show_dock(name)
         _give_keyboard(line)
         line.selectAll()

@@ -94,13 +94,13 @@ def test_arrows_step_frames_again_when_the_key_is_let_go(window, qtbot):
     assert document.frame == frame + 1
 
 
-def test_a_tap_of_the_key_says_to_hold_it(window, qtbot):
+def test_a_tap_of_the_key_says_to_hold_it(window, qtbot, monkeypatch):
+    # Repairs that never come: where they are quick, they are there before the key is let go.
+    monkeypatch.setattr(window.comparison, "_ask", lambda artifact: None)
     QTest.keyPress(window, Qt.Key.Key_C)
     QTest.keyRelease(window, Qt.Key.Key_C)
-    with qtbot.waitSignal(window.comparison.changed):
-        window.comparison.candidates = None
+    qtbot.waitUntil(lambda: not window.comparison.shown)
     assert "Hold the key" in window.status._said.text()
-    assert not window.comparison.shown
 
 
 def test_walking_on_while_comparing_compares_the_next(window, qtbot):

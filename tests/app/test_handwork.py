@@ -427,7 +427,7 @@ def test_renaming_leaves_what_is_seen_as_it_was(window, mouse, qtbot):
     window.trajectories.set_view(30, 80)
     scene.set_vertical(0)
     qtbot.keyClick(scene, Qt.Key.Key_Plus)
-    qtbot.keyClicks(window.queue.filter, "T1")
+    qtbot.keyClicks(window.queue.filters.marker, "T1")
     seen = mouse.time, scene.camera, window.overview._view
     values = mouse.panel.rows[0].view.viewRange()[1]
     answer_with(qtbot, "LUMB")
@@ -436,7 +436,7 @@ def test_renaming_leaves_what_is_seen_as_it_was(window, mouse, qtbot):
     assert (mouse.time, scene.camera, window.overview._view) == seen
     assert mouse.panel.rows[0].view.viewRange()[1] == pytest.approx(values)
     assert scene._vertical == 0
-    assert window.queue.filter.text() == "T1"
+    assert window.queue.filters.marker.text() == "T1"
 
 
 def test_the_name_of_the_subject_is_not_overwritten(window, qtbot):

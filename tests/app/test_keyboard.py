@@ -60,7 +60,7 @@ def test_esc_gives_the_keyboard_back_to_the_plots_from_every_panel(window, qtbot
     note = window.inspector.artifact.note
     views = (window.tree.view, window.queue.view, window.quality.view)
     others = (window.overview, window.scene, window.inspector.place, window.transport.number)
-    for place in (window.tree.filter, window.queue.filter, note, *views, *others):
+    for place in (window.tree.filter, window.queue.filters.marker, note, *views, *others):
         window.docks["quality" if place is window.quality.view else "queue"].raise_()
         place.setFocus()
         # Esc in a line that narrows a list goes to that list first.
@@ -265,7 +265,7 @@ def test_lists_are_narrowed_down_from_where_the_hands_are(window, qtbot):
     assert focus() is window.tree.filter
     window.queue.view.setFocus()
     qtbot.keyClick(window.windowHandle(), Qt.Key.Key_F, Qt.KeyboardModifier.ControlModifier)
-    assert focus() is window.queue.filter
+    assert focus() is window.queue.filters.marker
 
 
 def choose(view, qtbot, *entries):

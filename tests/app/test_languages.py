@@ -131,7 +131,7 @@ def test_the_window_speaks_german(german, open_window):
     texts = {a.text() for a in window.menuBar().actions()}
     assert "&Hilfe" in texts
     # Open is a verb in the toolbar, and what is not decided in the queue.
-    assert window.queue.status.currentText() == "Offen"
+    assert window.queue.filters.status.currentText() == "Offen"
 
 
 def test_german_has_room_in_the_quality_panel_and_the_sheet_of_keys(german, open_window, qtbot):

@@ -27,7 +27,7 @@ def test_the_window_fits_half_a_screen(window):
     widen(window, HALF)
     assert window.width() == HALF
     assert window.toolbar.sizeHint().width() <= window.toolbar.width()
-    assert window.queue._row.minimumSize().width() <= window.queue.width()
+    assert window.queue.filters._row.minimumSize().width() <= window.queue.width()
     row = window.transport._row
     assert row.minimumSize().width() <= window.transport.width()
     assert window.inspector.decisions.minimumSizeHint().width() <= window.inspector.width()
@@ -46,16 +46,16 @@ def test_names_of_methods_are_read_whole(window):
 
 
 def test_words_and_counts_are_left_out_where_they_have_no_room(window):
-    queue, button = window.queue, next(iter(window.queue.kinds.values()))
+    queue, button = window.queue, next(iter(window.queue.filters.kinds.values()))
     open_button = window.toolbar._buttons[0]
     widen(window, 1500, 900)
     assert button.toolButtonStyle() == open_button.toolButtonStyle() == WORDS
-    assert queue.progress.isVisible()
+    assert queue.filters.progress.isVisible()
     widen(window, 400)
     assert open_button.toolButtonStyle() != WORDS
     assert button.toolButtonStyle() != WORDS
     assert "1 open" in button.toolTip()
-    assert queue.progress.isHidden()
+    assert queue.filters.progress.isHidden()
     widen(window, 1500, 900)
     assert button.toolButtonStyle() == open_button.toolButtonStyle() == WORDS
 

@@ -59,7 +59,7 @@ def markers(queue):
 def test_worst_come_first_and_the_document_walks_in_that_order(queue, document):
     assert markers(queue) == ["CLAV", "LWRA", "LELB", "C7"]
     assert document.queue == tuple(a.id for a in queue.model.rows)
-    assert queue.progress.text() == "0 of 4 decided"
+    assert queue.filters.progress.text() == "0 of 4 decided"
 
 
 def test_header_click_sorts_and_the_walk_follows(qtbot, queue, document):
@@ -112,7 +112,7 @@ def test_double_click_repairs(qtbot, queue, document):
     at = queue.view.visualRect(queue.model.index(2, MARKER)).center()
     qtbot.mouseDClick(queue.view.viewport(), Qt.MouseButton.LeftButton, pos=at)
     qtbot.waitUntil(lambda: document.session.artifact(i).status is Status.REPAIRED, timeout=10_000)
-    queue.status.setCurrentIndex(2)
+    queue.filters.status.setCurrentIndex(2)
     assert not queue.view.isColumnHidden(REPAIR)
     assert queue.model.index(0, REPAIR).data()
 
@@ -123,8 +123,8 @@ def test_decided_rows_leave_the_open_list_and_the_next_one_is_current(queue, doc
     settled(qtbot)
     assert markers(queue) == ["LWRA", "LELB", "C7"]
     assert document.current.marker == "LWRA"
-    assert queue.progress.text() == "1 of 4 decided"
-    queue.status.setCurrentIndex(3)
+    assert queue.filters.progress.text() == "1 of 4 decided"
+    queue.filters.status.setCurrentIndex(3)
     assert queue.model.rows[-1].marker == "CLAV"
 
 
@@ -186,30 +186,30 @@ def test_menu_asks_for_the_repair_of_many(qtbot, queue, document):
 
 
 def test_filters_by_class_and_marker(qtbot, queue, document):
-    qtbot.mouseClick(queue.kinds[Kind.STEP], Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(queue.filters.kinds[Kind.STEP], Qt.MouseButton.LeftButton)
     assert markers(queue) == ["LWRA"]
-    qtbot.mouseClick(queue.kinds[Kind.PEAK], Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(queue.filters.kinds[Kind.PEAK], Qt.MouseButton.LeftButton)
     assert markers(queue) == ["LWRA", "LELB"]
-    qtbot.keyClicks(queue.filter, "elb")
+    qtbot.keyClicks(queue.filters.marker, "elb")
     assert markers(queue) == ["LELB"]
     assert document.queue == (queue.model.rows[0].id,)
-    queue.filter.setText("nobody")
+    queue.filters.marker.setText("nobody")
     assert "No artifact matches" in queue._hint.text()
     assert queue._hint.isVisible()
 
 
 def test_keyboard_leaves_the_filter_line(qtbot, queue, document):
     queue.activateWindow()
-    queue.filter.setFocus()
-    qtbot.keyClicks(queue.filter, "LW")
-    qtbot.keyClick(queue.filter, Qt.Key.Key_Return)
+    queue.filters.marker.setFocus()
+    qtbot.keyClicks(queue.filters.marker, "LW")
+    qtbot.keyClick(queue.filters.marker, Qt.Key.Key_Return)
     assert markers(queue) == ["LWRA"]
     qtbot.waitUntil(queue.view.hasFocus)
-    queue.filter.setFocus()
-    qtbot.keyClick(queue.filter, Qt.Key.Key_Escape)
+    queue.filters.marker.setFocus()
+    qtbot.keyClick(queue.filters.marker, Qt.Key.Key_Escape)
     assert len(markers(queue)) == 4
-    assert queue.filter.hasFocus()
-    qtbot.keyClick(queue.filter, Qt.Key.Key_Escape)
+    assert queue.filters.marker.hasFocus()
+    qtbot.keyClick(queue.filters.marker, Qt.Key.Key_Escape)
     qtbot.waitUntil(queue.view.hasFocus)
 
 
@@ -279,7 +279,7 @@ def test_where_hands_scrolled_to_stays_when_only_decisions_change(tmp_path, qtbo
         Artifact(labels[i % 40], "xyz", 29 * i, 29 * i + 9, Kind.PEAK, 0.9, 5.0) for i in range(200)
     ]
     document, queue = listed(qtbot, tmp_path, take, found)
-    queue.status.setCurrentIndex(3)
+    queue.filters.status.setCurrentIndex(3)
     document.select(document.queue[0])
     settled(qtbot)
     bar = queue.view.verticalScrollBar()

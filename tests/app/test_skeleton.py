@@ -76,7 +76,7 @@ def test_what_has_joints_is_not_said_to_have_markers(opened):
     facts = [label.text() for label in opened.inspector.findChildren(QLabel)]
     assert "Joints" in facts
     assert "Markers" not in facts
-    assert opened.queue.filter.accessibleName() == "Filter by joint"
+    assert opened.queue.filters.marker.accessibleName() == "Filter by joint"
     opened.docks["quality"].raise_()
     opened.quality._count()
     for header in (opened.queue.view.horizontalHeader(), opened.quality.head.horizontalHeader()):

@@ -76,7 +76,7 @@ def test_f_before_the_proposal_is_there_is_not_lost(reviewed, qtbot):
 
 
 def test_review_keys_do_not_land_in_a_filter_after_opening(reviewed):
-    assert reviewed.focusWidget() not in (reviewed.tree.filter, reviewed.queue.filter)
+    assert reviewed.focusWidget() not in (reviewed.tree.filter, reviewed.queue.filters.marker)
 
 
 def test_n_and_p_walk_the_queue(reviewed, qtbot):
@@ -263,7 +263,7 @@ def test_a_take_that_is_not_searched_loads_the_repairs_on_the_worker_too(
 
 def test_an_open_take_fits_small_screens_too(reviewed, qtbot):
     reviewed.resize(1500, 900)
-    qtbot.waitUntil(reviewed.queue.progress.isVisible)
+    qtbot.waitUntil(reviewed.queue.filters.progress.isVisible)
     assert reviewed.minimumSizeHint().width() <= 1100
 
 

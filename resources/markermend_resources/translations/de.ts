@@ -3823,6 +3823,49 @@
     </message>
 </context>
 <context>
+    <name>QueueFilters</name>
+    <message>
+        <source>Which decisions are listed</source>
+        <translation>Welche Entscheidungen aufgeführt sind</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Offen</translation>
+    </message>
+    <message>
+        <source>Accepted, not repaired</source>
+        <translation>Angenommen, nicht repariert</translation>
+    </message>
+    <message>
+        <source>Decided</source>
+        <translation>Entschieden</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Only: {0}</source>
+        <translation>Nur: {0}</translation>
+    </message>
+    <message>
+        <source>Filter by marker</source>
+        <translation>Nach Marker filtern</translation>
+    </message>
+    <message>
+        <source>Filter by joint</source>
+        <translation>Nach Gelenk filtern</translation>
+    </message>
+    <message>
+        <source>{0} of {1} decided</source>
+        <translation>{0} von {1} entschieden</translation>
+    </message>
+    <message>
+        <source>{0} open</source>
+        <translation>{0} offen</translation>
+    </message>
+</context>
+<context>
     <name>QueueModel</name>
     <message>
         <source>Status</source>
@@ -3926,48 +3969,8 @@
         <translation>Prüfliste</translation>
     </message>
     <message>
-        <source>Which decisions are listed</source>
-        <translation>Welche Entscheidungen aufgeführt sind</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>Offen</translation>
-    </message>
-    <message>
-        <source>Accepted, not repaired</source>
-        <translation>Angenommen, nicht repariert</translation>
-    </message>
-    <message>
-        <source>Decided</source>
-        <translation>Entschieden</translation>
-    </message>
-    <message>
-        <source>All</source>
-        <translation>Alle</translation>
-    </message>
-    <message>
-        <source>Only: {0}</source>
-        <translation>Nur: {0}</translation>
-    </message>
-    <message>
-        <source>Filter by marker</source>
-        <translation>Nach Marker filtern</translation>
-    </message>
-    <message>
         <source>Repair, each by its best method</source>
         <translation>Reparieren, jedes mit seinem besten Verfahren</translation>
-    </message>
-    <message>
-        <source>Filter by joint</source>
-        <translation>Nach Gelenk filtern</translation>
-    </message>
-    <message>
-        <source>{0} of {1} decided</source>
-        <translation>{0} von {1} entschieden</translation>
-    </message>
-    <message>
-        <source>{0} open</source>
-        <translation>{0} offen</translation>
     </message>
     <message>
         <source>Open a take to review its artifacts here.</source>

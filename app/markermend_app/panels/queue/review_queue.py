@@ -2,30 +2,25 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from functools import partial
 
 from PySide6.QtCore import QItemSelection, QItemSelectionModel, QModelIndex, QPoint, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
-    QComboBox,
-    QHBoxLayout,
-    QLabel,
     QMenu,
     QStackedWidget,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
-from markermend.artifact import Kind, Status
+from markermend.artifact import Status
 from markermend_app.actions import shortcuts
 from markermend_app.actions.menus import entry
 from markermend_app.document import Document
 from markermend_app.later import Later
 from markermend_app.panels.before_hands import BeforeHands
-from markermend_app.panels.markers.badge import hint, kind_icon
-from markermend_app.panels.queue.filter_line import FilterLine
+from markermend_app.panels.markers.badge import hint
+from markermend_app.panels.queue.filters import ACCEPTED, OPEN, QueueFilters
 from markermend_app.panels.queue.model import (
     AXES,
     COLUMNS,
@@ -38,12 +33,9 @@ from markermend_app.panels.queue.model import (
     TIME,
     WHY,
     QueueModel,
-    Wanted,
-    count_decided,
 )
 from markermend_app.panels.queue.view import QueueView
 from markermend_app.panels.sort_menu import sort_menu
-from markermend_app.panels.spared import show_if_it_fits, spare
 from markermend_app.style import theme
 
 _WIDTHS = (80, 96, 96, 54, 90, 66, 66, 90, 92, 180, 60)
@@ -51,13 +43,6 @@ _PADDING = 24
 _SPARED = (TIME, LENGTH, AXES, SIZE, FRAMES, STATUS)
 """Columns that are left out one after the other where room is scarce; tooltips tell them."""
 _WHY_LEAST = 200
-_STYLES = (
-    Qt.ToolButtonStyle.ToolButtonTextBesideIcon,
-    Qt.ToolButtonStyle.ToolButtonIconOnly,
-)
-_OPEN = frozenset({Status.PENDING})
-_DECIDED = frozenset({Status.ACCEPTED, Status.REJECTED, Status.REPAIRED})
-_ACCEPTED = frozenset({Status.ACCEPTED})
 
 
 class ReviewQueue(QWidget):
@@ -103,9 +88,9 @@ class ReviewQueue(QWidget):
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 4, 0, 0)
         whole.setSpacing(4)
-        self._row = self._make_filters()
-        whole.addLayout(self._row)
-        self.setMinimumWidth(self._width_with(_STYLES[-1]))
+        self.filters = QueueFilters(self.view)
+        self.filters.changed.connect(self._filter)
+        whole.addWidget(self.filters)
         whole.addWidget(self._pages, 1)
 
         self.view.selectionModel().currentRowChanged.connect(self._row_changed)
@@ -119,78 +104,22 @@ class ReviewQueue(QWidget):
         document.artifacts_changed.connect(self._artifacts_changed)
         document.history_changed.connect(self._soon.ask)
         document.current_changed.connect(self._current_changed)
-        theme.watcher.changed.connect(self._recolour)
+        theme.watcher.changed.connect(self.view.viewport().update)
         shortcuts.watcher.changed.connect(self._explain)
-        self._recolour()
         self._filter()
         self._refresh()
-
-    def _make_filters(self) -> QHBoxLayout:
-        """The line above the table."""
-        row = QHBoxLayout()
-        row.setContentsMargins(4, 0, 4, 0)
-        row.setSpacing(4)
-        self.status = QComboBox()
-        self.status.setAccessibleName(self.tr("Which decisions are listed"))
-        for text, statuses in (
-            (self.tr("Open"), _OPEN),
-            (self.tr("Accepted, not repaired"), _ACCEPTED),
-            (self.tr("Decided"), _DECIDED),
-            (self.tr("All"), frozenset()),
-        ):
-            self.status.addItem(text, statuses)
-        # The words for what is rarely listed must not keep the window wide.
-        self.status.setSizeAdjustPolicy(
-            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
-        )
-        self.status.setMinimumContentsLength(8)
-        self.status.currentIndexChanged.connect(self._filter)
-        row.addWidget(self.status)
-        self.kinds: dict[Kind, QToolButton] = {}
-        for kind in Kind:
-            button = QToolButton()
-            button.setCheckable(True)
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-            button.setAccessibleName(self.tr("Only: {0}").format(theme.kind_name(kind)))
-            button.toggled.connect(self._filter)
-            self.kinds[kind] = button
-            row.addWidget(button)
-        self.filter = FilterLine(self.tr("Filter by marker"), self.view)
-        self.filter.setMaximumWidth(220)
-        self.filter.textChanged.connect(self._filter)
-        row.addWidget(self.filter)
-        self.progress = QLabel()
-        self.progress.setProperty("role", "muted")
-        self.progress.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        spare(self.progress)
-        row.addWidget(self.progress, 1)
-        return row
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Leave out what is told elsewhere too where room is scarce."""
         super().resizeEvent(event)
-        self._fit_filters()
+        self.filters.fit(self.width())
         self._fit_columns()
-
-    def _fit_filters(self) -> None:
-        """Do without the progress, which the status line tells, then without the counts."""
-        for style in _STYLES:
-            if self._width_with(style) <= self.width():
-                break
-        show_if_it_fits(self.progress, self._row, self.width())
-
-    def _width_with(self, style: Qt.ToolButtonStyle) -> int:
-        """The least width of the filters when the buttons of the classes look like that."""
-        for button in self.kinds.values():
-            button.setToolButtonStyle(style)
-        self._row.invalidate()
-        return self._row.minimumSize().width()
 
     @property
     def place(self) -> QWidget:
         """What takes the keys: the table, or what narrows it down while nothing is listed."""
         self._soon.catch_up()
-        return self.view if self.model.rows else self.status
+        return self.view if self.model.rows else self.filters.status
 
     # Verbs on the selected rows
 
@@ -223,10 +152,10 @@ class ReviewQueue(QWidget):
         statuses, many = {a.status for a in chosen}, len(chosen) > 1
         each = self.tr("Repair, each by its best method") if many else ""
         for verb, text, usable in (
-            ("accept", "", statuses != _ACCEPTED),
+            ("accept", "", statuses != ACCEPTED),
             ("reject", "", statuses != {Status.REJECTED}),
             ("repair", each, statuses != {Status.REPAIRED}),
-            ("reopen", "", statuses != _OPEN),
+            ("reopen", "", statuses != OPEN),
             ("remove", "", True),
         ):
             if verb in ("reopen", "remove"):
@@ -249,13 +178,9 @@ class ReviewQueue(QWidget):
         """Another take: show everything that is open."""
         if not self._document.renaming:
             self._followed = None
-            self.filter.clear()
-            for button in self.kinds.values():
-                button.setChecked(False)
-            self.status.setCurrentIndex(0)
+            self.filters.clear()
         session = self._document.session
-        joints = session is not None and session.original.skeleton
-        self.filter.set_text(self.tr("Filter by joint") if joints else self.tr("Filter by marker"))
+        self.filters.name_joints(session is not None and session.original.skeleton)
         self._refresh()
 
     def _artifacts_changed(self) -> None:
@@ -303,7 +228,8 @@ class ReviewQueue(QWidget):
         # A copy of a review changes no row of the one before, but the document walks anew.
         self._document.set_queue([a.id for a in self.model.rows])
         self._follow_current(scroll=False)
-        self._count()
+        self.filters.count(() if session is None else session.artifacts)
+        self.filters.fit(self.width())
         self._explain()
 
     def _select(self, ids: set[str]) -> None:
@@ -320,13 +246,7 @@ class ReviewQueue(QWidget):
         """List what the filters ask for."""
         self._soon.catch_up()
         self._syncing = True
-        self.model.set_wanted(
-            Wanted(
-                frozenset(k for k, button in self.kinds.items() if button.isChecked()),
-                self.status.currentData(),
-                self.filter.text().strip(),
-            )
-        )
+        self.model.set_wanted(self.filters.wanted)
         self._syncing = False
         self._fit_columns()
         self._follow_current()
@@ -334,7 +254,7 @@ class ReviewQueue(QWidget):
 
     def _fit_columns(self) -> None:
         """Leave room for the reasons; repairs are listed only where something repaired can be."""
-        statuses = self.status.currentData()
+        statuses = self.filters.statuses
         hidden = {REPAIR} if statuses and Status.REPAIRED not in statuses else set()
         room = self.width() - self.view.verticalScrollBar().sizeHint().width() - _WHY_LEAST
         for column in _SPARED:
@@ -397,20 +317,6 @@ class ReviewQueue(QWidget):
         if a == self._document.current:
             self._document.look_at(a.markers, a.start, a.stop)
 
-    def _count(self) -> None:
-        """Say how far the review is."""
-        session = self._document.session
-        artifacts = () if session is None else session.artifacts
-        decided, total = count_decided(artifacts)
-        self.progress.setText(self.tr("{0} of {1} decided").format(decided, total) if total else "")
-        pending = Counter(a.kind for a in artifacts if a.status is Status.PENDING)
-        for kind, button in self.kinds.items():
-            button.setText(str(pending[kind]))
-            number = self.tr("{0} open").format(pending[kind])
-            only = self.tr("Only: {0}").format(theme.kind_name(kind))
-            button.setToolTip(f"{only} ({number})")
-        self._fit_filters()
-
     def set_doing(self, label: str) -> None:
         """Be told what is worked on, empty for nothing: found may be what is not listed yet."""
         self._doing = label
@@ -433,7 +339,7 @@ class ReviewQueue(QWidget):
                 text = self.tr("Nothing found yet. {0} looks for artifacts.").format(
                     shortcuts.way_to("detect")
                 )
-        elif not session.with_status(Status.PENDING) and self.status.currentData() == _OPEN:
+        elif not session.with_status(Status.PENDING) and self.filters.statuses == OPEN:
             count, way = len(session.artifacts), shortcuts.way_to("export")
             if count == 1:
                 text = self.tr("The only artifact is decided. {0} exports the repaired take.")
@@ -444,8 +350,3 @@ class ReviewQueue(QWidget):
         else:
             text = self.tr("No artifact matches these filters.")
         self._hint.setText(text)
-
-    def _recolour(self) -> None:
-        for kind, button in self.kinds.items():
-            button.setIcon(kind_icon(kind))
-        self.view.viewport().update()
