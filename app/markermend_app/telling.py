@@ -42,6 +42,8 @@ _SAME = (
     "Lower {0} ({1} on {2})",
     "Leave {0} ({1} on {2})",
     "Detect ({0})",
+    "Review frames {0}–{1} only",
+    "Review the whole take",
     "{0} artifacts",
     "{0} artifact",
     "{0} markers",

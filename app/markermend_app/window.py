@@ -50,6 +50,7 @@ from markermend_app.verbs.comparison import Comparison
 from markermend_app.verbs.handwork import HandWork
 from markermend_app.verbs.key_sweep import KeySweep
 from markermend_app.verbs.references import References
+from markermend_app.verbs.region import RegionOfInterest
 from markermend_app.verbs.reporting import Reporting
 from markermend_app.verbs.smoothing import Smoothing
 from markermend_app.verbs.view import THEMES, view_verbs, wear
@@ -58,6 +59,9 @@ LAYOUT_VERSION = 2
 ROOMY = QSize(1500, 940)
 TAKES_HIGH = 330
 
+Verbs = (
+    Commands | Bulk | BatchReview | HandWork | KeySweep | Smoothing | Reporting | RegionOfInterest
+)
 DECISIONS = ("accept", "reject", "reopen", "remove")
 """Actions that would decide unseen about an artifact whose details a swept range covers."""
 
@@ -76,6 +80,7 @@ class MainWindow(QMainWindow):
         self.smoothing = Smoothing(self.document, self)
         self.key_sweep = KeySweep(self.document, self)
         self.reporting = Reporting(self.document, self.lane, self)
+        self.region = RegionOfInterest(self.document, self)
         self.attention = Attention(self.document, self)
         self.sight = Sight(self.document, self)
         self.setWindowIcon(theme.app_icon())
@@ -240,6 +245,7 @@ class MainWindow(QMainWindow):
         self.inspector.artifact.note.left.connect(self.walk.home)
         self.inspector.verb_requested.connect(self._run)
         self.trajectories.view_changed.connect(self.overview.set_view)
+        self.overview.region_dragged.connect(self.region.choose)
         self.trajectories.view_changed.connect(self.transport.set_view)
         self.trajectories.view_changed.connect(self.sight.set_view)
         self.trajectories.header.follow(self.sight)
@@ -266,9 +272,7 @@ class MainWindow(QMainWindow):
         (self._own.get(name) or getattr(verbs, name))()
 
     @property
-    def _verbs(
-        self,
-    ) -> tuple[Commands, Bulk, BatchReview, HandWork, KeySweep, Smoothing, Reporting]:
+    def _verbs(self) -> tuple[Verbs, ...]:
         """What has verbs that actions name."""
         return (
             self.commands,
@@ -278,6 +282,7 @@ class MainWindow(QMainWindow):
             self.key_sweep,
             self.smoothing,
             self.reporting,
+            self.region,
         )
 
     def show_dock(self, name: str) -> None:

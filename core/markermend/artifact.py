@@ -125,6 +125,12 @@ def in_order(artifacts: Iterable[Artifact]) -> tuple[Artifact, ...]:
     return tuple(sorted(artifacts, key=lambda a: (a.start, a.marker, a.axes, a.kind, a.stop, a.id)))
 
 
+def within(artifacts: Iterable[Artifact], frames: tuple[int, int]) -> tuple[Artifact, ...]:
+    """Those that reach into an interval of frames, which is half-open, in the order given."""
+    start, stop = frames
+    return tuple(a for a in artifacts if a.start < stop and a.stop > start)
+
+
 def repair_in_words(take: Take, artifact: Artifact, method: str) -> str:
     """One line that says what was repaired and how, with the file's frame numbers."""
     first, last = take.frame_number(artifact.start), take.frame_number(artifact.stop - 1)

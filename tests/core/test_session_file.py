@@ -205,6 +205,15 @@ def test_a_review_of_version_2_keeps_opening(tmp_path):
     kept.close()
 
 
+def test_a_review_of_version_3_keeps_opening(tmp_path):
+    kept = stored(tmp_path, 3)
+    assert kept.session.region == (10, 30)
+    assert [a.kind for a in kept.session.listed] == [Kind.STEP]
+    assert len(kept.session.artifacts) == 2
+    assert kept.session.undone == ("Review the whole take",)
+    kept.close()
+
+
 def test_a_review_in_a_folder_that_became_read_only_goes_on_in_the_users_own(tmp_path, monkeypatch):
     monkeypatch.setattr("platformdirs.user_data_path", lambda *_, **__: tmp_path / "own")
     (tmp_path / "own").mkdir()

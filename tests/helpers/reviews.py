@@ -44,13 +44,14 @@ def state_of(session: Session) -> tuple:
             for a in session.state.base.read(i, 0, session.original.frames)
         ),
         session.original.labels,
+        session.region,
         session.artifacts,
         tuple(sorted((i, n.method) for i, n in session.notes.items())),
     )
 
 
 DECISIONS = ("accept", "reject", "reopen", "repair", "adjust", "kind", "mark", "remove", "note")
-HAND_WORK = ("cut", "move", "rename", "smooth", "split", "join")
+HAND_WORK = ("cut", "move", "rename", "smooth", "split", "join", "region")
 
 verbs = st.lists(
     st.tuples(
@@ -73,6 +74,8 @@ def drive(session: Session, verb: str, where: int, length: int, value: float) ->
             hand.cut(session, marker, where, where + length)
         elif verb == "move":
             hand.move(session, marker, other, where, where + length)
+        elif verb == "region":
+            session.set_region((where, where + length) if where % 4 else None)
         elif verb == "rename":
             hand.rename(session, {marker: other, other: marker} if where % 2 else {marker: "D"})
         elif verb == "smooth":

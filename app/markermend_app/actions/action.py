@@ -48,6 +48,12 @@ def swept(document: Document) -> bool:
     return document.editable and document.selection is not None
 
 
+def narrowed(document: Document) -> bool:
+    """A region of interest is chosen."""
+    session = document.session
+    return document.editable and session is not None and session.region is not None
+
+
 def marker(document: Document) -> bool:
     """A marker is shown, to be worked on."""
     return document.editable and bool(document.shown)

@@ -52,6 +52,8 @@ PRESETS: Mapping[str, Mapping[str, Keys]] = MappingProxyType(
         "motive": {
             "repair": ("I",),
             "repair_selection": ("Shift+I",),
+            "region_start": ("Ctrl+I",),
+            "region_selection": ("Ctrl+Shift+I",),
             "fit": ("F", "Ctrl+0"),
             "next": ("Ctrl+Right", "N", "."),
             "previous": ("Ctrl+Left", "P", ","),

@@ -220,7 +220,7 @@ class BatchReview(QObject):
     def _tell_done(self) -> None:
         """Say how to go on when everything is decided."""
         session = self._document.session
-        if self.current is None or session is None or not session.artifacts:
+        if self.current is None or session is None or not session.listed:
             return
         if session.with_status(Status.PENDING):
             return

@@ -127,7 +127,9 @@ def load_item(item: ToReview, progress: Progress) -> Opened:
 
 def glance_at(session: Session) -> Glance:
     """Sum a review up."""
-    whole = standings(session.original, session.take, session.artifacts, session.notes)[0]
+    whole = standings(
+        session.original, session.take, session.listed, session.notes, session.region
+    )[0]
     exported = session.exported and session.exported_at is not None
     return Glance(whole, bool(session.history), exported)
 

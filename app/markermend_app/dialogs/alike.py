@@ -170,7 +170,7 @@ class AlikeDialog(QDialog):
         if session is None:
             return
         self._listed = alike(
-            session.artifacts,
+            session.listed,
             self._like.kind,
             markers=scope.markers,
             min_confidence=self.least.value() / 100,

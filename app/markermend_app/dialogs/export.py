@@ -27,10 +27,12 @@ class ExportChoice:
     ----------
     record : what was repaired, and how, in a MARKERMEND group of the file
     mark_outputs : the names of model outputs that no longer match, in the same group
+    region : only the frames of the region of interest
     """
 
     record: bool
     mark_outputs: bool
+    region: bool = False
 
 
 class ExportDialog(QDialog):
@@ -43,6 +45,7 @@ class ExportDialog(QDialog):
     first_frame : the file's number of frame index 0
     record : whether writing down the repairs is proposed
     empty : whether nothing was found or marked at all
+    region : the frames that are reviewed, a half-open interval; None for all of the take
     """
 
     def __init__(
@@ -55,6 +58,7 @@ class ExportDialog(QDialog):
         record: bool,
         *,
         empty: bool = False,
+        region: tuple[int, int] | None = None,
     ) -> None:
         super().__init__(parent)
         help_in(self)
@@ -80,6 +84,14 @@ class ExportDialog(QDialog):
         self._mark = QCheckBox(self.tr("Name in the file the model outputs that no longer match"))
         self._mark.setChecked(bool(outputs))
         self._mark.setVisible(bool(outputs))
+        self._region = QCheckBox()
+        self._region.setVisible(region is not None)
+        if region is not None:
+            text = self.tr("Write frames {0}–{1} only, the region of interest")
+            first, last = region[0] + first_frame, region[1] - 1 + first_frame
+            self._region.setText(text.format(first, last))
+            self._region.setChecked(True)
+        box.addWidget(self._region)
         box.addWidget(self._record)
         box.addWidget(self._mark)
 
@@ -105,7 +117,9 @@ class ExportDialog(QDialog):
     def choice(self) -> ExportChoice:
         """What is checked."""
         return ExportChoice(
-            self._record.isChecked(), not self._mark.isHidden() and self._mark.isChecked()
+            self._record.isChecked(),
+            not self._mark.isHidden() and self._mark.isChecked(),
+            self._region.isChecked(),
         )
 
     def _title(self, pending: Sequence[Artifact], accepted: Sequence[Artifact]) -> str:
@@ -155,7 +169,10 @@ def ask_export(
     record: bool,
     *,
     empty: bool = False,
+    region: tuple[int, int] | None = None,
 ) -> ExportChoice | None:
     """Ask; None to stay."""
-    dialog = ExportDialog(parent, pending, accepted, outputs, first_frame, record, empty=empty)
+    dialog = ExportDialog(
+        parent, pending, accepted, outputs, first_frame, record, empty=empty, region=region
+    )
     return dialog.choice if dialog.exec() == QDialog.DialogCode.Accepted else None

@@ -155,7 +155,9 @@ class QualityPanel(QWidget):
             self.model.set_standings(())
         elif not self._stale:
             self.total.say_joints(session.original.skeleton)
-            found = standings(session.original, session.take, session.artifacts, session.notes)
+            found = standings(
+                session.original, session.take, session.listed, session.notes, session.region
+            )
             self.total.set_standings(found[:1])
             self.model.set_standings([s for s in found[1:] if _listed(s)])
             self._follow_shown()

@@ -177,11 +177,18 @@ class Transport(QWidget):
         return 0 if session is None else session.original.frames
 
     def _range(self) -> tuple[int, int]:
-        """Frames that are played: with loop those in view, if the cursor is among them."""
+        """Frames that are played: with loop those in view, if the cursor is among them.
+
+        Else those of the region of interest, from within it.
+        """
         if self.loop.isChecked() and self._view is not None:
             start, stop = max(self._view[0], 0), min(self._view[1], self._frames)
             if start <= self._document.frame < stop and stop - start > 1:
                 return start, stop
+        session = self._document.session
+        region = None if session is None else session.region
+        if region is not None and region[0] <= self._document.frame < region[1]:
+            return region
         return 0, self._frames
 
     def _rebase(self) -> None:

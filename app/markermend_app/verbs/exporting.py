@@ -73,6 +73,7 @@ class Exporter(QObject):
             session.original.first_frame,
             settings.flag("record_repairs", False),
             empty=not session.artifacts and not session.history,
+            region=session.region,
         )
         if choice is None:
             return False
@@ -104,7 +105,8 @@ class Exporter(QObject):
         written: list[bool] = []
 
         held, original, revision = session.state.held(), session.original, session.revision
-        record = session.repairs_in_words() if choice.record else ()
+        region = session.region if choice.region else None
+        record = session.repairs_in_words(region) if choice.record else ()
 
         def work(progress: Progress) -> Any:
             from markermend.files import write
@@ -117,6 +119,7 @@ class Exporter(QObject):
                 as_float=as_float,
                 record=record,
                 mark_outputs=choice.mark_outputs,
+                frames=region,
                 progress=progress,
             )
 

@@ -8,12 +8,13 @@ from pathlib import Path
 from typing import Any
 
 import markermend as mm
-from markermend.artifact import repair_in_words
+from markermend.artifact import repair_in_words, within
 from markermend.cli.console import (
     STDOUT,
     Bar,
     check_outputs,
     check_take_output,
+    chosen_frames,
     read_artifacts,
     read_take,
     say,
@@ -39,6 +40,7 @@ def run(options: argparse.Namespace) -> int:
     take = read_take(options.take)
     if listed is not None:
         _check_list(options.artifacts, listed[1], take)
+    frames = chosen_frames(take, options)
     with Bar() as bar:
         bar(0.0, "Working out the body")
         mesh = mm.infer_mesh(take)
@@ -46,9 +48,12 @@ def run(options: argparse.Namespace) -> int:
             found, method = find(take, mesh, options, chosen, part(bar, 0.0, 0.8)), chosen[0]
         else:
             found, method = listed[0], str(listed[1].get("method", ""))
+        # What lies elsewhere is left, but damage is no evidence.
+        everything, found = found, tuple(found) if frames is None else within(found, frames)
         pairs = repair_all(
             take,
             found,
+            others=everything,
             method=options.method,
             min_confidence=options.min_confidence,
             mesh=mesh,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import json
 import os
 import shutil
@@ -215,6 +216,26 @@ def written(export: Export) -> list[str]:
             "match the repaired markers; compute them anew."
         )
     return lines
+
+
+def chosen_frames(take: Take, options: argparse.Namespace) -> tuple[int, int] | None:
+    """The frames that ``--frames`` names, as a half-open interval of indices; None for all.
+
+    Raises
+    ------
+    DataError
+        when they are not in the take
+    """
+    if options.frames is None:
+        return None
+    first, last = options.frames
+    start, stop = first - take.first_frame, last - take.first_frame + 1
+    if not 0 <= start < stop <= take.frames:
+        raise DataError(
+            f"There is nothing from frame {first} to {last}; “{options.take}” has frames "
+            f"{take.first_frame} to {take.frame_number(take.frames - 1)}."
+        )
+    return start, stop
 
 
 def write_text(path: str, text: str) -> None:

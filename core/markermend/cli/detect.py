@@ -12,12 +12,13 @@ from pathlib import Path
 from typing import Any
 
 import markermend as mm
-from markermend.artifact import Artifact, Kind
+from markermend.artifact import Artifact, Kind, within
 from markermend.artifact_json import document
 from markermend.cli.console import (
     STDOUT,
     Bar,
     check_outputs,
+    chosen_frames,
     count,
     read_take,
     say,
@@ -50,8 +51,10 @@ def run(options: argparse.Namespace) -> int:
     check_outputs([options.json, options.csv], source=options.take, force=options.force)
     chosen = choose(options)
     take = read_take(options.take)
+    frames = chosen_frames(take, options)
     with Bar() as bar:
         found = find(take, None, options, chosen, bar)
+    found = found if frames is None else within(found, frames)
     if options.json is not None:
         name = Path(options.take).name
         write_json(options.json, document(take, found, chosen[0], mm.__version__, name=name))

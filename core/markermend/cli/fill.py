@@ -6,10 +6,12 @@ import argparse
 from typing import Any
 
 import markermend as mm
+from markermend.artifact import within
 from markermend.cli.console import (
     Bar,
     check_outputs,
     check_take_output,
+    chosen_frames,
     count,
     read_take,
     say,
@@ -30,7 +32,8 @@ def run(options: argparse.Namespace) -> int:
     check_take_output(options.output, source=options.take)
     params = _params(options)
     take = read_take(options.take)
-    gaps = find_gaps(take)
+    frames = chosen_frames(take, options)
+    gaps = find_gaps(take) if frames is None else within(find_gaps(take), frames)
     longest = take.frames if options.max_gap is None else options.max_gap.frames(take.rate)
     short = [gap for gap in gaps if gap.length <= longest]
     with Bar() as bar:

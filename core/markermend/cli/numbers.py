@@ -7,6 +7,17 @@ import math
 import re
 
 
+def add_frames(p: argparse.ArgumentParser, what: str) -> None:
+    """Add an interval of frames, of which something is done ``what``."""
+    p.add_argument(
+        "--frames",
+        metavar=("FIRST", "LAST"),
+        nargs=2,
+        type=whole,
+        help=f"{what}, by the file's own numbers, the last one included",
+    )
+
+
 class Span:
     """A length of time as people type it: ``20`` frames, ``0.2s`` or ``200ms``."""
 

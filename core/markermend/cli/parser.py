@@ -6,7 +6,7 @@ import argparse
 
 import markermend
 from markermend.cli.detection import add_detection
-from markermend.cli.numbers import Span, add_jobs, add_seed, positive, share
+from markermend.cli.numbers import Span, add_frames, add_jobs, add_seed, positive, share
 from markermend.cli.smooth_parser import SUMMARY as SMOOTH
 from markermend.cli.smooth_parser import add_smoothing
 
@@ -126,6 +126,7 @@ def _add_info(p: argparse.ArgumentParser) -> None:
 def _add_detect(p: argparse.ArgumentParser) -> None:
     _take(p)
     add_detection(p, "--method")
+    add_frames(p, "list what reaches into these frames only")
     _json(p)
     p.add_argument("--csv", metavar="FILE", help="write a table as CSV; “-” for standard output")
     _force(p)
@@ -150,6 +151,7 @@ def _add_clean(p: argparse.ArgumentParser) -> None:
         "instead of detecting; what it calls rejected is left alone",
     )
     add_detection(p, "--detector")
+    add_frames(p, "repair what reaches into these frames only")
     p.add_argument(
         "--record",
         action="store_true",
@@ -186,6 +188,7 @@ def _add_fill(p: argparse.ArgumentParser) -> None:
         default=[],
         help="a parameter of the method; “markermend methods NAME” lists them",
     )
+    add_frames(p, "fill gaps that reach into these frames only")
     p.add_argument("--list", action="store_true", help="show every single gap")
     _force(p)
 
@@ -242,6 +245,7 @@ def _add_convert(p: argparse.ArgumentParser) -> None:
     _take(p)
     _output(p)
     _float(p)
+    add_frames(p, "write these frames only")
     _force(p)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
+from typing import Any
 
 import markermend as mm
 from markermend.cli.console import STDOUT, check_outputs, count, say, write_json, write_text
@@ -29,7 +30,9 @@ def run(options: argparse.Namespace) -> int:
         described = cleaned_document(
             review.before, review.done, review.method, mm.__version__, name=name
         )
-        about = {"pace": review.pace.to_dict(), "by_hand": list(review.by_hand)}
+        about: dict[str, Any] = {"pace": review.pace.to_dict(), "by_hand": list(review.by_hand)}
+        if review.region is not None:
+            about["region"] = list(review.region)
         write_json(options.json, described | about)
     if STDOUT not in (options.output, options.json):
         say(f"{review.pace.decided:,} of {count(review.pace.total, 'artifact')} decided.")

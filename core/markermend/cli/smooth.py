@@ -13,6 +13,7 @@ from markermend.cli.console import (
     Bar,
     check_outputs,
     check_take_output,
+    chosen_frames,
     count,
     read_take,
     say,
@@ -22,7 +23,7 @@ from markermend.cli.console import (
     written,
 )
 from markermend.cli.settings import settings_of
-from markermend.errors import DataError, MethodError
+from markermend.errors import MethodError
 from markermend.parameters import read_params
 from markermend.smoothers import TOO_MUCH, derivatives, find_smoother, percent_sm1
 from markermend.smoothers.run import AUTO
@@ -42,15 +43,7 @@ def run(options: argparse.Namespace) -> int:
         )
     params = read_params(smoother, None, settings_of(smoother.params, options.set))
     take = read_take(options.take)
-    start, stop = 0, None
-    if options.frames is not None:
-        first, last = options.frames
-        start, stop = first - take.first_frame, last - take.first_frame + 1
-        if not 0 <= start < stop <= take.frames:
-            raise DataError(
-                f"There is nothing to smooth from frame {first} to {last}; {options.take} has "
-                f"frames {take.first_frame} to {take.frame_number(take.frames - 1)}."
-            )
+    start, stop = chosen_frames(take, options) or (0, None)
     with Bar() as bar:
         smoothed = mm.smooth(
             take,

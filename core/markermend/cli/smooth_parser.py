@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from markermend.cli.numbers import whole
+from markermend.cli.numbers import add_frames
 
 SUMMARY = "take noise out of trajectories and fill nothing"
 
@@ -25,13 +25,7 @@ def add_smoothing(p: argparse.ArgumentParser) -> None:
         help="parameters of the method, for example cutoff_hz=8",
     )
     p.add_argument("--marker", metavar="NAME", nargs="+", help="smooth these markers only")
-    p.add_argument(
-        "--frames",
-        metavar=("FIRST", "LAST"),
-        nargs=2,
-        type=whole,
-        help="smooth these frames only, by the file's own numbers, the last one included",
-    )
+    add_frames(p, "smooth these frames only")
     p.add_argument("--list", action="store_true", help="show what changed for every marker")
     p.add_argument(
         "--derivatives",

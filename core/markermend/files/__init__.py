@@ -120,6 +120,7 @@ def write(
     as_float: bool = False,
     record: Sequence[str] = (),
     mark_outputs: bool = False,
+    frames: tuple[int, int] | None = None,
     progress: Progress | None = None,
 ) -> Export:
     """Write a recording, whole or not at all.
@@ -138,6 +139,8 @@ def write(
     as_float : write a C3D file of floats even where the source has 16-bit integers
     record : what was done, a line each, written into the C3D file's MARKERMEND group
     mark_outputs : name in that group the model outputs that no longer match
+    frames : keep these only, a half-open interval of 0-based frames; they keep their numbers where
+        the format has them, and events their times, those outside too
     progress : told the share of frames written; may raise to stop, then nothing is left behind
 
     Returns
@@ -149,8 +152,12 @@ def write(
     ExportError
         when the target is the source and ``overwrite`` is not set, the source has changed since it
         was read, a value does not fit the file's numbers, or the disk does not take the file
+    DataError
+        when the frames to keep are none, or not all in the take
     """
     from markermend.files.atomic import write_whole
+    from markermend.files.restructure import crop
+    from markermend.plugins.formats import SKELETONS_WRITTEN
 
     target = Path(path)
     onto_source = _is_source(take, target)
@@ -161,7 +168,11 @@ def write(
         )
     if onto_source and take.read_only:
         raise ExportError(f"{target.name} is damaged and was opened only to look at it.")
-    fill = _writer(take, target, progress or quiet, as_float, record, mark_outputs)
+    report, part = progress or quiet, take if frames is None else crop(take, *frames)
+    if take.skeleton and target.suffix.lower() in SKELETONS_WRITTEN:
+        fill = _skeleton_writer(take, target, report, frames or (0, take.frames))
+    else:
+        fill = _writer(part, target, report, as_float, record, mark_outputs)
     written: list[IntArray] = []
     try:
         backup = write_whole(target, lambda file: written.append(fill(file)), backup=onto_source)
@@ -169,7 +180,7 @@ def write(
         raise ExportError(str(error)) from error
     changed = tuple(s for s, n in zip(take.labels, written[0], strict=True) if n)
     patched = take.source is not None and take.source.format == "c3d"
-    outputs = stale_outputs(take, changed) if patched and target.suffix.lower() == ".c3d" else ()
+    outputs = stale_outputs(part, changed) if patched and target.suffix.lower() == ".c3d" else ()
     return Export(target, int(written[0].sum()), backup, outputs)
 
 
@@ -215,18 +226,10 @@ def _writer(
     from markermend.files.c3d_restructure import copy_restructured, structure_of, to_be_floats
     from markermend.files.csv import write_csv
     from markermend.files.trc import write_trc
-    from markermend.plugins.formats import (
-        SKELETONS_WRITTEN,
-        contents,
-        formats,
-        writable_in_words,
-    )
+    from markermend.plugins.formats import contents, formats, writable_in_words
 
     others = {name: f for name, f in formats().items() if f.write is not None}
     own = take.present if take.source is None else take.origin >= Origin.FILLED
-
-    if take.skeleton and target.suffix.lower() in SKELETONS_WRITTEN:
-        return _skeleton_writer(take, target, report)
 
     def new(file: IO[bytes]) -> IntArray:
         match target.suffix.lower():
@@ -258,16 +261,22 @@ def _writer(
     )
 
 
-def _skeleton_writer(take: Take, target: Path, report: Progress) -> Callable[[IO[bytes]], IntArray]:
-    """How a take of joints is written as what it was read from."""
-    from markermend.files.pose import pose_writer
+def _skeleton_writer(
+    take: Take, target: Path, report: Progress, frames: tuple[int, int]
+) -> Callable[[IO[bytes]], IntArray]:
+    """How some frames of a take of joints are written as what it was read from."""
+    from markermend.files.pose import crop_pose, pose_writer
     from markermend.poses.take import as_pose, changed_joints
 
-    fill = pose_writer(as_pose(take, progress=report), target, report)
+    # How joints are turned is worked out of the whole recording.
+    pose = as_pose(take, progress=report)
+    part = pose if frames == (0, take.frames) else crop_pose(pose, *frames)
+    fill = pose_writer(part, target, report)
 
     def write_joints(file: IO[bytes]) -> IntArray:
         fill(file)
-        return np.asarray(np.count_nonzero(changed_joints(take), axis=0), dtype=np.int64)
+        changed = changed_joints(take)[slice(*frames)]
+        return np.asarray(np.count_nonzero(changed, axis=0), dtype=np.int64)
 
     return write_joints
 

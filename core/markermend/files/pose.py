@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from os import PathLike
 from pathlib import Path
 from typing import IO
@@ -13,7 +14,7 @@ from markermend.files.asf import read_asf
 from markermend.files.atomic import write_whole
 from markermend.files.bvh import read_bvh, write_bvh
 from markermend.files.opening import not_opened
-from markermend.files.pose_csv import read_pose_csv, write_pose_csv
+from markermend.files.pose_csv import Table, read_pose_csv, write_pose_csv
 from markermend.poses.pose import Pose
 from markermend.poses.skeleton import Movement, forward_kinematics, inverse_kinematics
 from markermend.progress import Progress, quiet
@@ -95,6 +96,33 @@ def write_pose(pose: Pose, path: str | PathLike[str], *, progress: Progress | No
     target = Path(path)
     fill = pose_writer(pose, target, progress or quiet)
     write_whole(target, fill, backup=False)
+
+
+def crop_pose(pose: Pose, start: int, stop: int) -> Pose:
+    """Keep the poses of an interval.
+
+    Parameters
+    ----------
+    pose : the recording
+    start, stop : half-open interval of 0-based poses
+
+    Returns
+    -------
+    Pose
+        with the part of what was read that belongs to these poses
+    """
+    source, rows = pose.source, slice(start, stop)
+    if isinstance(source, Movement):
+        source = source.part(start, stop)
+    elif isinstance(source, Table):
+        source = Table(source.written[rows], source.read[rows])
+    return replace(
+        pose,
+        positions=pose.positions[rows],
+        rotations=pose.rotations[rows],
+        confidence=pose.confidence[rows],
+        source=source,
+    )
 
 
 def pose_writer(pose: Pose, target: Path, report: Progress) -> Callable[[IO[bytes]], None]:

@@ -87,6 +87,11 @@ class Movement:
     frames: int
     file: Path | None = None
 
+    def part(self, start: int, stop: int) -> Movement:
+        """The movement in an interval of poses, half-open; it is no file's any more."""
+        channels = {name: values[start:stop] for name, values in self.channels.items()}
+        return Movement(self.skeleton, channels, stop - start)
+
 
 def forward_kinematics(movement: Movement, rate: float, *, warnings: tuple[str, ...] = ()) -> Pose:
     """Put every segment where its movement has it.

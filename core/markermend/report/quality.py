@@ -42,7 +42,13 @@ class Quality:
         return asdict(self)
 
 
-def quality(name: str, before: Take, after: Take, done: Sequence[Outcome]) -> Quality:
+def quality(
+    name: str,
+    before: Take,
+    after: Take,
+    done: Sequence[Outcome],
+    region: tuple[int, int] | None = None,
+) -> Quality:
     """Sum a cleaned take up.
 
     Parameters
@@ -50,6 +56,7 @@ def quality(name: str, before: Take, after: Take, done: Sequence[Outcome]) -> Qu
     name : of the take
     before, after : the same recording as read and as repaired
     done : what became of every artifact
+    region : frames in which missing samples are counted, a half-open interval; None for all
     """
     found = Counter(o.artifact.kind for o in done)
     repaired = Counter(o.artifact.kind for o in done if o.method is not None)
@@ -59,8 +66,8 @@ def quality(name: str, before: Take, after: Take, done: Sequence[Outcome]) -> Qu
         frames=before.frames,
         rate=before.rate,
         markers=len(before.named),
-        gap_before=gap_share(before),
-        gap_after=gap_share(after),
+        gap_before=gap_share(before, region),
+        gap_after=gap_share(after, region),
         found={kind.value: found[kind] for kind in Kind},
         repaired={kind.value: repaired[kind] for kind in Kind},
         review=sum(waits(o) for o in done),
@@ -73,8 +80,9 @@ def waits(outcome: Outcome) -> bool:
     return outcome.method is None and outcome.artifact.status is Status.PENDING
 
 
-def gap_share(take: Take) -> float:
+def gap_share(take: Take, region: tuple[int, int] | None = None) -> float:
     """Share in [0, 1] of the named markers' samples that are missing; 0 without any marker."""
     if not take.named or not take.frames:
         return 0.0
-    return float(1.0 - take.present[:, take.named].mean())
+    rows = slice(*(region or (0, take.frames)))
+    return float(1.0 - take.present[rows, take.named].mean())

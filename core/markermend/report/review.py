@@ -22,8 +22,8 @@ _LEFT = {
 
 
 def review_outcomes(session: Session) -> tuple[Outcome, ...]:
-    """Say what became of every artifact of a review, by start and marker."""
-    return tuple(_outcome(session, a) for a in session.artifacts)
+    """Say what became of every artifact that a review asks about, by start and marker."""
+    return tuple(_outcome(session, a) for a in session.listed)
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,6 +38,7 @@ class Reviewed:
     method : what found them
     pace : the operator's
     by_hand : what was done to samples and names by hand, one line each
+    region : the frames that were reviewed, a half-open interval; None for all of the take
     """
 
     before: Take
@@ -46,6 +47,7 @@ class Reviewed:
     method: str
     pace: Pace
     by_hand: tuple[str, ...]
+    region: tuple[int, int] | None = None
 
 
 def reviewed(session: Session) -> Reviewed:
@@ -62,6 +64,7 @@ def reviewed(session: Session) -> Reviewed:
         ", ".join(searched) or "hand",
         session.pace,
         session.by_hand,
+        session.region,
     )
 
 
@@ -85,6 +88,7 @@ def review_report(review: Reviewed, *, name: str) -> str:
         name=name,
         pace=review.pace,
         by_hand=review.by_hand,
+        region=review.region,
     )
 
 

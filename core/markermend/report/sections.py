@@ -41,6 +41,7 @@ def take_report(
     name: str,
     pace: Pace | None = None,
     by_hand: Sequence[str] = (),
+    region: tuple[int, int] | None = None,
 ) -> str:
     """Report on one cleaned or reviewed take.
 
@@ -52,12 +53,13 @@ def take_report(
     name : the take's file name
     pace : of the operator who reviewed it, or None
     by_hand : what was done to samples and names by hand, one line each
+    region : the frames that were reviewed, a half-open interval; None for all of the take
 
     Returns
     -------
     An HTML page that needs no other file and no network; the same input gives the same text
     """
-    section = _section(before, after, done, method, name, pace, by_hand)
+    section = _section(before, after, done, method, name, pace, by_hand, region)
     return page.head(name) + section + page.tail()
 
 
@@ -99,14 +101,19 @@ def _section(
     name: str,
     pace: Pace | None,
     by_hand: Sequence[str],
+    region: tuple[int, int] | None,
 ) -> str:
     """Everything about one take."""
-    q = quality(name, before, after, done)
+    q = quality(name, before, after, done, region)
     found, mended = len(done), sum(o.method is not None for o in done)
     facts = (
         f"{before.frames:,} frames at {before.rate:g} Hz ({before.duration_s:.1f} s), "
         f"{q.markers} markers. {_searched(method)}, Markermend {mm.__version__}."
     )
+    narrowed = []
+    if region is not None:
+        first, last = (before.frame_number(frame) for frame in (region[0], region[1] - 1))
+        narrowed = [f"Only frames {first}–{last} were reviewed; what lies outside is not counted."]
     shapes = [curves(before, after, o) for o in worst(done)]
     values = cleaned_document(before, done, method, mm.__version__, name=name)
     parts = [
@@ -122,7 +129,7 @@ def _section(
                 *_paced(pace),
             ]
         ),
-        *(f'<p class="dim">{escape(warning)}</p>' for warning in before.warnings),
+        *(f'<p class="dim">{escape(said)}</p>' for said in (*narrowed, *before.warnings)),
     ]
     if done:
         parts += [_classes(done), "<h3>Damage over time</h3>", _KEY, damage_map(before, done)]
@@ -134,6 +141,8 @@ def _section(
     parts += [*_repaired(before, done), *_by_hand(by_hand), *_left(before, done)]
     if pace is not None:
         values |= {"pace": pace.to_dict(), "by_hand": list(by_hand)}
+    if region is not None:
+        values["region"] = list(region)
     parts += [page.data("take", values | {"quality": q.to_dict()}), "</section>"]
     return "\n".join(parts)
 

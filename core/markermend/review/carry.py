@@ -15,6 +15,7 @@ from markermend.review.edits import (
     SetBase,
     SetNames,
     SetNotes,
+    SetRegion,
     SetSamples,
 )
 from markermend.review.session import Session
@@ -95,5 +96,8 @@ def _restricted(edit: Edit, markers: set[str], known: set[str]) -> Edit | None:
         if spared:
             markers |= new
         return edit if spared else None
+    if isinstance(edit, SetRegion):
+        # A trajectory that is the same has the same frames, and so has the take.
+        return edit if markers else None
     notes = {i: n for i, n in edit.changes.items() if i in known}
     return SetNotes(notes) if notes else None

@@ -45,6 +45,7 @@ class State:
     positions, origin : the working samples
     written : (start, stop) frames that were ever written to, by column; all others stand as they
         were read
+    region : frames that matter, half-open; None for all of the take
     """
 
     def __init__(self, take: Take) -> None:
@@ -55,6 +56,7 @@ class State:
         self.base = Base(take)
         self.artifacts: dict[str, Artifact] = {}
         self.notes: dict[str, RepairNote] = {}
+        self.region: tuple[int, int] | None = None
 
     def held(self) -> Callable[[], Take]:
         """Hold on to the samples as they stand: what is called makes a take of them, at any time.
@@ -176,6 +178,18 @@ class SetNotes:
 
 
 @dataclass(frozen=True)
+class SetRegion:
+    """Choose the frames that matter, a half-open interval; None for all of the take."""
+
+    region: tuple[int, int] | None
+
+    def apply(self, state: State) -> SetRegion:
+        """Choose them."""
+        before, state.region = state.region, self.region
+        return SetRegion(before)
+
+
+@dataclass(frozen=True)
 class Group:
     """Several edits as one step."""
 
@@ -194,7 +208,7 @@ class Group:
         return Group(tuple(reversed(undo)))
 
 
-Edit = SetSamples | SetBase | PutBack | SetNames | SetArtifacts | SetNotes | Group
+Edit = SetSamples | SetBase | PutBack | SetNames | SetArtifacts | SetNotes | SetRegion | Group
 
 
 @dataclass(frozen=True)
@@ -205,7 +219,7 @@ class Change:
     ----------
     markers : labels whose samples changed
     start, stop : frames within which they changed; equal when none did
-    artifacts : whether any artifact or note changed
+    artifacts : whether any artifact or note changed, or which of them are asked about
     names : whether markers have other names
     """
 
@@ -246,6 +260,8 @@ def extent(edit: Edit) -> Change:
             names = names or bool(item.names)
         elif isinstance(item, SetArtifacts | SetNotes):
             artifacts = artifacts or bool(item.changes)
+        elif isinstance(item, SetRegion):
+            artifacts = True
     if not patches:
         return Change(artifacts=artifacts, names=names)
     return Change(

@@ -34,7 +34,7 @@ from markermend.review.step import Step
 from markermend.review.steps_json import step_to_dict
 from markermend.take import Take
 
-VERSION = 2
+VERSION = 3
 LONG = 50_000
 """Samples in a step that take some 10 ms to be written."""
 

@@ -11,7 +11,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from markermend.arrays import ByteArray, FloatArray
-from markermend.artifact import Artifact, Kind, Status, in_order, repair_in_words
+from markermend.artifact import Artifact, Kind, Status, in_order, repair_in_words, within
 from markermend.errors import DataError
 from markermend.review.edits import (
     Change,
@@ -22,6 +22,7 @@ from markermend.review.edits import (
     SetBase,
     SetNames,
     SetNotes,
+    SetRegion,
     State,
     extent,
     merged,
@@ -109,6 +110,17 @@ class Session:
         return self._artifacts[1]
 
     @property
+    def region(self) -> tuple[int, int] | None:
+        """Frames that matter, a half-open interval; None for all of the take."""
+        return self._state.region
+
+    @property
+    def listed(self) -> tuple[Artifact, ...]:
+        """Artifacts that are asked about: those that reach into the region of interest."""
+        region = self.region
+        return self.artifacts if region is None else within(self.artifacts, region)
+
+    @property
     def notes(self) -> Mapping[str, RepairNote]:
         """How repaired artifacts were repaired, by id."""
         return self._state.notes
@@ -131,8 +143,8 @@ class Session:
         return self._state.artifacts.get(artifact_id)
 
     def with_status(self, *statuses: Status) -> tuple[Artifact, ...]:
-        """Artifacts whose status is one of these."""
-        return tuple(a for a in self.artifacts if a.status in statuses)
+        """Artifacts that are asked about and whose status is one of these."""
+        return tuple(a for a in self.listed if a.status in statuses)
 
     @property
     def expected_errors(self) -> Mapping[str, float]:
@@ -140,14 +152,19 @@ class Session:
         notes = self._state.notes.items()
         return {n: note.error_mm for n, note in notes if note.error_mm is not None}
 
-    def repairs_in_words(self) -> tuple[str, ...]:
+    def repairs_in_words(self, frames: tuple[int, int] | None = None) -> tuple[str, ...]:
         """Say what was repaired and how, one line each, for the record in an exported file.
 
         Work by hand on samples and names follows, in the words of the history.
+
+        Parameters
+        ----------
+        frames : half-open interval of what is exported; repairs outside it are left out
         """
         repaired = (
             repair_in_words(self.original, a, note.method if note else "")
-            for a in self.with_status(Status.REPAIRED)
+            for a in (self.artifacts if frames is None else within(self.artifacts, frames))
+            if a.status is Status.REPAIRED
             for note in [self._state.notes.get(a.id)]
         )
         return (*repaired, *self.by_hand)
@@ -160,7 +177,7 @@ class Session:
     @property
     def pace(self) -> Pace:
         """How many artifacts are decided, and in how much time."""
-        return pace_of(self.artifacts, self.stopwatch.spent_s)
+        return pace_of(self.listed, self.stopwatch.spent_s)
 
     # Decisions
 
@@ -284,6 +301,31 @@ class Session:
         edits = (*taking_back(self._state, [old]), SetArtifacts({old.id: new}))
         what = f"Call {describe([old])} {new.kind}" if new.kind != old.kind else ""
         return self.perform(label or what or f"Adjust {describe([old])}", Group(edits))
+
+    def set_region(self, region: tuple[int, int] | None) -> Change:
+        """Choose the frames that matter: what lies outside them is not asked about.
+
+        Parameters
+        ----------
+        region : half-open interval of 0-based frames; None, or all of them, for the whole take
+
+        Raises
+        ------
+        DataError
+            when it is empty or reaches beyond the take
+        """
+        frames = self.original.frames
+        if region is not None and not 0 <= region[0] < region[1] <= frames:
+            raise DataError("A region of interest needs a frame at least, and ends with the take.")
+        if region == (0, frames):
+            region = None
+        if region == self.region:
+            return Change()
+        label = "Review the whole take"
+        if region is not None:
+            first, last = (self.original.frame_number(f) for f in (region[0], region[1] - 1))
+            label = f"Review frames {first}–{last} only"
+        return self.perform(label, SetRegion(region))
 
     # History
 

@@ -39,25 +39,32 @@ class Standing:
 
 
 def standings(
-    original: Take, take: Take, artifacts: Iterable[Artifact], notes: Mapping[str, RepairNote]
+    original: Take,
+    take: Take,
+    artifacts: Iterable[Artifact],
+    notes: Mapping[str, RepairNote],
+    region: tuple[int, int] | None = None,
 ) -> tuple[Standing, ...]:
     """Sum up a review.
 
     Parameters
     ----------
     original, take : the recording as read and as it stands
-    artifacts : all of the review
+    artifacts : those that the review asks about
     notes : how repaired ones were repaired, by id
+    region : frames that shares count, a half-open interval; None for all of the take
 
     Returns
     -------
     The whole take, whose shares count the named markers only, then every marker in the take's
     order
     """
-    frames = max(1, take.frames)
-    before = np.count_nonzero(original.origin == Origin.MISSING, axis=0) / frames
-    now = np.count_nonzero(take.origin == Origin.MISSING, axis=0) / frames
-    mended = np.count_nonzero(take.origin >= Origin.FILLED, axis=0) / frames
+    rows = slice(*(region or (0, take.frames)))
+    then, stands_now = original.origin[rows], take.origin[rows]
+    frames = max(1, len(then))
+    before = np.count_nonzero(then == Origin.MISSING, axis=0) / frames
+    now = np.count_nonzero(stands_now == Origin.MISSING, axis=0) / frames
+    mended = np.count_nonzero(stands_now >= Origin.FILLED, axis=0) / frames
     by_marker: dict[str, list[Artifact]] = {label: [] for label in take.labels}
     for artifact in artifacts:
         by_marker[artifact.marker].append(artifact)

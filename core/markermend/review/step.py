@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from markermend.artifact import Artifact
 from markermend.patch import Patch
-from markermend.review.edits import Edit, Group, SetArtifacts, SetSamples
+from markermend.review.edits import Edit, Group, SetArtifacts, SetRegion, SetSamples
 
 
 @dataclass(frozen=True)
@@ -28,8 +28,8 @@ class Step:
 
 
 def decides(step: Step) -> bool:
-    """Whether a step holds an operator's decision, not just a detection run."""
-    return not step.label.startswith("Detect (")
+    """Whether a step holds a decision, not just a detection run or the frames that matter."""
+    return not step.label.startswith("Detect (") and not isinstance(step.edit, SetRegion)
 
 
 def parts(edit: Edit, *kinds: type) -> list[Edit]:

@@ -20,6 +20,7 @@ from markermend.review.edits import (
     SetBase,
     SetNames,
     SetNotes,
+    SetRegion,
     SetSamples,
 )
 from markermend.review.step import Step
@@ -50,6 +51,8 @@ def _edit_to_dict(edit: Edit) -> dict[str, Any]:
         return {
             "artifacts": {i: None if a is None else to_dict(a) for i, a in edit.changes.items()}
         }
+    if isinstance(edit, SetRegion):
+        return {"region": None if edit.region is None else list(edit.region)}
     return {"notes": {i: None if n is None else asdict(n) for i, n in edit.changes.items()}}
 
 
@@ -66,6 +69,9 @@ def _edit_from_dict(entry: Mapping[str, Any]) -> Edit:
         return SetArtifacts(
             {i: None if a is None else from_dict(a) for i, a in entry["artifacts"].items()}
         )
+    if "region" in entry:
+        region = entry["region"]
+        return SetRegion(None if region is None else (int(region[0]), int(region[1])))
     return SetNotes(
         {i: None if n is None else _note_from_dict(n) for i, n in entry["notes"].items()}
     )

@@ -792,6 +792,38 @@
         <translation>Zum letzten Frame</translation>
     </message>
     <message>
+        <source>Region of interest begins here</source>
+        <translation>Ausschnitt beginnt hier</translation>
+    </message>
+    <message>
+        <source>What lies before the cursor is not asked about, and can be left out of the export</source>
+        <translation>Nach dem, was vor dem Zeiger liegt, wird nicht gefragt; der Export kann es weglassen</translation>
+    </message>
+    <message>
+        <source>Region of interest ends here</source>
+        <translation>Ausschnitt endet hier</translation>
+    </message>
+    <message>
+        <source>What lies after the cursor is not asked about, and can be left out of the export</source>
+        <translation>Nach dem, was hinter dem Zeiger liegt, wird nicht gefragt; der Export kann es weglassen</translation>
+    </message>
+    <message>
+        <source>Review the selection only</source>
+        <translation>Nur die Auswahl durchsehen</translation>
+    </message>
+    <message>
+        <source>Make the swept range the region of interest</source>
+        <translation>Die überstrichenen Frames zum Ausschnitt machen</translation>
+    </message>
+    <message>
+        <source>Review the whole take</source>
+        <translation>Die ganze Aufnahme durchsehen</translation>
+    </message>
+    <message>
+        <source>Forget the region of interest</source>
+        <translation>Den Ausschnitt vergessen</translation>
+    </message>
+    <message>
         <source>Show the whole take</source>
         <translation>Ganze Aufnahme zeigen</translation>
     </message>
@@ -1070,6 +1102,22 @@
     <message>
         <source>last finish</source>
         <translation>letzter Ende Schluss</translation>
+    </message>
+    <message>
+        <source>roi crop trim in point range frames</source>
+        <translation>roi beschneiden zuschneiden anfang bereich frames</translation>
+    </message>
+    <message>
+        <source>roi crop trim out point range frames</source>
+        <translation>roi beschneiden zuschneiden ende bereich frames</translation>
+    </message>
+    <message>
+        <source>roi crop trim region of interest range frames</source>
+        <translation>roi beschneiden zuschneiden bereich frames</translation>
+    </message>
+    <message>
+        <source>roi crop trim region of interest reset all frames</source>
+        <translation>roi beschneiden zuschneiden bereich zurücksetzen alle frames</translation>
     </message>
     <message>
         <source>zoom all full reset frame home</source>
@@ -1924,6 +1972,10 @@
         <translation>Gesucht ({0})</translation>
     </message>
     <message>
+        <source>Review frames {0}–{1} only</source>
+        <translation>Nur Frames {0}–{1} durchsehen</translation>
+    </message>
+    <message>
         <source>{0} artifacts</source>
         <translation>{0} Artefakte</translation>
     </message>
@@ -2130,6 +2182,10 @@
     <message>
         <source>{0} frames at {1} Hz ({2} s), {3} markers. {4}, Markermend {5}.</source>
         <translation>{0} Frames mit {1} Hz ({2} s), {3} Marker. {4}, Markermend {5}.</translation>
+    </message>
+    <message>
+        <source>Only frames {0}–{1} were reviewed; what lies outside is not counted.</source>
+        <translation>Nur Frames {0}–{1} wurden durchgesehen; was außerhalb liegt, ist nicht mitgezählt.</translation>
     </message>
     <message>
         <source>Detected by “{0}”</source>
@@ -3118,6 +3174,10 @@
         <translation>In der Datei die Modellausgaben nennen, die nicht mehr passen</translation>
     </message>
     <message>
+        <source>Write frames {0}–{1} only, the region of interest</source>
+        <translation>Nur Frames {0}–{1} schreiben, den Ausschnitt</translation>
+    </message>
+    <message>
         <source>Export…</source>
         <translation>Exportieren…</translation>
     </message>
@@ -3944,6 +4004,21 @@
     </message>
 </context>
 <context>
+    <name>RegionOfInterest</name>
+    <message>
+        <source>The whole take is reviewed.</source>
+        <translation>Die ganze Aufnahme wird durchgesehen.</translation>
+    </message>
+    <message>
+        <source>Frames {0}–{1} are reviewed.</source>
+        <translation>Frames {0}–{1} werden durchgesehen.</translation>
+    </message>
+    <message>
+        <source>Artifacts outside them: {0}.</source>
+        <translation>Artefakte außerhalb: {0}.</translation>
+    </message>
+</context>
+<context>
     <name>Reporting</name>
     <message>
         <source>Report on this review</source>
@@ -3987,6 +4062,10 @@
     <message>
         <source>Nothing found yet. {0} looks for artifacts.</source>
         <translation>Noch nichts gefunden. {0} sucht nach Artefakten.</translation>
+    </message>
+    <message>
+        <source>Every artifact lies outside the region of interest. {0} reviews all.</source>
+        <translation>Alle Artefakte liegen außerhalb des Ausschnitts. {0} sieht wieder alles durch.</translation>
     </message>
     <message>
         <source>The only artifact is decided. {0} exports the repaired take.</source>
@@ -4084,6 +4163,10 @@
     <message>
         <source>Give away…</source>
         <translation>Weggeben…</translation>
+    </message>
+    <message>
+        <source>Review only this</source>
+        <translation>Nur dies durchsehen</translation>
     </message>
     <message>
         <source>Mark the selection as</source>

@@ -84,6 +84,7 @@ class SelectionPage(QWidget):
                 ("cut_selection", self.tr("Cut")),
                 ("swap_selection", self.tr("Swap…")),
                 ("move_selection", self.tr("Give away…")),
+                ("region_selection", self.tr("Review only this")),
             )
         ):
             button = QPushButton(text)

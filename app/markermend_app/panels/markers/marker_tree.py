@@ -221,7 +221,7 @@ class MarkerTree(QWidget):
         session = self._document.session
         if session is None:
             return
-        self._model.set_counts(session.artifacts)
+        self._model.set_counts(session.listed)
         self._fit_counts()
 
     def resizeEvent(self, event: QResizeEvent) -> None:

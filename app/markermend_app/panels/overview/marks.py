@@ -103,6 +103,21 @@ def paint_shown(painter: QPainter, places: Places, rows: Sequence[int]) -> None:
         painter.fillRect(tick, theme.current().accent)
 
 
+def paint_region(painter: QPainter, places: Places, start: int, stop: int) -> None:
+    """Pale the frames outside the region of interest, with a bracket at each edge."""
+    look, area = theme.current(), places.area
+    left = min(max(area.left(), places.x(start)), area.right())
+    right = min(max(area.left(), places.x(stop)), area.right())
+    veil = theme.faded(look.window, 0.8)
+    painter.fillRect(QRectF(area.left(), area.top(), left - area.left(), area.height()), veil)
+    painter.fillRect(QRectF(right, area.top(), area.right() - right, area.height()), veil)
+    painter.setPen(QPen(look.text, 1.5))
+    for x, inwards in ((left, 5.0), (right, -5.0)):
+        painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()))
+        for y in (area.top(), area.bottom()):
+            painter.drawLine(QPointF(x, y), QPointF(x + inwards, y))
+
+
 def paint_view(painter: QPainter, places: Places, start: float, stop: float) -> None:
     """Frame the picture and, unless it is all of it, the part that the plots show."""
     look, area = theme.current(), places.area

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QFont,
     QHelpEvent,
@@ -42,6 +42,7 @@ from markermend_app.panels.overview.picture import (
     residual_levels,
 )
 from markermend_app.panels.overview.places import Places
+from markermend_app.panels.overview.region_edges import RegionEdges
 from markermend_app.panels.overview.residual import Residuals
 from markermend_app.panels.plots.range import time_range
 from markermend_app.style import theme
@@ -59,7 +60,13 @@ class Overview(QWidget):
 
     The wheel zooms time at the mouse, middle or right drag pans, a double click shows everything.
     With the keyboard here, ↑ and ↓ go from marker to marker, + and − zoom.
+
+    Signals
+    -------
+    region_dragged(int, int) : the region of interest is to be these frames, half-open
     """
+
+    region_dragged = Signal(int, int)
 
     def __init__(self, document: Document, first: Lane | None = None) -> None:
         super().__init__()
@@ -71,6 +78,7 @@ class Overview(QWidget):
         self._span = (0.0, 1.0)
         self.residuals = Residuals(first, self)
         self.residuals.changed.connect(self._repaint)
+        self._edges = RegionEdges(document)
         self._held: tuple[float, tuple[float, float]] | None = None
         self._rows: Rows | None = None
         self._artifacts: tuple[Artifact, ...] = ()
@@ -80,6 +88,7 @@ class Overview(QWidget):
         self._place = np.zeros((0, 3), dtype=np.int64)
         self.setAccessibleName(self.tr("Overview of the whole take"))
         self.setMinimumHeight(72)
+        self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.mode = ModeButton(self)
         self.mode.chosen.connect(self._repaint)
@@ -137,9 +146,7 @@ class Overview(QWidget):
             self._missing.forget()
             self._changed.clear()
         self.mode.setVisible(take is not None and take.markers > 0)
-        self.setCursor(
-            Qt.CursorShape.ArrowCursor if take is None else Qt.CursorShape.PointingHandCursor
-        )
+        self._show_pointer(edge=False)
         self._arrange()
 
     def _arrange(self) -> None:
@@ -236,6 +243,8 @@ class Overview(QWidget):
             super().mousePressEvent(event)
             return
         at = event.position()
+        if self._edges.take(self._places, at.x()):
+            return
         artifact = self.artifact_at(at)
         if artifact is not None:
             self.document.select(artifact.id)
@@ -246,8 +255,14 @@ class Overview(QWidget):
         self.document.go_to(self._frame_at(at.x()))
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Scrub with the left button, pan with another one."""
-        if event.buttons() & Qt.MouseButton.LeftButton and self._take is not None:
+        """Scrub or drag an edge of the region with the left button, pan with another one."""
+        x = event.position().x()
+        if self._edges.held:
+            self._edges.drag(self._places, x)
+            self._soon.ask()
+        elif not event.buttons():
+            self._show_pointer(self._edges.near(self._places, x) is not None)
+        elif event.buttons() & Qt.MouseButton.LeftButton and self._take is not None:
             self.document.go_to(self._frame_at(event.position().x()))
         elif self._held is not None:
             x, (low, high) = self._held
@@ -255,9 +270,22 @@ class Overview(QWidget):
             self.set_span(low + by, high + by)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """End a pan."""
+        """End a pan, or put an edge of the region where it was dragged."""
         self._held = None
+        region = self._edges.drop()
+        if region is not None:
+            self.region_dragged.emit(*region)
         super().mouseReleaseEvent(event)
+
+    def _show_pointer(self, edge: bool) -> None:
+        """Show by the mouse's look whether an edge can be dragged, or something clicked."""
+        shape = Qt.CursorShape.PointingHandCursor
+        if self._take is None:
+            shape = Qt.CursorShape.ArrowCursor
+        elif edge:
+            shape = Qt.CursorShape.SplitHCursor
+        if self.cursor().shape() != shape:
+            self.setCursor(shape)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Show the whole take."""
@@ -385,6 +413,8 @@ class Overview(QWidget):
         """Which markers are shown, the part in view, the current artifact, and the cursor."""
         shown = [rows.row_of[self._column_of[name]] for name in self.document.shown]
         marks.paint_shown(painter, places, shown)
+        if self._edges.region is not None:
+            marks.paint_region(painter, places, *self._edges.region)
         marks.paint_view(painter, places, *self._view)
         current = self.document.current
         if current is not None:

@@ -11,6 +11,7 @@ from PySide6.QtGui import QColor, QFontMetricsF
 from markermend.take import Event, Take
 from markermend_app.items.caption import Caption
 from markermend_app.items.flags import Flags
+from markermend_app.items.outside import Outside
 from markermend_app.items.plot import Plot
 from markermend_app.items.time_axis import TimeAxis
 from markermend_app.items.value_axis import ValueAxis
@@ -40,6 +41,7 @@ class PlotFrame:
         self.view.setDefaultPadding(0)
         self.values.setWidth(_VALUES_WIDTH)
         self.flags = Flags()
+        self.outside = Outside()
         self.sweep = pg.LinearRegionItem(movable=False)
         self.cursor = pg.InfiniteLine(angle=90, movable=False)
         self.cursor.setZValue(30)
@@ -48,7 +50,8 @@ class PlotFrame:
         self.caption = Caption(self.view)
         self._named: tuple[str, QColor] = ("", QColor())
         self.follows = True
-        for item in (self.flags, self.sweep, self.cursor, self.across, self.along):
+        lines = (self.sweep, self.cursor, self.across, self.along)
+        for item in (self.flags, self.outside, *lines):
             self.view.addItem(item, ignoreBounds=True)
         for item in (self.sweep, self.across, self.along):
             item.hide()
@@ -101,6 +104,7 @@ class PlotFrame:
         for line in (self.across, self.along):
             line.setPen(pg.mkPen(theme.faded(look.muted, 0.7), width=1, style=Qt.PenStyle.DotLine))
         self.flags.update()
+        self.outside.update()
 
     def _place_name(self, *_: object) -> None:
         """Write the name where there is room for it."""

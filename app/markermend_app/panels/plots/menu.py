@@ -82,6 +82,7 @@ def sweep_menu(
     ):
         entry(menu, name, partial(do, name)).setEnabled(document.editable)
     menu.addSeparator()
+    entry(menu, "region_selection", partial(do, "region_selection")).setEnabled(document.editable)
     entry(menu, "clear_selection", partial(do, "clear_selection"))
     return menu
 

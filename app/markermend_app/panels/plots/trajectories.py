@@ -97,6 +97,7 @@ class TrajectoryPanel(QWidget):
         document.beside_changed.connect(self._show_beside)
         document.data_changed.connect(self._refresh)
         document.artifacts_changed.connect(self._show_artifacts)
+        document.artifacts_changed.connect(self._show_region)
         document.artifacts_changed.connect(partial(self.predictions.note, samples=False))
         document.mesh_changed.connect(self._show_markers)
         document.current_changed.connect(self.show_current)
@@ -233,6 +234,7 @@ class TrajectoryPanel(QWidget):
             row.show_events(events)
             row.cursor.setValue(self.document.frame)
             row.show_cross(None, None)
+        self._show_region()
 
     def _show_markers(self) -> None:
         """Draw other markers."""
@@ -305,6 +307,12 @@ class TrajectoryPanel(QWidget):
         artifacts = [a for a in session.artifacts if a.marker in shown]
         for row in self.rows:
             row.show_artifacts(artifacts, shown)
+
+    def _show_region(self) -> None:
+        """Pale the frames that are not reviewed."""
+        session = self.document.session
+        for row in self.canvas.frames:
+            row.outside.show_region(None if session is None else session.region)
 
     def show_current(self) -> None:
         """Mark the artifact under review."""

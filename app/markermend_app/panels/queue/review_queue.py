@@ -186,12 +186,12 @@ class ReviewQueue(QWidget):
     def _artifacts_changed(self) -> None:
         """Take decisions over soon, and at once artifacts that came or went."""
         session = self._document.session
-        ids = () if session is None else tuple(a.id for a in session.artifacts)
+        ids = () if session is None else tuple(a.id for a in session.listed)
         if session is None or ids != self._listed:
             self._refresh()
             return
         # Where keys go next does not wait for the rows.
-        listed = self.model.listed(session.artifacts, session.notes)
+        listed = self.model.listed(session.listed, session.notes)
         self._document.set_queue([a.id for a in listed])
         self._stale = True
         self._soon.ask()
@@ -214,21 +214,21 @@ class ReviewQueue(QWidget):
         """Take over artifacts and decisions; the view stays where it is."""
         self._stale = False
         session = self._document.session
-        self._listed = () if session is None else tuple(a.id for a in session.artifacts)
+        self._listed = () if session is None else tuple(a.id for a in session.listed)
         bar = self.view.verticalScrollBar()
         at, chosen = bar.value(), set(self._selected())
         self._syncing = True
         if session is None:
             self.model.set_artifacts((), {}, None)
         else:
-            self.model.set_artifacts(session.artifacts, session.notes, session.original)
+            self.model.set_artifacts(session.listed, session.notes, session.original)
         self._select(chosen)
         self._syncing = False
         bar.setValue(at)
         # A copy of a review changes no row of the one before, but the document walks anew.
         self._document.set_queue([a.id for a in self.model.rows])
         self._follow_current(scroll=False)
-        self.filters.count(() if session is None else session.artifacts)
+        self.filters.count(() if session is None else session.listed)
         self.filters.fit(self.width())
         self._explain()
 
@@ -339,8 +339,11 @@ class ReviewQueue(QWidget):
                 text = self.tr("Nothing found yet. {0} looks for artifacts.").format(
                     shortcuts.way_to("detect")
                 )
+        elif not session.listed:
+            text = self.tr("Every artifact lies outside the region of interest. {0} reviews all.")
+            text = text.format(shortcuts.way_to("region_whole"))
         elif not session.with_status(Status.PENDING) and self.filters.statuses == OPEN:
-            count, way = len(session.artifacts), shortcuts.way_to("export")
+            count, way = len(session.listed), shortcuts.way_to("export")
             if count == 1:
                 text = self.tr("The only artifact is decided. {0} exports the repaired take.")
                 text = text.format(way)
