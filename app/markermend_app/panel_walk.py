@@ -37,7 +37,9 @@ class PanelWalk:
 
     def home(self) -> None:
         """Give the keyboard back to the plots, for the review."""
-        _give_keyboard(self._window.trajectories.canvas)
+        plots = self._window.trajectories
+        # Qt would give it to whatever comes next while there are none yet.
+        _give_keyboard(plots.canvas if plots.canvas.isVisible() else plots)
 
     def filter(self) -> None:
         """Give the keyboard to what narrows down the review queue, if it is there, or the tree."""

@@ -34,6 +34,7 @@ def test_keys_choose_it_and_the_queue_lists_what_reaches_into_it(narrowed, qtbot
     assert sorted(listed(narrowed)) == [("C7", Kind.NOISE), ("LWRA", Kind.STEP)]
     assert set(document.queue) == {a.id for a in document.session.listed}
     assert narrowed.queue.filters.progress.text().endswith(" of 2 decided")
+    assert narrowed.inspector.take._reviewed.text() == "Frames 291 to 500"
     assert "Frames 291–500 are reviewed" in narrowed.status._said.text()
     assert "Artifacts outside them: 2" in narrowed.status._said.text()
     document.go_to(250)

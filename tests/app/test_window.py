@@ -75,8 +75,16 @@ def test_f_before_the_proposal_is_there_is_not_lost(reviewed, qtbot):
     )
 
 
-def test_review_keys_do_not_land_in_a_filter_after_opening(reviewed):
-    assert reviewed.focusWidget() not in (reviewed.tree.filter, reviewed.queue.filters.marker)
+def test_the_plots_have_the_keyboard_after_opening(reviewed):
+    assert reviewed.focusWidget() is reviewed.trajectories.canvas
+
+
+def test_the_plots_get_the_keyboard_once_there_are_some(window, take_path):
+    window.document.open(open_session(mm.read(take_path)), None)
+    # A desktop that makes the window active now gives keys to what can be seen.
+    assert window.focusWidget().isVisible()
+    window.document.show(["CLAV"])
+    assert window.focusWidget() is window.trajectories.canvas
 
 
 def test_n_and_p_walk_the_queue(reviewed, qtbot):

@@ -4477,6 +4477,14 @@
         <translation>Fehlend</translation>
     </message>
     <message>
+        <source>Reviewed</source>
+        <translation>Durchgesehen</translation>
+    </message>
+    <message>
+        <source>Frames {0} to {1}</source>
+        <translation>Frames {0} bis {1}</translation>
+    </message>
+    <message>
         <source>{0:.2f} % of all samples</source>
         <translation>{0:.2f} % aller Werte</translation>
     </message>

@@ -154,8 +154,9 @@ class TakePage(QWidget):
         column.addStretch(1)
         document.opened.connect(self._refresh)
         document.data_changed.connect(lambda _: self._refresh_gaps())
+        document.artifacts_changed.connect(self._refresh_region)
         theme.watcher.changed.connect(self._refresh)
-        self._gaps = plain()
+        self._gaps, self._reviewed = plain(), plain()
         self._refresh()
 
     def _refresh(self) -> None:
@@ -172,7 +173,7 @@ class TakePage(QWidget):
         source = take.source
         self.title.setText(self.tr("Take") if source is None else source.path.name)
         named = [s for s in take.subjects if s]
-        self._gaps = plain()
+        self._gaps, self._reviewed = plain(), plain()
         for text, value in (
             (
                 self.tr("Frames"),
@@ -196,9 +197,23 @@ class TakePage(QWidget):
                 self._add(text, value)
         if take.named:
             self.facts.addRow(_name(self.tr("Missing")), self._gaps)
+        self.facts.addRow(_name(self.tr("Reviewed")), self._reviewed)
         self._refresh_gaps()
+        self._refresh_region()
         for sentence in take.warnings:
             self.warnings.addWidget(_warning(told(sentence)))
+
+    def _refresh_region(self) -> None:
+        """Tell which frames are reviewed, unless all are."""
+        session = self._document.session
+        if session is None:
+            return
+        region, take = session.region, session.original
+        self.facts.setRowVisible(self._reviewed, region is not None)
+        if region is not None:
+            first, last = take.frame_number(region[0]), take.frame_number(region[1] - 1)
+            text = self.tr("Frames {0} to {1}").format(first, last)
+            self._reviewed.setText(text)
 
     def _refresh_gaps(self) -> None:
         """Tell how much is missing now."""

@@ -263,6 +263,8 @@ class TrajectoryPanel(QWidget):
         """Show the plots where there is something in them, else say what to do."""
         self.empty.say(*why_empty(self.take))
         self._stack.setCurrentIndex(int(bool(self.document.shown or self.document.beside)))
+        if self.hasFocus() and self.canvas.isVisible():
+            self.canvas.setFocus()
 
     def _drawn(self, name: str) -> Shown:
         """A marker as the rows draw it."""
