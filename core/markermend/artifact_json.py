@@ -100,7 +100,13 @@ def rounded(values_mm: FloatArray) -> list[float]:
 
 
 def document(
-    take: Take, artifacts: Iterable[Artifact], method: str, version: str, *, name: str | None = None
+    take: Take,
+    artifacts: Iterable[Artifact],
+    method: str,
+    version: str,
+    *,
+    name: str | None = None,
+    region: tuple[int, int] | None = None,
 ) -> dict[str, Any]:
     """Describe a take and its artifacts as one JSON document.
 
@@ -111,10 +117,12 @@ def document(
     method : what found them (``"joint"``, ``"paper"``, ``"truth"``…)
     version : Markermend's version
     name : the take's name; that of its source file when not given, else empty
+    region : the frames that were asked about, a half-open interval; None for all
 
     Returns
     -------
-    dict with the keys ``take, rate, first_frame, frames, method, version, artifacts``
+    dict with the keys ``take, rate, first_frame, frames, method, version, artifacts``, and
+    ``region`` where there is one
     """
     if name is None:
         name = take.source.path.name if take.source else ""
@@ -125,6 +133,7 @@ def document(
         "frames": take.frames,
         "method": method,
         "version": version,
+        **({} if region is None else {"region": list(region)}),
         "artifacts": [to_dict(artifact) for artifact in artifacts],
     }
 

@@ -96,7 +96,13 @@ def outcomes(
 
 
 def cleaned_document(
-    take: Take, done: Iterable[Outcome], method: str, version: str, *, name: str
+    take: Take,
+    done: Iterable[Outcome],
+    method: str,
+    version: str,
+    *,
+    name: str,
+    region: tuple[int, int] | None = None,
 ) -> dict[str, Any]:
     """Describe a take, its artifacts and what was done about each as one JSON document.
 
@@ -107,6 +113,7 @@ def cleaned_document(
     method : what found the artifacts
     version : Markermend's version
     name : the take's file name
+    region : the frames that were asked about, a half-open interval; None for all
 
     Returns
     -------
@@ -115,7 +122,8 @@ def cleaned_document(
         there after the repair, as artifacts
     """
     known = tuple(done)
-    described = document(take, (o.artifact for o in known), method, version, name=name)
+    found = (o.artifact for o in known)
+    described = document(take, found, method, version, name=name, region=region)
     for item, o in zip(described["artifacts"], known, strict=True):
         error = None if o.error_mm is None else float(o.error_mm)
         item["repair"] = {

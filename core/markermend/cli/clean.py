@@ -71,15 +71,17 @@ def run(options: argparse.Namespace) -> int:
     )
     done, name = outcomes(found, pairs, options.min_confidence), Path(options.take).name
     if options.json is not None:
-        write_json(options.json, cleaned_document(take, done, method, mm.__version__, name=name))
+        described = cleaned_document(take, done, method, mm.__version__, name=name, region=frames)
+        write_json(options.json, described)
     if options.report is not None:
         from markermend.report import take_report
 
-        write_text(options.report, take_report(take, clean, done, method=method, name=name))
+        page = take_report(take, clean, done, method=method, name=name, region=frames)
+        write_text(options.report, page)
     if STDOUT not in (options.json, options.report):
         for line in listing(take, done) if options.list else ():
             say(line)
-        say(summary([o.artifact for o in done]))
+        say(summary([o.artifact for o in done], part=frames is not None))
         for line in [
             *summary_table(done),
             *seen_again(done),

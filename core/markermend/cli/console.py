@@ -232,7 +232,7 @@ def chosen_frames(take: Take, options: argparse.Namespace) -> tuple[int, int] | 
     start, stop = first - take.first_frame, last - take.first_frame + 1
     if not 0 <= start < stop <= take.frames:
         raise DataError(
-            f"There is nothing from frame {first} to {last}; “{options.take}” has frames "
+            f"Frames {first} to {last} are not all there; “{options.take}” has frames "
             f"{take.first_frame} to {take.frame_number(take.frames - 1)}."
         )
     return start, stop

@@ -57,13 +57,14 @@ def run(options: argparse.Namespace) -> int:
     found = found if frames is None else within(found, frames)
     if options.json is not None:
         name = Path(options.take).name
-        write_json(options.json, document(take, found, chosen[0], mm.__version__, name=name))
+        described = document(take, found, chosen[0], mm.__version__, name=name, region=frames)
+        write_json(options.json, described)
     if options.csv is not None:
         write_text(options.csv, to_csv(take, found))
     if STDOUT not in (options.json, options.csv):
         for line in _listing(take, found):
             say(line)
-        say(summary(found))
+        say(summary(found, part=frames is not None))
     return 0
 
 
@@ -88,10 +89,11 @@ def when(take: Take, artifact: Artifact) -> tuple[str, str]:
     return frames, f"{artifact.start / take.rate:.2f}–{artifact.stop / take.rate:.2f}"
 
 
-def summary(artifacts: Sequence[Artifact]) -> str:
-    """How many of each class, in one sentence."""
+def summary(artifacts: Sequence[Artifact], *, part: bool = False) -> str:
+    """How many of each class, in one sentence; of a ``part`` of a take only."""
     if not artifacts:
-        return "Nothing is damaged as far as can be seen."
+        where = " in these frames" if part else ""
+        return f"Nothing is damaged{where} as far as can be seen."
     kinds = Counter(a.kind for a in artifacts)
     parts = (f"{_counted(n, kind)}" for kind in Kind if (n := kinds[kind]))
     return f"{count(len(artifacts), 'artifact')}: {', '.join(parts)}."

@@ -5,6 +5,24 @@ from __future__ import annotations
 import argparse
 import math
 import re
+from typing import Any
+
+
+class _Interval(argparse.Action):
+    """The first and the last of something, in this order."""
+
+    def __call__(
+        self,
+        parser: argparse.ArgumentParser,
+        namespace: argparse.Namespace,
+        values: Any,
+        option_string: str | None = None,
+    ) -> None:
+        """Keep them, unless they are the wrong way round."""
+        first, last = values
+        if first > last:
+            raise argparse.ArgumentError(self, f"{first} comes after {last}; FIRST goes first")
+        setattr(namespace, self.dest, values)
 
 
 def add_frames(p: argparse.ArgumentParser, what: str) -> None:
@@ -14,6 +32,7 @@ def add_frames(p: argparse.ArgumentParser, what: str) -> None:
         metavar=("FIRST", "LAST"),
         nargs=2,
         type=whole,
+        action=_Interval,
         help=f"{what}, by the file's own numbers, the last one included",
     )
 

@@ -329,7 +329,8 @@ def _output(p: argparse.ArgumentParser) -> None:
         "--output",
         metavar="OUT",
         required=True,
-        help="take to write; its ending says the format: .c3d, .trc, .csv, or a plugin's",
+        help="take to write; its ending says the format: .c3d, .trc, .csv, or a plugin's; of joints"
+        " also .amc, .bvh",
     )
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
-from typing import Any
 
 import markermend as mm
 from markermend.cli.console import STDOUT, check_outputs, count, say, write_json, write_text
@@ -28,11 +27,14 @@ def run(options: argparse.Namespace) -> int:
     write_text(options.output, review_report(review, name=name))
     if options.json is not None:
         described = cleaned_document(
-            review.before, review.done, review.method, mm.__version__, name=name
+            review.before,
+            review.done,
+            review.method,
+            mm.__version__,
+            name=name,
+            region=review.region,
         )
-        about: dict[str, Any] = {"pace": review.pace.to_dict(), "by_hand": list(review.by_hand)}
-        if review.region is not None:
-            about["region"] = list(review.region)
+        about = {"pace": review.pace.to_dict(), "by_hand": list(review.by_hand)}
         write_json(options.json, described | about)
     if STDOUT not in (options.output, options.json):
         say(f"{review.pace.decided:,} of {count(review.pace.total, 'artifact')} decided.")

@@ -172,7 +172,8 @@ def write(
     if take.skeleton and target.suffix.lower() in SKELETONS_WRITTEN:
         fill = _skeleton_writer(take, target, report, frames or (0, take.frames))
     else:
-        fill = _writer(part, target, report, as_float, record, mark_outputs)
+        before = frames[0] if frames else 0
+        fill = _writer(part, target, report, as_float, record, mark_outputs, before)
     written: list[IntArray] = []
     try:
         backup = write_whole(target, lambda file: written.append(fill(file)), backup=onto_source)
@@ -219,8 +220,12 @@ def _writer(
     as_float: bool,
     record: Sequence[str],
     mark_outputs: bool,
+    before: int,
 ) -> Callable[[IO[bytes]], IntArray]:
-    """Choose how a take is written; the function returns the samples written of each marker."""
+    """Choose how a take is written; the function returns the samples written of each marker.
+
+    Of a part of a take ``before`` are the frames that come before it: time goes on there.
+    """
     from markermend.files.c3d_new import write_new
     from markermend.files.c3d_patch import copy_patched, patchable
     from markermend.files.c3d_restructure import copy_restructured, structure_of, to_be_floats
@@ -234,9 +239,9 @@ def _writer(
     def new(file: IO[bytes]) -> IntArray:
         match target.suffix.lower():
             case ".trc":
-                write_trc(take, file, report, name=target.name)
+                write_trc(take, file, report, name=target.name, before=before)
             case ".csv":
-                write_csv(take, file, report)
+                write_csv(take, file, report, before=before)
             case suffix if suffix in others:
                 file.write(contents(others[suffix], take))
             case _:
@@ -270,8 +275,9 @@ def _skeleton_writer(
 
     # How joints are turned is worked out of the whole recording.
     pose = as_pose(take, progress=report)
-    part = pose if frames == (0, take.frames) else crop_pose(pose, *frames)
-    fill = pose_writer(part, target, report)
+    whole = frames == (0, take.frames)
+    part = pose if whole else crop_pose(pose, *frames)
+    fill = pose_writer(part, target, report, whole=None if whole else pose)
 
     def write_joints(file: IO[bytes]) -> IntArray:
         fill(file)

@@ -154,7 +154,9 @@ def _hierarchy(words: list[str]) -> tuple[list[_Joint], int]:
     return joints, at
 
 
-def write_bvh(pose: Pose, file: IO[bytes], progress: Progress) -> None:
+def write_bvh(
+    pose: Pose, file: IO[bytes], progress: Progress, *, whole: Pose | None = None
+) -> None:
     """Write a hierarchy in centimetres, and its movement.
 
     Parameters
@@ -162,6 +164,8 @@ def write_bvh(pose: Pose, file: IO[bytes], progress: Progress) -> None:
     pose : every joint seen in every frame, with rotations
     file : written from its beginning
     progress : told the share of poses written
+    whole : the recording that this is a part of, whose hierarchy is written: a pose alone does not
+        tell how joints hang together
 
     Raises
     ------
@@ -183,17 +187,20 @@ def write_bvh(pose: Pose, file: IO[bytes], progress: Progress) -> None:
         raise ExportError("A BVH holds every joint and rotation of every pose; denoise it first.")
     if sum(parent < 0 for parent in pose.parents) != 1:
         raise ExportError("A BVH has one root; this recording has several.")
-    offsets = _offsets(pose, pose.parents)
-    by_own = _strays(_offsets(pose, range(len(pose.joints))))
+    told = pose if whole is None else _complete(whole)
+    offsets = _offsets(told, told.parents)
+    by_own = _strays(_offsets(told, range(len(told.joints))))
     if by_own.sum() + _RIGID_MM < _strays(offsets).sum():
-        pose = _at_starts(pose)
-        offsets = _offsets(pose, pose.parents)
+        pose, told = _at_starts(pose), _at_starts(told)
+        offsets = _offsets(told, told.parents)
     children: dict[int, list[int]] = {}
     for joint, parent in enumerate(pose.parents):
         children.setdefault(parent, []).append(joint)
     carried = (_strays(offsets) < _RIGID_MM) & (np.array(pose.parents) >= 0)
     lines, order = ["HIERARCHY"], list[int]()
     usual = np.median(offsets, axis=0)
+    if whole is not None:
+        offsets = _offsets(pose, pose.parents)
     _describe(children[-1][0], pose, children, usual, carried, lines, order)
     lines += ["MOTION", f"Frames: {pose.frames}", f"Frame Time: {1.0 / pose.rate:.7f}"]
     file.write(("\n".join(lines) + "\n").encode())
@@ -210,6 +217,12 @@ def write_bvh(pose: Pose, file: IO[bytes], progress: Progress) -> None:
         progress(start / pose.frames, "Writing poses")
         rows = table[start : start + _POSES_A_REPORT].tolist()
         file.write("".join(" ".join(f"{v:.6f}" for v in row) + "\n" for row in rows).encode())
+
+
+def _complete(pose: Pose) -> Pose:
+    """Those poses of a recording in which every joint was seen."""
+    rows = ~np.isnan(pose.rotations).any(axis=(1, 2))
+    return Pose(pose.positions[rows], pose.rotations[rows], pose.joints, pose.parents, pose.rate)
 
 
 def _angles(rotations: FloatArray) -> FloatArray:

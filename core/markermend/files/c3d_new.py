@@ -55,8 +55,13 @@ def write_new(
     Raises
     ------
     ExportError
-        when the take has more points or samples a frame than a C3D file can hold
+        when the take has more points or samples a frame than a C3D file can hold, or frames below 0
     """
+    if take.first_frame < 0:
+        raise ExportError(
+            f"A C3D counts frames from 0, and this take begins with frame {take.first_frame};"
+            " write a TRC or CSV."
+        )
     others = take.points.labels if take.points else ()
     points = take.markers + len(others)
     channels, each = _analog_shape(take)

@@ -91,8 +91,12 @@ def _set_counts(sheet: _Sheet, layout: C3dLayout, target: C3dLayout) -> None:
         sheet.set_number("POINT", "FRAMES", target.frames)
         sheet.set_number("POINT", "LONG_FRAMES", target.frames)
         last = target.first_frame + target.frames - 1
-        sheet.set_number("TRIAL", "ACTUAL_START_FIELD", target.first_frame)
-        sheet.set_number("TRIAL", "ACTUAL_END_FIELD", last)
+        ends = {"ACTUAL_START_FIELD": target.first_frame, "ACTUAL_END_FIELD": last}
+        for name, number in ends.items():
+            if last > 0xFFFF and not sheet.has("TRIAL", name):
+                # The header has no room for such numbers.
+                sheet.add_long("TRIAL", name, number)
+            sheet.set_number("TRIAL", name, number)
 
 
 def _set_labels(sheet: _Sheet, take: Take, selection: Selection) -> None:
@@ -174,6 +178,16 @@ class _Sheet:
             if len(record.data) >= len(data):
                 rest = record.data[len(data) :]
                 self._raw[place] = self._encoded(record, record.dims, data + rest)
+
+    def has(self, group: str, name: str) -> bool:
+        """Whether there is such a parameter."""
+        return any(True for _ in self._named(group, name))
+
+    def add_long(self, group: str, name: str, value: int) -> None:
+        """Add a number too large for one word, as a pair of words."""
+        processor = self.layout.processor
+        data = pack_numbers([value & 0xFFFF, value >> 16], INTEGER, processor)
+        self.append(parameter_record(self.group(group), name, INTEGER, (2,), data, processor))
 
     def set_rows(self, group: str, name: str, rows: Sequence[bytes]) -> None:
         """Set a text parameter, in as many continuations as it takes."""

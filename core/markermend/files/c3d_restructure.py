@@ -16,6 +16,7 @@ from typing import IO
 import numpy as np
 
 from markermend.arrays import ByteArray, Float32Array, IntArray
+from markermend.errors import ExportError
 from markermend.files.c3d_events import KEY_AT, read_events
 from markermend.files.c3d_layout import C3dLayout, Storage
 from markermend.files.c3d_numbers import encode_floats
@@ -113,6 +114,13 @@ def copy_restructured(
     layout = source.layout
     assert isinstance(layout, C3dLayout)
     target = _target(take, structure, layout, as_float=as_float)
+    if target.frames != layout.frames and layout.count("ROTATION", "USED"):
+        raise ExportError(
+            f"{source.path.name} holds rotations behind its frames, which do not come along in a"
+            " part of them; write all frames, or a TRC or CSV."
+        )
+    # Of a file that says of no sample that it was seen, reading believes the coordinates.
+    unseen = target.frames != layout.frames and not take.present.any()
     with open_unchanged(source) as original:
         original.seek(0)
         ahead = original.read(layout.data)
@@ -134,6 +142,8 @@ def copy_restructured(
             if target.storage is not layout.storage:
                 # Rounding to single precision is no edit.
                 after = np.where(np.abs(after - before) <= 2e-7 * np.abs(before), before, after)
+            if unseen:
+                _blank(rows, plan)
             written += patch_rows(rows, before, after, plan, take, np.arange(a - first, b - first))
             file.write(rows.reshape(-1).data)
         end = layout.data + layout.frames * layout.stride
@@ -190,6 +200,14 @@ def _reshaped(
     return joined.reshape(rows, -1)
 
 
+def _blank(rows: ByteArray, plan: Plan) -> None:
+    """Put the markers of some frames at 0, as missing samples usually are."""
+    layout = plan.layout
+    cells = rows.reshape(len(rows), -1, int(layout.storage))
+    for axis in range(3):
+        cells[:, 4 * np.array(plan.columns, dtype=np.intp) + axis] = 0
+
+
 def _minus_one(layout: C3dLayout) -> ByteArray:
     """Bytes of the word that marks a sample missing."""
     if layout.storage is Storage.INTEGER:
@@ -235,6 +253,9 @@ def _header(take: Take, layout: C3dLayout, target: C3dLayout) -> bytes:
         first = min(target.first_frame, 0xFFFF)
         last = min(target.first_frame + target.frames - 1, 0xFFFF)
         struct.pack_into(f"{order}HH", head, 6, first, last)
+    if target.frames != layout.frames:
+        # The file's size, by which wrong counts are found out, is another one now.
+        struct.pack_into(f"{order}HH", head, 2, target.points, target.analog_words)
     if target.storage is not layout.storage:
         scale = np.array([-layout.residual_scale], dtype=np.float32)
         head[12:16] = encode_floats(scale, layout.processor).tobytes()

@@ -113,7 +113,7 @@ def read_csv(path: Path, *, progress: Progress | None = None) -> Take:
     )
 
 
-def write_csv(take: Take, file: IO[bytes], progress: Progress) -> None:
+def write_csv(take: Take, file: IO[bytes], progress: Progress, *, before: int = 0) -> None:
     """Write the markers of a take as a table in mm, to the nanometre.
 
     Parameters
@@ -121,6 +121,7 @@ def write_csv(take: Take, file: IO[bytes], progress: Progress) -> None:
     take : the recording
     file : written from its beginning
     progress : told the share of frames written
+    before : frames between time 0 and the first one
     """
     quoted = (f"{label}.{axis} (mm)" for label in take.labels for axis in AXES)
     names = ["frame", "time", *(_quoted(name) for name in quoted)]
@@ -130,7 +131,7 @@ def write_csv(take: Take, file: IO[bytes], progress: Progress) -> None:
             progress(frame / take.frames, "Writing rows")
         row = take.positions[frame].reshape(-1).tolist()
         cells = ",".join("" if v != v else f"{v:.6f}" for v in row)
-        time = f"{frame / take.rate:.9f}"
+        time = f"{(before + frame) / take.rate:.9f}"
         file.write(f"{take.frame_number(frame)},{time},{cells}\n".encode())
 
 
@@ -184,5 +185,7 @@ def _rate(
         )
         if np.isfinite(span) and span > 0:
             return float(round(count / span, 5))
-    warnings.append("The table has no times; 100 Hz was assumed.")
+    alone = place is not None and len(table) == 1
+    lacks = "one row, which tells no rate" if alone else "no times"
+    warnings.append(f"The table has {lacks}; 100 Hz was assumed.")
     return 100.0

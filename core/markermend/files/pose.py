@@ -125,16 +125,18 @@ def crop_pose(pose: Pose, start: int, stop: int) -> Pose:
     )
 
 
-def pose_writer(pose: Pose, target: Path, report: Progress) -> Callable[[IO[bytes]], None]:
-    """Choose by a name's ending how a recording is written.
+def pose_writer(
+    pose: Pose, target: Path, report: Progress, *, whole: Pose | None = None
+) -> Callable[[IO[bytes]], None]:
+    """Choose by a name's ending how a recording is written, or a part of the ``whole`` one.
 
-    Parameters and errors are those of :func:`write_pose`.
+    The other parameters and errors are those of :func:`write_pose`.
     """
     match target.suffix.lower():
         case ".csv":
             return lambda file: write_pose_csv(pose, file, report)
         case ".bvh":
-            return lambda file: write_bvh(pose, file, report)
+            return lambda file: write_bvh(pose, file, report, whole=whole)
         case ".amc":
             if not isinstance(pose.source, Movement):
                 raise ExportError(

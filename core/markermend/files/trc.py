@@ -104,7 +104,9 @@ def read_trc(path: Path, *, progress: Progress | None = None) -> Take:
     )
 
 
-def write_trc(take: Take, file: IO[bytes], progress: Progress, *, name: str) -> None:
+def write_trc(
+    take: Take, file: IO[bytes], progress: Progress, *, name: str, before: int = 0
+) -> None:
     """Write the markers of a take as TRC; a missing sample is three blank cells.
 
     Parameters
@@ -144,7 +146,7 @@ def write_trc(take: Take, file: IO[bytes], progress: Progress, *, name: str) -> 
             progress(frame / take.frames, "Writing frames")
         row = (take.positions[frame].reshape(-1) / scale).tolist()
         cells = "\t".join("" if v != v else f"{v:.{digits}f}" for v in row)
-        time = f"{frame / take.rate:.9g}"
+        time = f"{(before + frame) / take.rate:.9g}"
         file.write(f"{take.frame_number(frame)}\t{time}\t{cells}\n".encode())
 
 

@@ -113,9 +113,9 @@ def _section(
     narrowed = []
     if region is not None:
         first, last = (before.frame_number(frame) for frame in (region[0], region[1] - 1))
-        narrowed = [f"Only frames {first}–{last} were reviewed; what lies outside is not counted."]
+        narrowed = [f"This is about frames {first}–{last} only; what lies outside is not counted."]
     shapes = [curves(before, after, o) for o in worst(done)]
-    values = cleaned_document(before, done, method, mm.__version__, name=name)
+    values = cleaned_document(before, done, method, mm.__version__, name=name, region=region)
     parts = [
         f'<section class="take"><h2>{escape(name)}</h2><p class="dim">{escape(facts)}</p>',
         tiles(
@@ -141,8 +141,6 @@ def _section(
     parts += [*_repaired(before, done), *_by_hand(by_hand), *_left(before, done)]
     if pace is not None:
         values |= {"pace": pace.to_dict(), "by_hand": list(by_hand)}
-    if region is not None:
-        values["region"] = list(region)
     parts += [page.data("take", values | {"quality": q.to_dict()}), "</section>"]
     return "\n".join(parts)
 

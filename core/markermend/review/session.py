@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from operator import index
 from typing import TYPE_CHECKING
 
 from markermend.arrays import ByteArray, FloatArray
@@ -315,8 +316,16 @@ class Session:
             when it is empty or reaches beyond the take
         """
         frames = self.original.frames
-        if region is not None and not 0 <= region[0] < region[1] <= frames:
-            raise DataError("A region of interest needs a frame at least, and ends with the take.")
+        if region is not None:
+            try:
+                start, stop = map(index, region)
+            except (TypeError, ValueError):
+                raise DataError("A region of interest is two whole numbers of frames.") from None
+            if not 0 <= start < stop <= frames:
+                raise DataError(
+                    "A region of interest needs a frame at least, and ends with the take."
+                )
+            region = (start, stop)
         if region == (0, frames):
             region = None
         if region == self.region:

@@ -2184,8 +2184,8 @@
         <translation>{0} Frames mit {1} Hz ({2} s), {3} Marker. {4}, Markermend {5}.</translation>
     </message>
     <message>
-        <source>Only frames {0}–{1} were reviewed; what lies outside is not counted.</source>
-        <translation>Nur Frames {0}–{1} wurden durchgesehen; was außerhalb liegt, ist nicht mitgezählt.</translation>
+        <source>This is about frames {0}–{1} only; what lies outside is not counted.</source>
+        <translation>Hier geht es nur um Frames {0}–{1}; was außerhalb liegt, ist nicht mitgezählt.</translation>
     </message>
     <message>
         <source>Detected by “{0}”</source>
