@@ -136,11 +136,18 @@ class Document(Looking):
             self.preview.reset()
             if frame:
                 bring = self.reveal if unless_seen else self.look_at
-                bring(artifact.markers, artifact.start, artifact.stop)
+                bring(artifact.markers, *self._asked_of(artifact))
             else:
                 self.show_too(artifact.markers)
         self.current_changed.emit()
         self._propose()
+
+    def _asked_of(self, artifact: Artifact) -> tuple[int, int]:
+        """Frames of an artifact that are asked about; all of one outside the region of interest."""
+        region = None if self.session is None else self.session.region
+        if region is None or not artifact.overlaps(*region):
+            return artifact.start, artifact.stop
+        return max(artifact.start, region[0]), min(artifact.stop, region[1])
 
     def put_under_review(self, artifact_id: str) -> None:
         """Put an artifact under review that is shown soon: keys mean it already."""
@@ -354,6 +361,7 @@ class Document(Looking):
         if not moving:
             self.going_back.catch_up()
         revision, labels = session.revision, session.original.labels
+        region = session.region
         problem: MarkermendError | None = None
         change = Change()
         try:
@@ -368,6 +376,10 @@ class Document(Looking):
                 self._rename(dict(zip(labels, session.original.labels, strict=True)))
             self.proposals.invalidate(change, session.original.rate)
             self._announce(change, moving=moving and problem is None)
+            current = self.current
+            if session.region != region and current and current not in session.listed:
+                # The view stays: who begins a region goes on to its end.
+                self.select(None)
         if problem is not None:
             self.failed.emit(problem)
         return problem is None

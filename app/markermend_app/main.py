@@ -122,7 +122,7 @@ def take_screenshot(window: MainWindow, take: Path | None, target: Path) -> int:
         if take is not None:
             file = load(take.absolute(), quiet)
             document.open(file, infer_mesh(file.session.original))
-            fresh = document.session is not None and not document.session.history
+            fresh = document.session is not None and not document.session.begun
         if fresh:
             window.commands.detect()
         else:

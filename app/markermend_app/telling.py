@@ -100,6 +100,8 @@ _SAME = (
     "{0} has only {1} trusted samples near the interval's beginning; needed: {2}.",
     "{0} has only {1} trusted samples near the interval's end; needed: {2}.",
     "The result would be about {0} mm off; too far to be used.",
+    "The result may be {0} mm off, more than the {1} mm that it would mend.",
+    "It would leave more damage than it mends: a {0} of {1} mm.",
     "Already exchanged together with {0}.",
     "No counterpart is known that carries the opposite step.",
     "There is no signal to smooth inside a gap.",

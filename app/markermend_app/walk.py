@@ -23,7 +23,7 @@ def open_after(
     """
     if artifact_id is None:
         return ()
-    pending = {a.id for a in session.with_status(Status.PENDING)} - {artifact_id, *besides}
+    pending = {a.id for a in session.listed_with(Status.PENDING)} - {artifact_id, *besides}
     order = list(queue)
     if artifact_id in order:
         i = order.index(artifact_id)

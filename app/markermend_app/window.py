@@ -59,7 +59,7 @@ LAYOUT_VERSION = 2
 ROOMY = QSize(1500, 940)
 TAKES_HIGH = 330
 
-Verbs = (
+_Verbs = (
     Commands | Bulk | BatchReview | HandWork | KeySweep | Smoothing | Reporting | RegionOfInterest
 )
 DECISIONS = ("accept", "reject", "reopen", "remove")
@@ -243,6 +243,7 @@ class MainWindow(QMainWindow):
         self.tree.verb_requested.connect(self._run)
         self.inspector.mark_requested.connect(self.hand.mark_selection)
         self.inspector.artifact.note.left.connect(self.walk.home)
+        self.transport.left.connect(self.walk.home)
         self.inspector.verb_requested.connect(self._run)
         self.trajectories.view_changed.connect(self.overview.set_view)
         self.overview.region_dragged.connect(self.region.choose)
@@ -272,7 +273,7 @@ class MainWindow(QMainWindow):
         (self._own.get(name) or getattr(verbs, name))()
 
     @property
-    def _verbs(self) -> tuple[Verbs, ...]:
+    def _verbs(self) -> tuple[_Verbs, ...]:
         """What has verbs that actions name."""
         return (
             self.commands,

@@ -300,6 +300,10 @@ class Take:
         """The number people read for a frame index: ``first_frame + index``."""
         return self.first_frame + index
 
+    def frame_numbers(self, start: int, stop: int) -> tuple[int, int]:
+        """The numbers people read for the first and the last frame of a half-open interval."""
+        return self.frame_number(start), self.frame_number(stop - 1)
+
     def frame_at(self, event: Event) -> float:
         """Frame index at which an event happened, not rounded; it may lie outside the take."""
         return event.time_s * self.rate + 1 - self.first_frame

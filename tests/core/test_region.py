@@ -47,7 +47,7 @@ def test_only_what_reaches_into_it_is_asked_about(session):
     session.set_region((20, 60))
     assert session.history[-1] == "Review frames 31–70 only"
     assert ids(session.listed) == ids([EDGE, INSIDE])
-    assert ids(session.with_status(Status.PENDING)) == ids([EDGE, INSIDE])
+    assert ids(session.listed_with(Status.PENDING)) == ids([EDGE, INSIDE])
     assert session.pace.total == 2
     assert len(session.artifacts) == 4
     session.undo()

@@ -105,7 +105,7 @@ def test_a_part_of_the_take_with_a_named_method(
         (["--method", "bspline", "--set", "degree=x"], "it is a whole number"),
         (["--method", "bspline", "--set", "points=4"], "has no parameter “points”"),
         (["--method", "moving_average", "--set", "symmetric=perhaps"], "it is true or false"),
-        (["--frames", "5000", "6000"], "from frame 5000 to 6000; "),
+        (["--frames", "5000", "6000"], "Frames 5000 to 6000 are not all there; "),
     ],
 )
 def test_bad_usage_is_explained(

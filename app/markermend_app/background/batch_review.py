@@ -220,9 +220,9 @@ class BatchReview(QObject):
     def _tell_done(self) -> None:
         """Say how to go on when everything is decided."""
         session = self._document.session
-        if self.current is None or session is None or not session.listed:
+        if self.current is None or session is None or not session.artifacts:
             return
-        if session.with_status(Status.PENDING):
+        if session.listed_with(Status.PENDING):
             return
         item = self.next_item
         if item is None:

@@ -131,7 +131,7 @@ def glance_at(session: Session) -> Glance:
         session.original, session.take, session.listed, session.notes, session.region
     )[0]
     exported = session.exported and session.exported_at is not None
-    return Glance(whole, bool(session.history), exported)
+    return Glance(whole, session.begun, exported)
 
 
 def glance(item: ToReview, progress: Progress) -> Glance:
@@ -139,7 +139,7 @@ def glance(item: ToReview, progress: Progress) -> Glance:
     from markermend.batch.review import take_over
 
     session = read_review(_read(item.path, progress), folder=review_folder(item.path))
-    if not session.history:
+    if not session.begun:
         take_over(session, item)
     return glance_at(session)
 
@@ -155,13 +155,13 @@ def prepare(item: ToReview, progress: Progress) -> Prepared:
     session = read_review(take, folder=review_folder(item.path))
     mesh = infer_mesh(session.original, progress=part(progress, 0.1, 0.2))
     found = None
-    new = not session.history and not take_over(session, item)
+    new = not session.begun and not take_over(session, item)
     if new and settings.flag("detect_on_open", True):
         within = part(progress, 0.2, 0.8)
         found = tuple(detection.search(take, mesh, within, slow=False))
         session.add_detected(found, SEARCHED)
     first = sorted(
-        session.with_status(Status.PENDING), key=lambda a: -badness(a, take.rate, take.frames)
+        session.listed_with(Status.PENDING), key=lambda a: -badness(a, take.rate, take.frames)
     )[: AHEAD + 1]
     proposals: dict[Key, Any] = {}
     for i, artifact in enumerate(first):
@@ -205,7 +205,7 @@ def _begin(file: SessionFile, item: ToReview, found: tuple[Artifact, ...] | None
     """Take what a batch or the search left into a review in which nothing was done."""
     from markermend.batch.review import take_over
 
-    if file.read_only or file.session.history or take_over(file.session, item):
+    if file.read_only or file.session.begun or take_over(file.session, item):
         return
     if found is not None:
         file.session.add_detected(found, SEARCHED)

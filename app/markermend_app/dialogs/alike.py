@@ -158,6 +158,10 @@ class AlikeDialog(QDialog):
         with QSignalBlocker(self.table):
             for row, a in enumerate(self._listed):
                 self.table.setItem(row, OUTCOME, _cell(self._outcome(a)))
+                box = self.table.item(row, MARKER)
+                if box is not None and a.id in repairs and repairs[a.id].leaves:
+                    # What is still wrong afterwards is to be looked at, not done unseen.
+                    box.setCheckState(Qt.CheckState.Unchecked)
         self._count()
 
     def _able(self, a: Artifact) -> bool:
@@ -169,8 +173,10 @@ class AlikeDialog(QDialog):
         scope: Scope = self.scope.currentData()
         if session is None:
             return
+        # One outside the region of interest that was asked for has its like everywhere.
+        asked = session.listed if self._like in session.listed else session.artifacts
         self._listed = alike(
-            session.listed,
+            asked,
             self._like.kind,
             markers=scope.markers,
             min_confidence=self.least.value() / 100,
@@ -208,6 +214,10 @@ class AlikeDialog(QDialog):
         if not repair.patches:
             return self.tr("left as it is: {0}").format(told(repair.reason))
         text = told_repair(repair.method, repair.error_mm)
+        if repair.leaves:
+            from markermend.repairs.look_again import in_words
+
+            return f"{text}. {told(in_words(repair.leaves))}"
         # Alone it may be refused: here it can follow what is repaired along with it.
         return f"{text}. {told(repair.reason)}" if repair.reason else text
 

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from markermend.artifact import Artifact
+from markermend.artifact import Artifact, within
 from markermend_app.dialogs.help_key import help_in
 
 
@@ -63,13 +63,14 @@ class ExportDialog(QDialog):
         super().__init__(parent)
         help_in(self)
         self.setWindowTitle(self.tr("Export"))
-        nothing = self.tr("Nothing was found or marked. Export the take as it is?")
-        title = QLabel(nothing if empty else self._title(pending, accepted))
-        title.setProperty("role", "heading")
+        self._left = accepted, pending, outputs, first_frame
+        self._empty, self._frames = empty, region
+        self._heading = QLabel()
+        self._heading.setProperty("role", "heading")
         box = QVBoxLayout(self)
         box.setContentsMargins(20, 16, 20, 16)
         box.setSpacing(12)
-        box.addWidget(title)
+        box.addWidget(self._heading)
         box.addWidget(
             self._text(self.tr("Export repairs nothing by itself: only what you repaired differs."))
         )
@@ -91,11 +92,12 @@ class ExportDialog(QDialog):
             first, last = region[0] + first_frame, region[1] - 1 + first_frame
             self._region.setText(text.format(first, last))
             self._region.setChecked(True)
+            self._region.toggled.connect(self._tell)
         box.addWidget(self._region)
         box.addWidget(self._record)
         box.addWidget(self._mark)
 
-        self._details = QPlainTextEdit("\n".join(_lines(accepted, pending, outputs, first_frame)))
+        self._details = QPlainTextEdit()
         self._details.setReadOnly(True)
         self._details.setMinimumHeight(220)
         self._details.hide()
@@ -103,7 +105,7 @@ class ExportDialog(QDialog):
         go = buttons.addButton(self.tr("Export…"), QDialogButtonBox.ButtonRole.AcceptRole)
         go.setDefault(True)
         buttons.addButton(QDialogButtonBox.StandardButton.Cancel)
-        if self._details.toPlainText():
+        if accepted or pending or outputs:
             show = buttons.addButton(self.tr("Show list"), QDialogButtonBox.ButtonRole.ActionRole)
             show.clicked.connect(self._toggle)
         buttons.accepted.connect(self.accept)
@@ -112,6 +114,7 @@ class ExportDialog(QDialog):
         box.addWidget(buttons)
         go.setFocus()
         self.setMinimumWidth(480)
+        self._tell()
 
     @property
     def choice(self) -> ExportChoice:
@@ -121,6 +124,15 @@ class ExportDialog(QDialog):
             not self._mark.isHidden() and self._mark.isChecked(),
             self._region.isChecked(),
         )
+
+    def _tell(self) -> None:
+        """Say what is left of what is to be written."""
+        accepted, pending, outputs, first_frame = self._left
+        if self._frames is not None and self._region.isChecked():
+            accepted, pending = within(accepted, self._frames), within(pending, self._frames)
+        nothing = self.tr("Nothing was found or marked. Export the take as it is?")
+        self._heading.setText(nothing if self._empty else self._title(pending, accepted))
+        self._details.setPlainText("\n".join(_lines(accepted, pending, outputs, first_frame)))
 
     def _title(self, pending: Sequence[Artifact], accepted: Sequence[Artifact]) -> str:
         """Say what is left as it is, or that nothing is."""

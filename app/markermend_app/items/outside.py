@@ -1,4 +1,4 @@
-"""A veil over the frames outside the region of interest."""
+"""What lies outside the region of interest, on another ground."""
 
 from __future__ import annotations
 
@@ -8,21 +8,22 @@ from PySide6.QtGui import QPainter, QPen, QTransform
 
 from markermend_app.style import theme
 
-_VEIL = 0.72
+_SHARE = 0.22
+_BRACKET_PX = 6.0
 
 
 class Outside(pg.GraphicsObject):
-    """Pales what lies before and after an interval of frames, with a line at each edge."""
+    """A ground of its own before and after an interval of frames, and a bracket at each edge."""
 
     def __init__(self) -> None:
         super().__init__()
         self._region: tuple[int, int] | None = None
-        # Over the curves, under the cursor.
-        self.setZValue(20)
+        # Under all that is drawn: see-through over curves it would take as long as they do.
+        self.setZValue(-20)
         self.hide()
 
     def show_region(self, region: tuple[int, int] | None) -> None:
-        """Leave these frames clear; None pales nothing."""
+        """Set these frames off from the others; None sets off nothing."""
         self._region = region
         self.setVisible(region is not None)
         self.update()
@@ -40,7 +41,7 @@ class Outside(pg.GraphicsObject):
         self.update()
 
     def paint(self, painter: QPainter, *_: object) -> None:
-        """Paint the veils, in screen pixels."""
+        """Paint ground and brackets, in screen pixels."""
         view, region = self.getViewBox(), self._region
         back, ok = self.sceneTransform().inverted()
         if view is None or region is None or not ok:
@@ -48,17 +49,19 @@ class Outside(pg.GraphicsObject):
         box, (low, high) = view.sceneBoundingRect(), view.viewRange()[0]
         painter.setWorldTransform(QTransform(back) * painter.worldTransform())
         look = theme.current()
-        veil, line = theme.faded(look.plot, _VEIL), QPen(look.muted, 1)
+        ground = theme.blend(look.plot, look.muted, _SHARE)
         left, right = (
             box.left() + (edge - 0.5 - low) * box.width() / (high - low) for edge in region
         )
         if left > box.left():
             end = min(left, box.right())
-            painter.fillRect(QRectF(box.topLeft(), QPointF(end, box.bottom())), veil)
+            painter.fillRect(QRectF(box.topLeft(), QPointF(end, box.bottom())), ground)
         if right < box.right():
             begin = max(right, box.left())
-            painter.fillRect(QRectF(QPointF(begin, box.top()), box.bottomRight()), veil)
-        painter.setPen(line)
-        for x in (left, right):
+            painter.fillRect(QRectF(QPointF(begin, box.top()), box.bottomRight()), ground)
+        painter.setPen(QPen(look.accent, 2))
+        for x, inwards in ((left, _BRACKET_PX), (right, -_BRACKET_PX)):
             if box.left() < x < box.right():
                 painter.drawLine(QPointF(x, box.top()), QPointF(x, box.bottom()))
+                for y in (box.top() + 1, box.bottom() - 1):
+                    painter.drawLine(QPointF(x, y), QPointF(x + inwards, y))

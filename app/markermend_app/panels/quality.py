@@ -155,6 +155,7 @@ class QualityPanel(QWidget):
             self.model.set_standings(())
         elif not self._stale:
             self.total.say_joints(session.original.skeleton)
+            self.total.whole = take_name() if session.region is None else self.tr("Region")
             found = standings(
                 session.original, session.take, session.listed, session.notes, session.region
             )
@@ -198,7 +199,7 @@ class QualityPanel(QWidget):
         if session is None:
             return
         self._show_marker(index)
-        open_ = [a for a in session.with_status(Status.PENDING) if a.marker == marker]
+        open_ = [a for a in session.listed_with(Status.PENDING) if a.marker == marker]
         if open_:
             take = session.take
             worst = max(open_, key=lambda a: badness(a, take.rate, take.frames))

@@ -40,12 +40,18 @@ _KEYS: Mapping[int, Callable[[Standing], Any]] = MappingProxyType(
 
 
 class QualityModel(QAbstractTableModel):
-    """One row for each marker; a take's row has no marker's name and is heavier."""
+    """One row for each marker; a take's row has no marker's name and is heavier.
+
+    Attributes
+    ----------
+    whole : what the take's row is called
+    """
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.rows: tuple[Standing, ...] = ()
         self._joints = False
+        self.whole = take_name()
         self._names: Mapping[str, str] = {}
         self._by, self._order = OPEN, Qt.SortOrder.DescendingOrder
 
@@ -112,7 +118,8 @@ class QualityModel(QAbstractTableModel):
         """Figures, grey where there is nothing to look at."""
         row, column = self.rows[index.row()], index.column()
         if role == Qt.ItemDataRole.DisplayRole:
-            return _text(row, column, self._names)
+            whole = column == MARKER and not row.marker
+            return self.whole if whole else _text(row, column, self._names)
         if role == Qt.ItemDataRole.ToolTipRole and column == MARKER:
             return row.marker
         if role == COUNTS:
@@ -145,7 +152,7 @@ def take_name() -> str:
 def _text(row: Standing, column: int, names: Mapping[str, str]) -> str:
     """What a cell says; badges speak for the counts, to those who see them."""
     if column == MARKER:
-        return names[row.marker] or take_name()
+        return names[row.marker]
     if column in (OPEN, DECIDED):
         counts = row.open if column == OPEN else row.decided
         return ", ".join(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from PySide6.QtCore import QElapsedTimer, Qt, QTimer
+from PySide6.QtCore import QElapsedTimer, Qt, QTimer, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QComboBox,
@@ -29,7 +29,14 @@ _MARGIN = 8
 
 
 class Transport(QWidget):
-    """Buttons, slider and fields for the frame; frames are skipped rather than slowed down."""
+    """Buttons, slider and fields for the frame; frames are skipped rather than slowed down.
+
+    Signals
+    -------
+    left() : a frame number was typed, and the keyboard is free again
+    """
+
+    left = Signal()
 
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -53,6 +60,7 @@ class Transport(QWidget):
         self.number.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.number.setFixedWidth(88)
         self.number.valueChanged.connect(self._number_changed)
+        self.number.lineEdit().returnPressed.connect(self.left.emit)
         self.time = QLabel()
         self.time.setProperty("role", "small")
         self.time.setToolTip(self.tr("Time since the first frame, and length of the take"))

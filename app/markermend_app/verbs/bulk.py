@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
@@ -86,7 +87,7 @@ class Bulk(QObject):
         if session is None or not self._document.editable:
             found: tuple[Doubt, ...] = ()
         else:
-            found = doubts(session.artifacts)
+            found = doubts(session.artifacts, session.listed)
             self._asked |= {(d.marker, d.kind) for d in found if answered(session, d)}
         new = next((d for d in found if (d.marker, d.kind) not in self._asked), None)
         if new != self.doubt:
@@ -97,7 +98,9 @@ class Bulk(QObject):
         like = self._document.current
         if like is None:
             return
-        where = scopes(self._document, like.marker)
+        where, session = scopes(self._document, like.marker), self._document.session
+        if session is not None and session.region is not None and like in session.listed:
+            where = (*where[:-1], replace(where[-1], text=self.tr("In the region of interest")))
         dialog = AlikeDialog(self._document, like, where, repairing, self._window)
         dialog.wanted.connect(lambda artifacts: self._work_out(dialog, artifacts))
         dialog.accepted.connect(lambda: self._carry_out(dialog, like, repairing))

@@ -10,7 +10,7 @@ from typing import Any
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from markermend.artifact import Artifact, Status
+from markermend.artifact import Artifact, Status, within
 from markermend.errors import DataError, MarkermendError
 from markermend.mesh import Mesh
 from markermend.progress import Progress
@@ -149,7 +149,7 @@ class Commands(QObject):
             if self._document.file is not file:
                 return
             self._document.learn(mesh)
-            new = not file.session.history and not file.read_only
+            new = not file.session.begun and not file.read_only
             if new and settings.flag("detect_on_open", True):
                 self.detect()
             else:
@@ -246,6 +246,9 @@ class Commands(QObject):
             self._document.add_detected(found, "all kinds" if slow else "sudden")
             one, many = self.tr("1 artifact found."), self.tr("{0} artifacts found.")
             text = one if len(found) == 1 else many.format(len(found))
+            if session.region is not None:
+                inside = len(within(found, session.region))
+                text += " " + self.tr("In the region of interest: {0}.").format(inside)
             # What is odd about the file was said before, and must not be lost.
             self.said.emit(" ".join((text, *map(told, take.warnings[:1]))))
             self._searched = session
@@ -284,7 +287,7 @@ class Commands(QObject):
         """Repair every accepted artifact, as one step."""
         session = self._document.session
         if session is not None:
-            ids = [a.id for a in session.with_status(Status.ACCEPTED)]
+            ids = [a.id for a in session.listed_with(Status.ACCEPTED)]
             self.repair_many(ids, "Repair all accepted")
 
     def repair_many(self, ids: Sequence[str], label: str = "") -> None:

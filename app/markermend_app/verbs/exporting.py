@@ -9,7 +9,7 @@ from PySide6.QtCore import QEventLoop, QObject, Signal
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from markermend.artifact import Status
-from markermend.errors import RangeError
+from markermend.errors import ExportError, RangeError
 from markermend.files import Export
 from markermend.progress import Progress
 from markermend.take import Take
@@ -83,6 +83,10 @@ class Exporter(QObject):
             return False
         overwrite = False
         if document.path is not None and target.exists() and target.samefile(document.path):
+            if choice.region and session.region is not None:
+                text = self.tr("A part of {0} cannot replace it; choose another name.")
+                dialogs.show_problem(self._window, ExportError(text.format(target.name)))
+                return False
             if not dialogs.ask_replace_source(self._window, target):
                 return False
             overwrite = True
@@ -103,6 +107,7 @@ class Exporter(QObject):
             return False
         label = self.tr("Exporting {0}").format(target.name)
         written: list[bool] = []
+        complete: list[bool] = []
 
         held, original, revision = session.state.held(), session.original, session.revision
         region = session.region if choice.region else None
@@ -112,8 +117,10 @@ class Exporter(QObject):
             from markermend.files import write
             from markermend.review.hand import without_emptied
 
+            take = held()
+            complete.append(region is None or not changed_outside(original, take, region))
             return write(
-                without_emptied(held(), original),
+                without_emptied(take, original),
                 target,
                 overwrite=overwrite,
                 as_float=as_float,
@@ -126,7 +133,7 @@ class Exporter(QObject):
         def done(export: Any) -> None:
             written.append(True)
             self._writing = False
-            if session.revision == revision:
+            if session.revision == revision and complete[-1]:
                 session.mark_exported()
             self._document.history_changed.emit()
             self.said.emit(self._summary(export))
@@ -190,3 +197,12 @@ class Exporter(QObject):
             if target.exists() and not dialogs.ask_replace(self._window, target):
                 return None
         return target
+
+
+def changed_outside(original: Take, take: Take, region: tuple[int, int]) -> bool:
+    """Whether samples outside an interval of frames are not as they were read."""
+    start, stop = region
+    return any(
+        bool((take.origin[rows] != original.origin[rows]).any())
+        for rows in (slice(0, start), slice(stop, None))
+    )

@@ -42,14 +42,10 @@ class RegionOfInterest(QObject):
         self.choose(0, self._frames)
 
     def choose(self, start: int, stop: int) -> bool:
-        """Choose these frames, say so, and leave an artifact that lies outside them."""
+        """Choose these frames, and say so."""
         session = self._document.session
         if session is None or not self._document.do(lambda s: s.set_region((start, stop))):
             return False
-        current = self._document.current
-        if current is not None and current not in session.listed:
-            # The view stays: who begins a region goes on to its end.
-            self._document.select(None)
         self.said.emit(self._told())
         return True
 
@@ -70,14 +66,9 @@ class RegionOfInterest(QObject):
         session = self._document.session
         if session is None or session.region is None:
             return self.tr("The whole take is reviewed.")
-        first, last = (session.original.frame_number(f) for f in _ends(session.region))
+        first, last = session.original.frame_numbers(*session.region)
         text = self.tr("Frames {0}–{1} are reviewed.").format(first, last)
         outside = len(session.artifacts) - len(session.listed)
         if outside:
             text += " " + self.tr("Artifacts outside them: {0}.").format(outside)
         return text
-
-
-def _ends(region: tuple[int, int]) -> tuple[int, int]:
-    """First and last frame of a half-open interval."""
-    return region[0], region[1] - 1

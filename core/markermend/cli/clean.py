@@ -49,7 +49,8 @@ def run(options: argparse.Namespace) -> int:
         else:
             found, method = listed[0], str(listed[1].get("method", ""))
         # What lies elsewhere is left, but damage is no evidence.
-        everything, found = found, tuple(found) if frames is None else within(found, frames)
+        everything = tuple(found)
+        found = everything if frames is None else within(everything, frames)
         pairs = repair_all(
             take,
             found,

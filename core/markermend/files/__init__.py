@@ -168,7 +168,9 @@ def write(
         )
     if onto_source and take.read_only:
         raise ExportError(f"{target.name} is damaged and was opened only to look at it.")
-    report, part = progress or quiet, take if frames is None else crop(take, *frames)
+    report = progress or quiet
+    # Also the check that all of the frames are there.
+    part = take if frames is None else crop(take, *frames)
     if take.skeleton and target.suffix.lower() in SKELETONS_WRITTEN:
         fill = _skeleton_writer(take, target, report, frames or (0, take.frames))
     else:

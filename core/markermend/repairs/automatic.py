@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
 
 from markermend.artifact import Artifact
+from markermend.detectors.finding import in_mm
 from markermend.repairs.advice import with_expected_error
 from markermend.repairs.body_frame import rank_references
 from markermend.repairs.choice import LONGEST_SPLINE_S, alternatives, choose
@@ -111,7 +113,27 @@ def _by_defaults(evidence: Evidence, artifact: Artifact, name: str) -> Repair:
     """Run a method with its default parameters; none where it would be too far off."""
     method = find_method(name)
     done = method.run(evidence, artifact, method.params())
-    return looked_at(evidence.take, if_good(with_expected_error(evidence, artifact, done)))
+    done = looked_at(evidence.take, if_good(with_expected_error(evidence, artifact, done)))
+    return if_worth_it(artifact, done)
+
+
+def if_worth_it(artifact: Artifact, proposed: Repair) -> Repair:
+    """The proposal, or none with the reason where what is there is expected to be nearer.
+
+    Of an artifact whose size is not known, as of a gap, nothing is known to be nearer.
+    """
+    size = artifact.amplitude_mm
+    if not proposed.patches or not math.isfinite(size):
+        return proposed
+    reason = ""
+    worst = max(proposed.leaves or (), key=lambda a: a.amplitude_mm, default=None)
+    if proposed.error_mm is not None and proposed.error_mm > size:
+        off = f"{in_mm(proposed.error_mm)} mm off"
+        reason = f"The result may be {off}, more than the {in_mm(size)} mm that it would mend."
+    elif worst is not None and worst.amplitude_mm > size:
+        left = f"a {worst.kind} of {in_mm(worst.amplitude_mm)} mm"
+        reason = f"It would leave more damage than it mends: {left}."
+    return replace(proposed, patches=(), reason=reason) if reason else proposed
 
 
 def if_good(proposed: Repair) -> Repair:

@@ -15,7 +15,13 @@ from markermend.mesh import Mesh
 from markermend.parameters import read_params
 from markermend.progress import Progress, heed
 from markermend.repairs.advice import MODELS, with_expected_error
-from markermend.repairs.automatic import best_repair, counting_references, follow_one, if_good
+from markermend.repairs.automatic import (
+    best_repair,
+    counting_references,
+    follow_one,
+    if_good,
+    if_worth_it,
+)
 from markermend.repairs.lengths import at_usual_distances, ties_of
 from markermend.repairs.look_again import looked_at
 from markermend.repairs.registry import Evidence, Repair, find_method
@@ -157,7 +163,7 @@ def _alone(
         believing = evidence_for(take, known, mesh, believe_repairs=True, progress=progress)
         second = measured(believing, artifact, method, params)
         second = counting_references(believing, artifact, second, repaired)
-        second = if_good(second) if method == AUTO else second
+        second = if_worth_it(artifact, if_good(second)) if method == AUTO else second
         if second.patches:
             return replace(second, reason=from_repairs(done.reason))
     if done.patches or method != AUTO:

@@ -12,7 +12,7 @@ from markermend.mesh import Mesh
 from markermend.parameters import read_params
 from markermend.patch import Patch, patched
 from markermend.progress import Progress, quiet
-from markermend.repairs.automatic import counting_references, follow_one, if_good
+from markermend.repairs.automatic import counting_references, follow_one, if_good, if_worth_it
 from markermend.repairs.lengths import at_usual_distances
 from markermend.repairs.proposing import (
     AUTO,
@@ -182,7 +182,7 @@ def _run(
     for artifact, refused in again:
         done = measured(evidence, artifact, method, params, trials)
         done = counting_references(evidence, artifact, done, errors)
-        done = if_good(done) if method == AUTO else done
+        done = if_worth_it(artifact, if_good(done)) if method == AUTO else done
         if done.patches:
             pairs.remove((artifact, refused))
             pairs.append((artifact, replace(done, reason=from_repairs(refused.reason))))

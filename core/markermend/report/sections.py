@@ -112,7 +112,7 @@ def _section(
     )
     narrowed = []
     if region is not None:
-        first, last = (before.frame_number(frame) for frame in (region[0], region[1] - 1))
+        first, last = before.frame_numbers(*region)
         narrowed = [f"This is about frames {first}–{last} only; what lies outside is not counted."]
     shapes = [curves(before, after, o) for o in worst(done)]
     values = cleaned_document(before, done, method, mm.__version__, name=name, region=region)

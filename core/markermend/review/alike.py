@@ -67,11 +67,19 @@ class Doubt:
         return (self.upheld + 1) / (self.rejected + self.upheld + 2)
 
 
-def doubts(artifacts: Sequence[Artifact]) -> tuple[Doubt, ...]:
+def doubts(
+    artifacts: Sequence[Artifact], listed: Collection[Artifact] | None = None
+) -> tuple[Doubt, ...]:
     """Find where several rejections, and more of them than not, leave others open.
 
     Gaps are never in doubt: a missing sample is a fact.
+
+    Parameters
+    ----------
+    artifacts : all of the review
+    listed : those that are asked about; None for all
     """
+    asked = {a.id for a in (artifacts if listed is None else listed)}
     sorts = Counter((a.marker, a.kind) for a in artifacts if a.status is Status.REJECTED)
     found = []
     for (marker, kind), rejected in sorts.items():
@@ -79,7 +87,7 @@ def doubts(artifacts: Sequence[Artifact]) -> tuple[Doubt, ...]:
             continue
         same = [a for a in artifacts if (a.marker, a.kind) == (marker, kind)]
         upheld = sum(a.status in (Status.ACCEPTED, Status.REPAIRED) for a in same)
-        rest = tuple(a for a in same if a.status is Status.PENDING)
+        rest = tuple(a for a in same if a.status is Status.PENDING and a.id in asked)
         if rest and rejected > upheld:
             found.append(Doubt(marker, kind, rejected, upheld, rest))
     return tuple(found)

@@ -184,7 +184,19 @@ class SetRegion:
     region: tuple[int, int] | None
 
     def apply(self, state: State) -> SetRegion:
-        """Choose them."""
+        """Choose them.
+
+        Raises
+        ------
+        DataError
+            when they are none, or not all in the take
+        """
+        if self.region is not None:
+            start, stop = self.region
+            if not 0 <= start < stop <= state.original.frames:
+                raise DataError(
+                    "A region of interest needs a frame at least, and ends with the take."
+                )
         before, state.region = state.region, self.region
         return SetRegion(before)
 

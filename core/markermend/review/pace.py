@@ -7,7 +7,7 @@ the next key is at work; who has not touched anything for longer than that is no
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass
 
 from markermend.artifact import Artifact, Status
@@ -51,18 +51,20 @@ class Pace:
 
     Attributes
     ----------
-    decided, total : artifacts
+    decided, total : artifacts that are asked about
     spent_s : seconds of work
+    decided_in_all : those decided before the frames that matter were chosen, too: time went to them
     """
 
     decided: int
     total: int
     spent_s: float
+    decided_in_all: int
 
     @property
     def seconds_each(self) -> float | None:
         """Seconds an artifact, or None while none is decided."""
-        return self.spent_s / self.decided if self.decided else None
+        return self.spent_s / self.decided_in_all if self.decided_in_all else None
 
     @property
     def minutes(self) -> float:
@@ -79,8 +81,9 @@ class Pace:
         }
 
 
-def pace_of(artifacts: Iterable[Artifact], spent_s: float) -> Pace:
+def pace_of(listed: Collection[Artifact], spent_s: float, everything: Iterable[Artifact]) -> Pace:
     """Count what is decided: accepted, rejected or repaired."""
-    known = tuple(artifacts)
-    decided = sum(a.status is not Status.PENDING for a in known)
-    return Pace(decided, len(known), spent_s)
+    decided, in_all = (
+        sum(a.status is not Status.PENDING for a in known) for known in (listed, everything)
+    )
+    return Pace(decided, len(listed), spent_s, in_all)

@@ -144,6 +144,10 @@ class Session:
         return self._state.artifacts.get(artifact_id)
 
     def with_status(self, *statuses: Status) -> tuple[Artifact, ...]:
+        """Artifacts whose status is one of these, in the region of interest or not."""
+        return tuple(a for a in self.artifacts if a.status in statuses)
+
+    def listed_with(self, *statuses: Status) -> tuple[Artifact, ...]:
         """Artifacts that are asked about and whose status is one of these."""
         return tuple(a for a in self.listed if a.status in statuses)
 
@@ -164,8 +168,8 @@ class Session:
         """
         repaired = (
             repair_in_words(self.original, a, note.method if note else "")
-            for a in (self.artifacts if frames is None else within(self.artifacts, frames))
-            if a.status is Status.REPAIRED
+            for a in self.with_status(Status.REPAIRED)
+            if frames is None or within([a], frames)
             for note in [self._state.notes.get(a.id)]
         )
         return (*repaired, *self.by_hand)
@@ -178,7 +182,12 @@ class Session:
     @property
     def pace(self) -> Pace:
         """How many artifacts are decided, and in how much time."""
-        return pace_of(self.listed, self.stopwatch.spent_s)
+        return pace_of(self.listed, self.stopwatch.spent_s, self.artifacts)
+
+    @property
+    def begun(self) -> bool:
+        """Whether anything was done but to choose the frames that matter."""
+        return any(not isinstance(s.edit, SetRegion) for s in self._done)
 
     # Decisions
 
@@ -321,10 +330,6 @@ class Session:
                 start, stop = map(index, region)
             except (TypeError, ValueError):
                 raise DataError("A region of interest is two whole numbers of frames.") from None
-            if not 0 <= start < stop <= frames:
-                raise DataError(
-                    "A region of interest needs a frame at least, and ends with the take."
-                )
             region = (start, stop)
         if region == (0, frames):
             region = None
@@ -332,7 +337,7 @@ class Session:
             return Change()
         label = "Review the whole take"
         if region is not None:
-            first, last = (self.original.frame_number(f) for f in (region[0], region[1] - 1))
+            first, last = self.original.frame_numbers(*region)
             label = f"Review frames {first}–{last} only"
         return self.perform(label, SetRegion(region))
 

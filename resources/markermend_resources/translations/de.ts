@@ -2180,6 +2180,14 @@
         <translation>Das Ergebnis läge etwa {0} mm daneben; zu weit, um es zu verwenden.</translation>
     </message>
     <message>
+        <source>The result may be {0} mm off, more than the {1} mm that it would mend.</source>
+        <translation>Das Ergebnis kann {0} mm daneben liegen, mehr als die {1} mm, die es richten würde.</translation>
+    </message>
+    <message>
+        <source>It would leave more damage than it mends: a {0} of {1} mm.</source>
+        <translation>Es bliebe mehr Schaden, als es richtet: {0} von {1} mm.</translation>
+    </message>
+    <message>
         <source>{0} frames at {1} Hz ({2} s), {3} markers. {4}, Markermend {5}.</source>
         <translation>{0} Frames mit {1} Hz ({2} s), {3} Marker. {4}, Markermend {5}.</translation>
     </message>
@@ -2890,6 +2898,10 @@
         <translation>Notiz</translation>
     </message>
     <message>
+        <source>outside the region of interest</source>
+        <translation>außerhalb des Ausschnitts</translation>
+    </message>
+    <message>
         <source>Frames {0}</source>
         <translation>Frames {0}</translation>
     </message>
@@ -2988,6 +3000,10 @@
         <translation>{0} Artefakte kommen jetzt zuletzt.</translation>
     </message>
     <message>
+        <source>In the region of interest</source>
+        <translation>Im Ausschnitt</translation>
+    </message>
+    <message>
         <source>{0} repaired.</source>
         <translation>{0} repariert.</translation>
     </message>
@@ -3044,6 +3060,10 @@
     <message>
         <source>{0} artifacts found.</source>
         <translation>{0} Artefakte gefunden.</translation>
+    </message>
+    <message>
+        <source>In the region of interest: {0}.</source>
+        <translation>Im Ausschnitt: {0}.</translation>
     </message>
     <message>
         <source>Looking for artifacts</source>
@@ -3204,6 +3224,10 @@
 </context>
 <context>
     <name>Exporter</name>
+    <message>
+        <source>A part of {0} cannot replace it; choose another name.</source>
+        <translation>Ein Teil von {0} kann es nicht ersetzen; wählen Sie einen anderen Namen.</translation>
+    </message>
     <message>
         <source>Exporting {0}</source>
         <translation>{0} wird exportiert</translation>
@@ -3881,6 +3905,10 @@
         <source>How an open take stands appears here.</source>
         <translation>Hier erscheint, wie es um eine offene Aufnahme steht.</translation>
     </message>
+    <message>
+        <source>Region</source>
+        <translation>Ausschnitt</translation>
+    </message>
 </context>
 <context>
     <name>QueueFilters</name>
@@ -4064,8 +4092,12 @@
         <translation>Noch nichts gefunden. {0} sucht nach Artefakten.</translation>
     </message>
     <message>
-        <source>Every artifact lies outside the region of interest. {0} reviews all.</source>
-        <translation>Alle Artefakte liegen außerhalb des Ausschnitts. {0} sieht wieder alles durch.</translation>
+        <source>Every artifact lies outside the region of interest.</source>
+        <translation>Alle Artefakte liegen außerhalb des Ausschnitts.</translation>
+    </message>
+    <message>
+        <source>{0} reviews the whole take.</source>
+        <translation>{0} sieht die ganze Aufnahme durch.</translation>
     </message>
     <message>
         <source>The only artifact is decided. {0} exports the repaired take.</source>
@@ -4074,6 +4106,10 @@
     <message>
         <source>All {0} artifacts are decided. {1} exports the repaired take.</source>
         <translation>Alle {0} Artefakte sind entschieden. {1} exportiert die reparierte Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Outside the region of interest: {0}.</source>
+        <translation>Außerhalb des Ausschnitts: {0}.</translation>
     </message>
     <message>
         <source>No artifact matches these filters.</source>

@@ -129,7 +129,10 @@ class ArtifactPage(QWidget):
             return
         take = session.original
         self.title.setText(" ↔ ".join(a.markers))
-        self.status.setText(self._status_text(a))
+        session, status = self._document.session, self._status_text(a)
+        if session is not None and a not in session.listed:
+            status += " · " + self.tr("outside the region of interest")
+        self.status.setText(status)
         editable = self._document.editable
         with QSignalBlocker(self.kind):
             self.kind.setCurrentIndex(list(Kind).index(a.kind))

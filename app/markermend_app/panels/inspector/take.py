@@ -211,7 +211,7 @@ class TakePage(QWidget):
         region, take = session.region, session.original
         self.facts.setRowVisible(self._reviewed, region is not None)
         if region is not None:
-            first, last = take.frame_number(region[0]), take.frame_number(region[1] - 1)
+            first, last = take.frame_numbers(*region)
             text = self.tr("Frames {0} to {1}").format(first, last)
             self._reviewed.setText(text)
 

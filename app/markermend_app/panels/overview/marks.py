@@ -111,8 +111,8 @@ def paint_region(painter: QPainter, places: Places, start: int, stop: int) -> No
     veil = theme.faded(look.window, 0.8)
     painter.fillRect(QRectF(area.left(), area.top(), left - area.left(), area.height()), veil)
     painter.fillRect(QRectF(right, area.top(), area.right() - right, area.height()), veil)
-    painter.setPen(QPen(look.text, 1.5))
-    for x, inwards in ((left, 5.0), (right, -5.0)):
+    painter.setPen(QPen(look.accent, 2))
+    for x, inwards in ((left, 6.0), (right, -6.0)):
         painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()))
         for y in (area.top(), area.bottom()):
             painter.drawLine(QPointF(x, y), QPointF(x + inwards, y))

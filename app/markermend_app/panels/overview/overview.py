@@ -242,12 +242,16 @@ class Overview(QWidget):
         if self._take is None:
             super().mousePressEvent(event)
             return
-        at = event.position()
-        if self._edges.take(self._places, at.x()):
-            return
+        if not self._edges.take(self._places, event.position()):
+            self._click(event.position())
+
+    def _click(self, at: QPointF) -> None:
+        """Go to what lies under the mouse."""
         artifact = self.artifact_at(at)
         if artifact is not None:
             self.document.select(artifact.id)
+            frame = self._frame_at(at.x())
+            self.document.go_to(min(max(frame, artifact.start), artifact.stop - 1))
             return
         marker = self._marker_at(at.y())
         if marker is not None and marker not in self.document.shown:
@@ -261,7 +265,7 @@ class Overview(QWidget):
             self._edges.drag(self._places, x)
             self._soon.ask()
         elif not event.buttons():
-            self._show_pointer(self._edges.near(self._places, x) is not None)
+            self._show_pointer(self._edges.near(self._places, event.position()) is not None)
         elif event.buttons() & Qt.MouseButton.LeftButton and self._take is not None:
             self.document.go_to(self._frame_at(event.position().x()))
         elif self._held is not None:
@@ -272,9 +276,12 @@ class Overview(QWidget):
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """End a pan, or put an edge of the region where it was dragged."""
         self._held = None
-        region = self._edges.drop()
-        if region is not None:
-            self.region_dragged.emit(*region)
+        if self._edges.held and event.button() == Qt.MouseButton.LeftButton:
+            region = self._edges.drop()
+            if region is None:
+                self._click(event.position())
+            else:
+                self.region_dragged.emit(*region)
         super().mouseReleaseEvent(event)
 
     def _show_pointer(self, edge: bool) -> None:
@@ -413,9 +420,9 @@ class Overview(QWidget):
         """Which markers are shown, the part in view, the current artifact, and the cursor."""
         shown = [rows.row_of[self._column_of[name]] for name in self.document.shown]
         marks.paint_shown(painter, places, shown)
+        marks.paint_view(painter, places, *self._view)
         if self._edges.region is not None:
             marks.paint_region(painter, places, *self._edges.region)
-        marks.paint_view(painter, places, *self._view)
         current = self.document.current
         if current is not None:
             row = rows.row_of[self._column_of[current.marker]]

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import math
+
+from PySide6.QtCore import QPointF
+
 from markermend_app.document import Document
 from markermend_app.panels.overview.places import Places
 
@@ -20,6 +24,12 @@ class RegionEdges:
         self._document = document
         self._held: int | None = None
         self._dragged: tuple[int, int] | None = None
+        # What is held is an edge of what was there then.
+        document.opened.connect(self._forget)
+        document.artifacts_changed.connect(self._forget)
+
+    def _forget(self) -> None:
+        self._held = self._dragged = None
 
     @property
     def region(self) -> tuple[int, int] | None:
@@ -32,17 +42,21 @@ class RegionEdges:
         """Whether an edge is dragged."""
         return self._held is not None
 
-    def near(self, places: Places, x: float) -> int | None:
+    def near(self, places: Places, at: QPointF) -> int | None:
         """The edge under the mouse: 0 where the region begins, 1 where it ends."""
+        area = places.area
         if self.region is None or not self._document.editable:
             return None
-        away = [abs(places.x(edge) - x) for edge in self.region]
+        if not area.top() <= at.y() <= area.bottom():
+            return None
+        xs = [places.x(edge) for edge in self.region]
+        away = [abs(x - at.x()) if area.left() <= x <= area.right() else math.inf for x in xs]
         nearest = int(away[1] < away[0])
         return nearest if away[nearest] <= _REACH_PX else None
 
-    def take(self, places: Places, x: float) -> bool:
+    def take(self, places: Places, at: QPointF) -> bool:
         """Take hold of an edge; whether there is one."""
-        self._held = self.near(places, x)
+        self._held = self.near(places, at)
         return self.held
 
     def drag(self, places: Places, x: float) -> None:
@@ -52,9 +66,11 @@ class RegionEdges:
             return
         at, (start, stop) = round(places.frame(x)), region
         if self._held == 0:
-            self._dragged = (min(max(at, 0), stop - 1), stop)
+            wanted = (min(max(at, 0), stop - 1), stop)
         else:
-            self._dragged = (start, max(min(at, session.original.frames), start + 1))
+            wanted = (start, max(min(at, session.original.frames), start + 1))
+        if self._dragged is not None or wanted != region:
+            self._dragged = wanted
 
     def drop(self) -> tuple[int, int] | None:
         """Let go; the region that was dragged, None where none was."""

@@ -311,7 +311,7 @@ class TrajectoryPanel(QWidget):
             row.show_artifacts(artifacts, shown)
 
     def _show_region(self) -> None:
-        """Pale the frames that are not reviewed."""
+        """Set the frames that are not reviewed off from the others."""
         session = self.document.session
         for row in self.canvas.frames:
             row.outside.show_region(None if session is None else session.region)

@@ -340,9 +340,11 @@ class ReviewQueue(QWidget):
                     shortcuts.way_to("detect")
                 )
         elif not session.listed:
-            text = self.tr("Every artifact lies outside the region of interest. {0} reviews all.")
-            text = text.format(shortcuts.way_to("region_whole"))
-        elif not session.with_status(Status.PENDING) and self.filters.statuses == OPEN:
+            text = self.tr("Every artifact lies outside the region of interest.")
+            if self._document.editable:
+                reviews_all = self.tr("{0} reviews the whole take.")
+                text += " " + reviews_all.format(shortcuts.way_to("region_whole"))
+        elif not session.listed_with(Status.PENDING) and self.filters.statuses == OPEN:
             count, way = len(session.listed), shortcuts.way_to("export")
             if count == 1:
                 text = self.tr("The only artifact is decided. {0} exports the repaired take.")
@@ -350,6 +352,9 @@ class ReviewQueue(QWidget):
             else:
                 text = self.tr("All {0} artifacts are decided. {1} exports the repaired take.")
                 text = text.format(count, way)
+            outside = len(session.artifacts) - count
+            if outside:
+                text += " " + self.tr("Outside the region of interest: {0}.").format(outside)
         else:
             text = self.tr("No artifact matches these filters.")
         self._hint.setText(text)

@@ -84,7 +84,7 @@ class Seen:
         if session is None:
             return {}
         if self._open is None:
-            found, index = session.with_status(Status.PENDING), session.original.index
+            found, index = session.listed_with(Status.PENDING), session.original.index
             places = [(a.start, a.stop, index(a.marker)) for a in found]
             table = np.array(places, dtype=np.int64).reshape(-1, 3)
             self._open = table, tuple(a.kind for a in found)
