@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from markermend.artifact import Artifact
+from markermend.artifact import Artifact, Kind
 from markermend.bench.gaps import BAND_90
-from markermend.patch import patched
+from markermend.patch import Patch, patched
 from markermend.repairs import Repair, find_gaps, repair_all
+from markermend.repairs.automatic import if_worth_it
 from markermend.repairs.body_frame import rank_references
 from markermend.simulation import simulate_clean
 from markermend.take import Take
@@ -200,3 +203,30 @@ def test_own_movement_is_taken_where_the_rest_of_the_body_tells_far_less(walk: T
     instead = [r for _, r in pairs if r.reason.startswith("Local regression may be about")]
     assert instead
     assert all(r.method == "kalman" and r.error_mm is not None and r.error_mm < 20 for r in instead)
+
+
+SPIKE = Artifact("LSHO", "x", 400, 403, Kind.PEAK, 0.9, 3.0)
+
+
+@pytest.mark.parametrize(
+    ("error_mm", "left", "refused"),
+    [
+        (2.9, (), ""),
+        (3.1, (), "may be 3.1 mm off, more than the 3.0 mm"),
+        (0.2, ((400, 401, 9.0),), "more damage than it mends: a peak of 9.0 mm"),
+        (0.2, ((400, 401, 2.0),), ""),
+        # What reaches beyond the interval was there before.
+        (0.2, ((402, 405, 9.0),), ""),
+    ],
+)
+def test_a_repair_that_is_worse_than_the_damage_is_not_made(error_mm, left, refused) -> None:
+    leaves = tuple(Artifact("LSHO", "x", a, b, Kind.PEAK, 0.9, mm) for a, b, mm in left)
+    patch = Patch("LSHO", "x", 400, 403, np.zeros((3, 1)))
+    told = if_worth_it(SPIKE, Repair("kalman", (patch,), error_mm=error_mm, leaves=leaves))
+    assert bool(told.patches) is not bool(refused)
+    assert refused in told.reason
+    noise = replace(SPIKE, kind=Kind.NOISE, amplitude_mm=1.6)
+    told = if_worth_it(noise, Repair("kalman", (patch,), error_mm=error_mm))
+    assert told.patches
+    gap = Artifact("LSHO", "xyz", 400, 403, Kind.GAP, 1.0)
+    assert if_worth_it(gap, Repair("kalman", (patch,), error_mm=error_mm, leaves=leaves)).patches

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from markermend.artifact import Artifact
+from markermend.artifact import Artifact, Kind
 from markermend.detectors.finding import in_mm
 from markermend.repairs.advice import with_expected_error
 from markermend.repairs.body_frame import rank_references
@@ -25,6 +25,8 @@ MOST_ERROR_MM = 50.0
 HARDLY_FURTHER, UNTOLD_MM = 1.5, 0.2
 # One that is expected to be further off than this gives way to one expected to be so much nearer.
 DOUBTFUL_MM, FAR_NEARER = 5.0, 2.0 / 3.0
+# How far noise strays at a time, over its scatter along one axis.
+NOISE_STRAYS = 2.0
 # References that hold the frame in which a marker is looked for.
 HOLDING = 4
 
@@ -126,8 +128,12 @@ def if_worth_it(artifact: Artifact, proposed: Repair) -> Repair:
     if not proposed.patches or not math.isfinite(size):
         return proposed
     reason = ""
-    worst = max(proposed.leaves or (), key=lambda a: a.amplitude_mm, default=None)
-    if proposed.error_mm is not None and proposed.error_mm > size:
+    # What reaches beyond it was there before.
+    made = [a for a in proposed.leaves or () if artifact.start <= a.start < a.stop <= artifact.stop]
+    worst = max(made, key=lambda a: a.amplitude_mm, default=None)
+    # Noise is measured by its scatter along an axis, and strays further in space.
+    most = size * (NOISE_STRAYS if artifact.kind is Kind.NOISE else 1.0)
+    if proposed.error_mm is not None and proposed.error_mm > most:
         off = f"{in_mm(proposed.error_mm)} mm off"
         reason = f"The result may be {off}, more than the {in_mm(size)} mm that it would mend."
     elif worst is not None and worst.amplitude_mm > size:
