@@ -6,6 +6,8 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QTabBar
 
+from markermend_app.panels.take_list import TakeList
+
 HALF = 960
 WORDS = Qt.ToolButtonStyle.ToolButtonTextBesideIcon
 
@@ -114,3 +116,15 @@ def test_no_tabs_of_before_lie_about_in_a_layout_that_was_kept(window, qtbot):
     window.show_dock("takes")
     widen(window, 1500, 900)
     assert tabs() == [("History", "Takes"), ("Review queue", "Quality")]
+
+
+def test_the_list_of_takes_does_not_keep_the_window_wide(qtbot, window):
+    takes = TakeList(window.batch)
+    qtbot.addWidget(takes)
+    takes.resize(700, 300)
+    takes.show()
+    qtbot.waitUntil(lambda: "(" in takes.next.text())
+    takes.resize(takes.minimumSizeHint().width(), 300)
+    qtbot.waitUntil(lambda: takes.next.text() == "Next take")
+    assert takes.width() < 160
+    assert "(" in takes.next.toolTip()

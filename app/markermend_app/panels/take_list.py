@@ -13,12 +13,13 @@ from PySide6.QtCore import (
     QSize,
     Qt,
 )
-from PySide6.QtGui import QFont, QFontMetrics, QIcon, QPainter
+from PySide6.QtGui import QFont, QFontMetrics, QIcon, QPainter, QResizeEvent
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QListView,
     QPushButton,
+    QSizePolicy,
     QStyleOptionViewItem,
     QVBoxLayout,
     QWidget,
@@ -31,6 +32,7 @@ from markermend_app.background.loading import Glance
 from markermend_app.panels.markers.badge import dot_icon, paint_share
 from markermend_app.panels.own_ends import OwnEnds
 from markermend_app.panels.queue.view import PlainDelegate
+from markermend_app.panels.spared import spare
 from markermend_app.style import theme
 from markermend_app.telling import told
 from markermend_app.words import tr
@@ -151,8 +153,12 @@ class TakeList(QWidget):
         self.next = QPushButton()
         self.next.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.next.clicked.connect(batch.next_take)
+        # Words do not keep the window wide: the key goes first, then they are cut.
+        spare(self.told)
+        self.next.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         line = QHBoxLayout()
         line.setContentsMargins(8, 4, 8, 4)
+        line.setSpacing(12)
         line.addWidget(self.told, 1)
         line.addWidget(self.next)
         whole = QVBoxLayout(self)
@@ -181,7 +187,8 @@ class TakeList(QWidget):
         self.model.set_rows(rows)
         done = sum(row.glance is not None and row.glance.done for row in rows)
         self.told.setText(self.tr("{0} of {1} takes done").format(done, len(rows)) if rows else "")
-        self.next.setText(shortcuts.with_key(self.tr("Next take"), "next_take"))
+        self.told.setToolTip(self.told.text())
+        self._fit()
         self.next.setEnabled(batch.next_item is not None)
         finished = current is not None and any(
             r.current and r.glance and r.glance.done for r in rows
@@ -193,6 +200,23 @@ class TakeList(QWidget):
         for i, row in enumerate(rows):
             if row.current:
                 self.view.scrollTo(self.model.index(i))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Name the key on the button where there is room."""
+        super().resizeEvent(event)
+        self._fit()
+
+    def _fit(self) -> None:
+        short = self.tr("Next take")
+        named, widths = shortcuts.with_key(short, "next_take"), []
+        for text in (short, named):
+            self.next.setText(text)
+            widths.append(self.next.sizeHint().width())
+        room = self.width() - self.told.sizeHint().width() - 28
+        fits = widths[1] <= room
+        self.next.setText(named if fits else short)
+        self.next.setMinimumWidth(widths[0])
+        self.next.setToolTip(named)
 
     def _open(self, index: QModelIndex) -> None:
         """Open the take of a row."""
