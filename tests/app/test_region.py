@@ -298,8 +298,11 @@ def test_its_edges_are_dragged_in_the_overview(narrowed, qtbot):
     middle = overview.rect().center().y()
     places = overview._places
 
+    def at(frame):
+        return QPoint(round(places.x(frame)), middle)
+
     def drag(begin, end):
-        a, b = (QPoint(round(places.x(frame)), middle) for frame in (begin, end))
+        a, b = at(begin), at(end)
         qtbot.mouseMove(overview, a)
         qtbot.mousePress(overview, Qt.MouseButton.LeftButton, pos=a)
         qtbot.mouseMove(overview, b)
@@ -314,6 +317,11 @@ def test_its_edges_are_dragged_in_the_overview(narrowed, qtbot):
     drag(400, 50)
     start, stop = session.region
     assert stop == start + 1
+    qtbot.mousePress(overview, Qt.MouseButton.LeftButton, pos=at(start))
+    qtbot.mouseMove(overview, at(start - 20))
+    key(qtbot, narrowed, Qt.Key.Key_Escape)
+    qtbot.mouseRelease(overview, Qt.MouseButton.LeftButton, pos=at(start - 20))
+    assert session.region == (start, stop)
     key(qtbot, narrowed, Qt.Key.Key_O, SHIFT)
     drag(150, 300)
     assert session.region is None

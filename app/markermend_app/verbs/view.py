@@ -94,6 +94,8 @@ def _write_note(window: MainWindow) -> None:
 
 def _let_go(window: MainWindow) -> None:
     """Leave what was begun, what lies on top first; then the panel for the plots; then the tour."""
+    if window.overview.let_go():
+        return
     if window.references.choosing:
         window.references.choose(False)
     elif window.scene.buttons.tool:

@@ -284,6 +284,13 @@ class Overview(QWidget):
                 self.region_dragged.emit(*region)
         super().mouseReleaseEvent(event)
 
+    def let_go(self) -> bool:
+        """Leave the edge that is dragged where it was; whether one was."""
+        held = self._edges.held
+        self._edges.forget()
+        self._soon.ask()
+        return held
+
     def _show_pointer(self, edge: bool) -> None:
         """Show by the mouse's look whether an edge can be dragged, or something clicked."""
         shape = Qt.CursorShape.PointingHandCursor

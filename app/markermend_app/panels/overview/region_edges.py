@@ -25,10 +25,11 @@ class RegionEdges:
         self._held: int | None = None
         self._dragged: tuple[int, int] | None = None
         # What is held is an edge of what was there then.
-        document.opened.connect(self._forget)
-        document.artifacts_changed.connect(self._forget)
+        document.opened.connect(self.forget)
+        document.artifacts_changed.connect(self.forget)
 
-    def _forget(self) -> None:
+    def forget(self) -> None:
+        """Leave the region as it is, wherever an edge was dragged."""
         self._held = self._dragged = None
 
     @property

@@ -19,6 +19,8 @@ _STYLES = (
     Qt.ToolButtonStyle.ToolButtonTextBesideIcon,
     Qt.ToolButtonStyle.ToolButtonIconOnly,
 )
+_BESIDE_PX = 24
+"""Pixels that frame and margins take beside the words."""
 OPEN = frozenset({Status.PENDING})
 ACCEPTED = frozenset({Status.ACCEPTED})
 _DECIDED = frozenset({Status.ACCEPTED, Status.REJECTED, Status.REPAIRED})
@@ -57,6 +59,8 @@ class QueueFilters(QWidget):
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         )
         self.status.setMinimumContentsLength(8)
+        entries = self.status.view()
+        entries.setMinimumWidth(entries.sizeHintForColumn(0) + _BESIDE_PX)
         self._row.addWidget(self.status)
         self.kinds: dict[Kind, QToolButton] = {}
         for kind in Kind:

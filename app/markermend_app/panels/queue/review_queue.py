@@ -24,6 +24,7 @@ from markermend_app.panels.queue.filters import ACCEPTED, OPEN, QueueFilters
 from markermend_app.panels.queue.model import (
     AXES,
     COLUMNS,
+    CONFIDENCE,
     FRAMES,
     LENGTH,
     MARKER,
@@ -38,9 +39,9 @@ from markermend_app.panels.queue.view import QueueView
 from markermend_app.panels.sort_menu import sort_menu
 from markermend_app.style import theme
 
-_WIDTHS = (80, 96, 96, 54, 90, 66, 66, 90, 92, 180, 60)
+_WIDTHS = (98, 96, 96, 54, 90, 66, 66, 90, 92, 210, 60)
 _PADDING = 24
-_SPARED = (TIME, LENGTH, AXES, SIZE, FRAMES, STATUS)
+_SPARED = (TIME, LENGTH, AXES, SIZE, FRAMES)
 """Columns that are left out one after the other where room is scarce; tooltips tell them."""
 _WHY_LEAST = 200
 
@@ -257,7 +258,9 @@ class ReviewQueue(QWidget):
         statuses = self.filters.statuses
         hidden = {REPAIR} if statuses and Status.REPAIRED not in statuses else set()
         room = self.width() - self.view.verticalScrollBar().sizeHint().width() - _WHY_LEAST
-        for column in _SPARED:
+        # Of those that are open the status says nothing, of decided ones how sure a flag was.
+        last = (STATUS,) if REPAIR in hidden else (CONFIDENCE, STATUS)
+        for column in (*_SPARED, *last):
             if sum(w for c, w in enumerate(self._widths[:WHY]) if c not in hidden) <= room:
                 break
             hidden.add(column)
