@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-import pyqtgraph as pg
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPen, QPolygonF, QTransform
 
+from markermend_app.items.in_view import InView
 from markermend_app.style import theme
 
 _POLE = 6.0
 
 
-class Flags(pg.GraphicsObject):
+class Flags(InView):
     """Vertical dashed lines at events; names only in the plot that is told to write them."""
 
     def __init__(self) -> None:
@@ -43,18 +43,6 @@ class Flags(pg.GraphicsObject):
         if not self.named or not len(self._names):
             return 0.0
         return QFontMetricsF(_font(QFont())).height() + 2.0
-
-    def boundingRect(self) -> QRectF:
-        """Everything in view."""
-        return QRectF(self.viewRect()) if self.getViewBox() is not None else QRectF()
-
-    def dataBounds(self, axis: int, frac: float = 1.0, orthoRange: object = None) -> None:
-        """Take no part in fitting the view."""
-
-    def viewRangeChanged(self, *_: object) -> None:
-        """Follow the view."""
-        self.prepareGeometryChange()
-        self.update()
 
     def paint(self, painter: QPainter, *_: object) -> None:
         """Paint what is in view, in screen pixels; a name that has no room is left out."""

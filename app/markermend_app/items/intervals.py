@@ -15,6 +15,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPen, QTransform
 
 from markermend.artifact import Artifact, Kind, Status
+from markermend_app.items.in_view import InView
 from markermend_app.style import theme
 
 LANE_HEIGHT = 12
@@ -44,7 +45,7 @@ class Placed:
     height: float
 
 
-class Intervals(pg.GraphicsObject):
+class Intervals(InView):
     """Artifacts of the shown markers on one axis; one lane a marker, the foremost lowest.
 
     ``show`` takes what is to be drawn; ``hit`` tells which artifact lies under a point.
@@ -111,18 +112,6 @@ class Intervals(pg.GraphicsObject):
         return None
 
     # What pyqtgraph asks for
-
-    def boundingRect(self) -> QRectF:
-        """Everything in view."""
-        return QRectF(self.viewRect()) if self.getViewBox() is not None else QRectF()
-
-    def dataBounds(self, axis: int, frac: float = 1.0, orthoRange: object = None) -> None:
-        """Take no part in fitting the view."""
-
-    def viewRangeChanged(self, *_: object) -> None:
-        """Follow the view."""
-        self.prepareGeometryChange()
-        self.update()
 
     def paint(self, painter: QPainter, *_: object) -> None:
         """Paint bands, then the strip, in screen pixels."""

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import pyqtgraph as pg
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QPainter, QPen, QTransform
 
+from markermend_app.items.in_view import InView
 from markermend_app.style import theme
 
 _SHARE = 0.22
 _BRACKET_PX = 6.0
 
 
-class Outside(pg.GraphicsObject):
+class Outside(InView):
     """A ground of its own before and after an interval of frames, and a bracket at each edge."""
 
     def __init__(self) -> None:
@@ -26,18 +26,6 @@ class Outside(pg.GraphicsObject):
         """Set these frames off from the others; None sets off nothing."""
         self._region = region
         self.setVisible(region is not None)
-        self.update()
-
-    def boundingRect(self) -> QRectF:
-        """Everything in view."""
-        return QRectF(self.viewRect()) if self.getViewBox() is not None else QRectF()
-
-    def dataBounds(self, axis: int, frac: float = 1.0, orthoRange: object = None) -> None:
-        """Take no part in fitting the view."""
-
-    def viewRangeChanged(self, *_: object) -> None:
-        """Follow the view."""
-        self.prepareGeometryChange()
         self.update()
 
     def paint(self, painter: QPainter, *_: object) -> None:
