@@ -136,13 +136,13 @@ class Document(Looking):
             self.preview.reset()
             if frame:
                 bring = self.reveal if unless_seen else self.look_at
-                bring(artifact.markers, *self._asked_of(artifact))
+                bring(artifact.markers, *self.asked_frames(artifact))
             else:
                 self.show_too(artifact.markers)
         self.current_changed.emit()
         self._propose()
 
-    def _asked_of(self, artifact: Artifact) -> tuple[int, int]:
+    def asked_frames(self, artifact: Artifact) -> tuple[int, int]:
         """Frames of an artifact that are asked about; all of one outside the region of interest."""
         region = None if self.session is None else self.session.region
         if region is None or not artifact.overlaps(*region):

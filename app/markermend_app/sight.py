@@ -69,7 +69,7 @@ class Sight(QObject):
         lost = self.lost
         if lost is None:
             return False
-        self._document.look_at(lost.markers, lost.start, lost.stop)
+        self._document.look_at(lost.markers, *self._document.asked_frames(lost))
         text = self.tr("{0} on {1} is under review, but was out of sight. Press again to decide.")
         text = text.format(theme.kind_name(lost.kind), lost.marker)
         self._said = lost.id, text

@@ -127,8 +127,7 @@ def in_order(artifacts: Iterable[Artifact]) -> tuple[Artifact, ...]:
 
 def within(artifacts: Iterable[Artifact], frames: tuple[int, int]) -> tuple[Artifact, ...]:
     """Those that reach into an interval of frames, which is half-open, in the order given."""
-    start, stop = frames
-    return tuple(a for a in artifacts if a.start < stop and a.stop > start)
+    return tuple(a for a in artifacts if a.overlaps(*frames))
 
 
 def repair_in_words(take: Take, artifact: Artifact, method: str) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from driving import WAIT, settled
@@ -170,3 +172,16 @@ def test_the_status_line_tells_the_operators_pace(peaks, qtbot, monkeypatch):
     assert "3 of 9 decided · 2.0 s each · 6.0 s in all" in [
         label.text() for label in peaks.status.findChildren(QLabel)
     ]
+
+
+def test_the_list_tells_what_would_still_be_found(peaks, qtbot):
+    document = peaks.document
+    peak = next(a for a in document.session.artifacts if a.marker == "T10")
+    document.select(peak.id)
+    qtbot.keyClick(peaks, Qt.Key.Key_R, CTRL | SHIFT)
+    dialog = peaks.bulk.dialog
+    qtbot.waitUntil(lambda: dialog.go.isEnabled(), timeout=WAIT)
+    left = Artifact("T10", "x", peak.start, peak.stop, Kind.PEAK, 0.9, 4.0)
+    dialog.tell({peak.id: replace(dialog.repairs[peak.id], leaves=(left,))})
+    assert "still finds damage there: a peak of 4.0 mm" in dialog.table.item(0, 3).text()
+    dialog.reject()

@@ -158,10 +158,6 @@ class AlikeDialog(QDialog):
         with QSignalBlocker(self.table):
             for row, a in enumerate(self._listed):
                 self.table.setItem(row, OUTCOME, _cell(self._outcome(a)))
-                box = self.table.item(row, MARKER)
-                if box is not None and a.id in repairs and repairs[a.id].leaves:
-                    # What is still wrong afterwards is to be looked at, not done unseen.
-                    box.setCheckState(Qt.CheckState.Unchecked)
         self._count()
 
     def _able(self, a: Artifact) -> bool:

@@ -116,6 +116,7 @@ class Exporter(QObject):
         def work(progress: Progress) -> Any:
             from markermend.files import write
             from markermend.review.hand import without_emptied
+            from markermend.review.standing import changed_outside
 
             take = held()
             complete.append(region is None or not changed_outside(original, take, region))
@@ -197,12 +198,3 @@ class Exporter(QObject):
             if target.exists() and not dialogs.ask_replace(self._window, target):
                 return None
         return target
-
-
-def changed_outside(original: Take, take: Take, region: tuple[int, int]) -> bool:
-    """Whether samples outside an interval of frames are not as they were read."""
-    start, stop = region
-    return any(
-        bool((take.origin[rows] != original.origin[rows]).any())
-        for rows in (slice(0, start), slice(stop, None))
-    )

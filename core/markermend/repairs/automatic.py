@@ -122,7 +122,17 @@ def _by_defaults(evidence: Evidence, artifact: Artifact, name: str) -> Repair:
 def if_worth_it(artifact: Artifact, proposed: Repair) -> Repair:
     """The proposal, or none with the reason where what is there is expected to be nearer.
 
-    Of an artifact whose size is not known, as of a gap, nothing is known to be nearer.
+    Parameters
+    ----------
+    artifact : what is to be repaired; of one whose size is not known, as of a gap, nothing is
+        known to be nearer
+    proposed : its repair, looked at again
+
+    Returns
+    -------
+    Repair
+        without patches, and with the reason, when it may be further off than the artifact is large,
+        or would leave something larger in its place
     """
     size = artifact.amplitude_mm
     if not proposed.patches or not math.isfinite(size):

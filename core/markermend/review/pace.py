@@ -82,7 +82,14 @@ class Pace:
 
 
 def pace_of(listed: Collection[Artifact], spent_s: float, everything: Iterable[Artifact]) -> Pace:
-    """Count what is decided: accepted, rejected or repaired."""
+    """Count what is decided: accepted, rejected or repaired.
+
+    Parameters
+    ----------
+    listed : artifacts that are asked about
+    spent_s : seconds of work
+    everything : all artifacts of the review
+    """
     decided, in_all = (
         sum(a.status is not Status.PENDING for a in known) for known in (listed, everything)
     )

@@ -84,6 +84,19 @@ def standings(
     )
 
 
+def changed_outside(original: Take, take: Take, region: tuple[int, int]) -> bool:
+    """Whether samples outside an interval of frames are not as they were read.
+
+    Parameters
+    ----------
+    original, take : the recording as read and as it stands
+    region : half-open interval of 0-based frames
+    """
+    differs = original.origin != take.origin
+    differs[slice(*region)] = False
+    return bool(differs.any())
+
+
 def _errors(
     artifacts: Iterable[Artifact], notes: Mapping[str, RepairNote]
 ) -> tuple[float | None, float | None]:

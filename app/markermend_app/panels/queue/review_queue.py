@@ -318,7 +318,7 @@ class ReviewQueue(QWidget):
         """Bring the artifact into view again when its row is clicked again."""
         a = self.model.rows[index.row()]
         if a == self._document.current:
-            self._document.look_at(a.markers, a.start, a.stop)
+            self._document.look_at(a.markers, *self._document.asked_frames(a))
 
     def set_doing(self, label: str) -> None:
         """Be told what is worked on, empty for nothing: found may be what is not listed yet."""
