@@ -5,7 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from markermend.arrays import deviation_of_seen, median_of_seen, samples_of
+from markermend.arrays import (
+    deviation_of_seen,
+    median_of_seen,
+    quantile_of_seen,
+    samples_of,
+)
 from markermend.take import Take
 from markermend.vertical import up_axis
 
@@ -20,6 +25,20 @@ def test_median_of_what_is_seen(rows: int) -> None:
     values[:, 2, 1] = np.nan
     assert np.isnan(median_of_seen(values)[2, 1])
     assert np.isnan(median_of_seen(values)).sum() == 1
+
+
+@pytest.mark.parametrize("rows", [1, 2, 7, 10])
+@pytest.mark.parametrize("share", [0.0, 0.3, 0.75, 1.0])
+def test_quantile_of_what_is_seen(rows: int, share: float) -> None:
+    rng = np.random.default_rng(rows)
+    values = rng.normal(size=(rows, 5, 3))
+    values[rng.random(values.shape) < 0.3] = np.nan
+    values[0] = 1.0
+    wanted = np.nanquantile(values, share, axis=0)
+    np.testing.assert_allclose(quantile_of_seen(values, share), wanted, rtol=1e-13)
+    values[:, 2, 1] = np.nan
+    assert np.isnan(quantile_of_seen(values, share)[2, 1])
+    assert np.isnan(quantile_of_seen(values, share)).sum() == 1
 
 
 def test_samples_of_some_markers_in_some_frames() -> None:

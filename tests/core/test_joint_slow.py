@@ -14,6 +14,7 @@ from markermend.detectors.joint.bank import KINDS, bank, local_level, scores, sh
 from markermend.detectors.joint.drift import scan
 from markermend.detectors.joint.explained import explained
 from markermend.detectors.joint.judge import Judge, evidence, load_judge, quiet_levels
+from markermend.detectors.joint.loudness import loudness
 from markermend.detectors.joint.measures import FEATURES, measure, stack
 from markermend.detectors.joint.refilled import Spot, unevenness
 from markermend.detectors.joint.slow import prepare, shipped_judge
@@ -86,6 +87,20 @@ def test_in_a_smoothed_recording_kinks_are_found_to_the_frame(length):
 def test_scores_of_pure_noise_are_standard_normal():
     red, _ = red_noise(4000, seed=2)
     assert scored(red)[200:3600, 10].std() == pytest.approx(1.0, abs=0.2)
+
+
+@pytest.mark.parametrize(("frames", "window"), [(300, 65), (300, 161), (40, 65), (1, 65)])
+def test_loudness_is_the_median_size_around(frames, window):
+    signal = np.random.default_rng(0).normal(size=(2, 3, frames))
+    half = min(window // 2, frames - 1)
+    size = np.pad(np.abs(signal), ((0, 0), (0, 0), (half, half)), mode="reflect")
+    found, step = loudness(signal, window), max(4, window // 8)
+    for at in range(0, frames, step):
+        level = np.median(size[..., at : at + 2 * half + 1], axis=-1) / 0.6745
+        np.testing.assert_allclose(found[..., at], level)
+    if frames > 2 * step:
+        middle = 0.5 * (found[..., 0] + found[..., step])
+        np.testing.assert_allclose(found[..., step // 2], middle)
 
 
 def test_bands_add_up_and_weigh_by_their_own_noise():

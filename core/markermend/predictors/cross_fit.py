@@ -6,11 +6,11 @@ itself and the stretches beside it; closed form, from Gram matrices added up by 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
 
 import numpy as np
 
-from markermend.arrays import BoolArray, FloatArray, IntArray
+from markermend.arrays import BoolArray, FloatArray, IntArray, deviation_of_seen, samples_of
 from markermend.predictors.local import align, complete, expand
 
 BLOCK = 64
@@ -41,10 +41,8 @@ def distance_spreads(positions: FloatArray, usable: BoolArray) -> FloatArray:
     for m in range(markers - 1):
         apart = np.sqrt(((points[:, m + 1 :] - points[:, m, None]) ** 2).sum(axis=2))
         often = (~np.isnan(apart)).sum(axis=0) >= max(3.0, 0.2 * usable[some, m].sum())
-        apart = apart[:, often]
-        away = np.abs(apart - np.nanmedian(apart, axis=0)) if often.any() else apart
         others = m + 1 + np.flatnonzero(often)
-        spread[m, others] = spread[others, m] = np.nanmedian(away, axis=0)
+        spread[m, others] = spread[others, m] = deviation_of_seen(apart[:, often].T)
     return spread
 
 
@@ -71,7 +69,8 @@ def predict_cross_fitted(
     if len(references) < 3 or weight.sum() < 4 * BLOCK:
         return predicted
     seen = usable[np.ix_(rows, references)]
-    points = np.where(seen[:, :, None], positions[rows[:, None], references], np.nan)
+    points = samples_of(positions, rows, references)
+    points[~seen] = np.nan
     motion = align(points)
     inputs = complete(motion.to_local(points).reshape(len(rows), -1))
     goal = np.nan_to_num(motion.to_local(positions[rows, marker][:, None])[:, 0])
@@ -79,76 +78,69 @@ def predict_cross_fitted(
     count, frames = features.shape[1], len(rows)
     # The last block is filled up with rows that weigh nothing.
     filling = -frames % BLOCK
-    both = np.pad(np.hstack([features, goal]), ((0, filling), (0, 0)))
+    both = np.zeros((frames + filling, count + COORDINATES))
+    both[:frames, :count], both[:frames, count:] = features, goal
     both = both.reshape(-1, BLOCK, count + COORDINATES)
 
-    def rest(weight: FloatArray) -> _Rest:
-        return _rest(both, np.pad(weight, (0, filling)).reshape(-1, BLOCK))
-
-    def left_out(rest: _Rest, ridge: FloatArray) -> FloatArray:
-        said = _left_out(both[:, :, :count], rest, ridge)
-        return said.reshape(-1, COORDINATES)[:frames]
+    def foretold(weight: FloatArray, *ridges: FloatArray) -> list[FloatArray]:
+        each = np.pad(weight, (0, filling)).reshape(-1, BLOCK)
+        return [said.reshape(-1, COORDINATES)[:frames] for said in left_out(both, each, ridges)]
 
     learnt = weight > 0
     first, best, error = np.inf, ridge, None
-    evenly = rest(weight)
-    for factor in STIFFER:
-        e = np.linalg.norm(goal - left_out(evenly, factor * ridge), axis=1)
+    stiffer = [factor * ridge for factor in STIFFER]
+    for one, said in zip(stiffer, foretold(weight, *stiffer), strict=True):
+        e = np.linalg.norm(goal - said, axis=1)
         middle = float(np.median(e[learnt]))
         cost = float(np.minimum(e[learnt], LARGEST * middle).mean())
         if cost < first:
-            first, best, error = cost, factor * ridge, e
+            first, best, error = cost, one, e
     assert error is not None
     weight /= np.maximum(1.0, error / max(2.0 * float(np.median(error[learnt])), 1e-9))
-    local = left_out(rest(weight), best)
+    (local,) = foretold(weight, best)
     predicted[rows] = motion.to_lab(local[:, None])[:, 0]
     return predicted
 
 
-@dataclass(frozen=True, eq=False)
-class _Rest:
-    """What all but each block and those beside it say.
-
-    Attributes
-    ----------
-    gram : (blocks, features, features + 3) weighted products of features with them and the goal
-    mass : (blocks,) sum of weights
-    """
-
-    gram: FloatArray
-    mass: FloatArray
-
-
-def _rest(both: FloatArray, weight: FloatArray) -> _Rest:
-    """Add up what is learnt from for each block, from features beside the goal.
+def left_out(
+    both: FloatArray, weight: FloatArray, ridges: Sequence[FloatArray]
+) -> list[FloatArray]:
+    """Weighted ridge regression, each block by a fit without it and the blocks beside it.
 
     Parameters
     ----------
-    both : (blocks, BLOCK, features + 3)
+    both : (blocks, BLOCK, features + 3) features beside the goal
     weight : (blocks, BLOCK)
+    ridges : (features,) each, per unit of weight
+
+    Returns
+    -------
+    With each ridge what is said of the goal, (blocks, BLOCK, 3)
     """
-    weighted = both[:, :, :-COORDINATES] * weight[:, :, None]
-    grams, masses = weighted.transpose(0, 2, 1) @ both, weight.sum(axis=1)
-    gram, mass = grams.sum(axis=0) - grams, masses.sum() - masses
-    for left, own in ((gram, grams), (mass, masses)):
-        left[1:] -= own[:-1]
-        left[:-1] -= own[1:]
-    return _Rest(gram, np.maximum(mass, 1.0))
-
-
-def _left_out(features: FloatArray, rest: _Rest, ridge: FloatArray) -> FloatArray:
-    """Weighted ridge regression, each block by a fit without it and the blocks beside it."""
     from scipy.linalg.lapack import dposv
 
-    count = len(ridge)
-    fits = np.empty((len(features), count, COORDINATES))
-    left = np.empty((count, count))
+    blocks, count = len(both), both.shape[2] - COORDINATES
+    weighted = both[:, :, :count] * weight[:, :, None]
+    # What is before the first block and after the last weighs nothing.
+    grams, masses = np.zeros((blocks + 2, count, count + COORDINATES)), np.zeros(blocks + 2)
+    np.matmul(weighted.transpose(0, 2, 1), both, out=grams[1:-1])
+    masses[1:-1] = weight.sum(axis=1)
+    whole, mass = grams.sum(axis=0), masses.sum()
+    fits = np.empty((len(ridges), blocks, count, COORDINATES))
+    rest, left = np.empty_like(whole), np.empty((count, count))
     diagonal = left.reshape(-1)[:: count + 1]
-    for fit, gram, mass in zip(fits, rest.gram, rest.mass, strict=True):
-        left[:], right = gram[:, :count], gram[:, count:]
-        diagonal += mass * ridge
-        # Turned, it lies as LAPACK wants it, and is not copied.
-        _, fit[:], failed = dposv(left.T, right, lower=1, overwrite_a=1)
-        if failed:
-            fit[:] = np.linalg.solve(gram[:, :count] + np.diag(mass * ridge), right)
-    return np.asarray(features @ fits)
+    for b in range(blocks):
+        np.subtract(whole, grams[b + 1], out=rest)
+        rest -= grams[b]
+        rest -= grams[b + 2]
+        heavy = max(mass - float(masses[b : b + 3].sum()), 1.0)
+        gram, right = rest[:, :count], rest[:, count:]
+        for fit, ridge in zip(fits, ridges, strict=True):
+            left[:] = gram
+            diagonal += heavy * ridge
+            # Turned, it lies as LAPACK wants it, and is not copied.
+            _, fit[b], failed = dposv(left.T, right, lower=1, overwrite_a=1)
+            if failed:
+                fit[b] = np.linalg.solve(gram + np.diag(heavy * ridge), right)
+    features = both[:, :, :count]
+    return [np.asarray(features @ fit) for fit in fits]

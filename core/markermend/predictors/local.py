@@ -13,7 +13,13 @@ from dataclasses import dataclass
 import numpy as np
 from threadpoolctl import threadpool_limits
 
-from markermend.arrays import BoolArray, FloatArray, IntArray
+from markermend.arrays import (
+    BoolArray,
+    FloatArray,
+    IntArray,
+    deviation_of_seen,
+    median_of_seen,
+)
 from markermend.errors import DataError
 from markermend.progress import heed
 from markermend.rotations import nearest_rotations
@@ -137,7 +143,7 @@ def rank_references(
     if not len(columns):
         return columns
     apart = apart[:, columns]
-    spread = np.nanmedian(np.abs(apart - np.nanmedian(apart, axis=0)), axis=0)
+    spread = deviation_of_seen(apart.T)
     # Half a millimetre: the cameras' own noise, below which no marker is better than another.
     cost = (spread + 0.5) * (1.0 + 4.0 * absent[columns])
     return columns[np.argsort(cost, kind="stable")]
@@ -200,7 +206,8 @@ def align(references: FloatArray) -> Motion:
         firm = (seen & ~unplaced).sum(axis=1) >= 3
         inner = Motion(motion.turn[firm], motion.origin[firm]).to_local(references[firm])
         placed = unplaced & seen[firm].any(axis=0)
-        pose[placed] = np.nanmedian(inner[:, placed], axis=0)
+        if placed.any():
+            pose[placed] = median_of_seen(inner[:, placed])
         motion = _fit(pose, references, seen & ~np.isnan(pose[:, 0]))
     return motion
 
@@ -226,7 +233,7 @@ def _typical_pose(references: FloatArray, seen: BoolArray) -> FloatArray:
     some = references[most[:: max(1, len(most) // 400)]]
     apart = np.sqrt(((some[:, i] - some[:, j]) ** 2).sum(axis=2))
     known = ~np.isnan(apart).all(axis=0)
-    usual = np.nanmedian(apart[:, known], axis=0)
+    usual = median_of_seen(apart[:, known])
     pose: FloatArray = some[int(np.nansum(np.abs(apart[:, known] - usual), axis=1).argmin())]
     return pose.copy()
 

@@ -10,9 +10,9 @@ from __future__ import annotations
 from functools import lru_cache
 
 import numpy as np
-from numpy.lib.stride_tricks import sliding_window_view
 
 from markermend.arrays import FloatArray
+from markermend.detectors.joint.loudness import loudness
 
 CUTS = (1 / 12, 1 / 4, 1 / 2)
 """Borders of the bands in shares of half the rate: 5, 15 and 30 Hz at 120."""
@@ -65,7 +65,7 @@ def split(error: FloatArray) -> tuple[FloatArray, FloatArray]:
     parts = np.stack([np.convolve(error, taps, "same") for taps in filters()])
     weight = np.empty_like(parts)
     for b in range(BANDS):
-        weight[b] = WIDTHS[b] / _loudness(parts[b], WINDOWS[b]) ** 2
+        weight[b] = WIDTHS[b] / (loudness(parts[b], WINDOWS[b]) + DUST_MM) ** 2
     return parts, weight
 
 
@@ -73,14 +73,3 @@ def clipped(parts: FloatArray, weight: FloatArray) -> FloatArray:
     """Innovations no larger than is believed of them, (bands, frames) as from :func:`split`."""
     most = np.array(CLIPS)[:, None] * np.sqrt(np.array(WIDTHS)[:, None] / weight)
     return np.clip(parts, -most, most)
-
-
-def _loudness(part: FloatArray, window: int) -> FloatArray:
-    """Robust local standard deviation, (frames,) mm."""
-    stride, half = max(4, window // 8), window // 2
-    size = np.abs(part)
-    half = min(half, len(size) - 1)
-    windows = sliding_window_view(np.pad(size, half, mode="reflect"), 2 * half + 1)[::stride]
-    level = np.partition(windows, half, axis=1)[:, half] / 0.6745
-    frames = np.arange(len(part))
-    return np.asarray(np.interp(frames, frames[::stride], level) + DUST_MM)

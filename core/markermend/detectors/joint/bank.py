@@ -7,7 +7,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
-from markermend.arrays import FloatArray
+from markermend.arrays import Float32Array, FloatArray
 from markermend.detectors.joint.bands import BANDS, HALF, filter_matrix, filters
 from markermend.detectors.joint.whiten import LAGS
 from markermend.simulation.contamination import triangle
@@ -27,12 +27,12 @@ LEAST_NORM = 0.02
 
 
 @lru_cache(maxsize=1)
-def bank() -> tuple[FloatArray, tuple[tuple[str, int], ...]]:
+def bank() -> tuple[Float32Array, tuple[tuple[str, int], ...]]:
     """Make the shapes.
 
     Returns
     -------
-    shapes : (longest, n) float64, height 1, from the first row on
+    shapes : (longest, n) float32, height 1, from the first row on
     names : (kind, length in frames) of each
     """
     names = tuple(
@@ -41,7 +41,7 @@ def bank() -> tuple[FloatArray, tuple[tuple[str, int], ...]]:
         for length in range(SHORTEST, LONGEST + 1, step)
     )
     columns = [np.pad(shape_of(*name), (0, LONGEST - name[1])) for name in names]
-    return np.column_stack(columns), names
+    return np.column_stack(columns).astype(np.float32), names
 
 
 @lru_cache(maxsize=1024)
@@ -87,8 +87,8 @@ def _norms() -> tuple[FloatArray, FloatArray]:
     return products, share
 
 
-def scores(parts: FloatArray, weight: FloatArray, habit: FloatArray) -> FloatArray:
-    """Fit every shape at every frame.
+def scores(parts: FloatArray, weight: FloatArray, habit: FloatArray) -> Float32Array:
+    """Fit every shape at every frame, in single precision: what stands out is measured again.
 
     Parameters
     ----------
@@ -112,7 +112,8 @@ def scores(parts: FloatArray, weight: FloatArray, habit: FloatArray) -> FloatArr
     push = np.zeros(frames)
     for k in range(LAGS + 1):
         push += habit[k : k + frames, k] * pulled[k : k + frames]
-    windows = sliding_window_view(np.pad(push, (0, LONGEST - 1)), LONGEST)
+    push = np.pad(push, (0, LONGEST - 1)).astype(np.float32)
+    windows = sliding_window_view(push, LONGEST)
     # In place: of arrays as large as these copying would take longer than reckoning.
     score = windows @ shapes
     score /= np.sqrt(norm, out=norm)
@@ -121,7 +122,7 @@ def scores(parts: FloatArray, weight: FloatArray, habit: FloatArray) -> FloatArr
     return np.asarray(score)
 
 
-def _norm(weight: FloatArray, habit: FloatArray) -> FloatArray:
+def _norm(weight: FloatArray, habit: FloatArray) -> Float32Array:
     """Variance of the matched filter of each shape at each frame, (frames, n)."""
     products, share = _norms()
     frames = weight.shape[1]
@@ -142,14 +143,15 @@ def _norm(weight: FloatArray, habit: FloatArray) -> FloatArray:
     norm = thin @ share
     # Where a filter changes within a shape, what it makes of slopes may cancel to nothing.
     norm = np.maximum(norm, np.maximum(LEAST_NORM * np.median(norm, axis=0), 1e-9))
-    part = np.arange(STRIDE)[:, None] / STRIDE
+    norm = norm.astype(np.float32)
+    part = np.arange(STRIDE, dtype=np.float32)[:, None] / STRIDE
     further = np.diff(norm, axis=0, append=norm[-1:])
     between = part * further[:, None]
     between += norm[:, None]
     return np.asarray(between.reshape(-1, norm.shape[1])[:frames])
 
 
-def local_level(score: FloatArray, inner: int = 60, outer: int = 250) -> FloatArray:
+def local_level(score: Float32Array, inner: int = 60, outer: int = 250) -> FloatArray:
     """How large scores usually are around, over what white noise gives: (frames,), at least 0.7.
 
     The 80th percentile of ``score``, (frames, n) magnitudes, 60 to 250 frames away, over 1.28.

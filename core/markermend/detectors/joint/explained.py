@@ -8,10 +8,10 @@ a hill of the body does not.
 from __future__ import annotations
 
 import numpy as np
-from numpy.lib.stride_tricks import sliding_window_view
 
 from markermend.arrays import FloatArray
 from markermend.detectors.joint.bands import CLIPS, DUST_MM, WIDTHS, WINDOWS
+from markermend.detectors.joint.loudness import loudness
 from markermend.detectors.joint.views import Seen
 
 
@@ -34,7 +34,7 @@ def explained(seen: Seen, whole: FloatArray, size: FloatArray) -> tuple[FloatArr
     inside = seen.weight > 0
     weight = np.empty_like(rest)
     for b, window in enumerate(WINDOWS):
-        weight[:, b] = WIDTHS[b] / _loudness(rest[:, b], window) ** 2
+        weight[:, b] = WIDTHS[b] / (loudness(rest[:, b], window) + DUST_MM) ** 2
     weight *= inside
     most = np.array(CLIPS)[:, None] * np.sqrt(
         np.array(WIDTHS)[:, None] / np.where(inside, weight, 1.0)
@@ -44,17 +44,3 @@ def explained(seen: Seen, whole: FloatArray, size: FloatArray) -> tuple[FloatArr
     before = np.maximum((shape**2 * seen.weight).sum(axis=(1, 2)), 1e-9)
     score = (shape * error * weight).sum(axis=(1, 2)) / np.sqrt(power)
     return np.abs(score), np.log(power / before)
-
-
-def _loudness(rest: FloatArray, window: int) -> FloatArray:
-    """Robust local standard deviation of each row, (n, frames) mm."""
-    frames, stride = rest.shape[1], max(4, window // 8)
-    half = min(window // 2, frames - 1)
-    padded = np.pad(np.abs(rest), ((0, 0), (half, half)), mode="reflect")
-    windows = sliding_window_view(padded, 2 * half + 1, axis=1)[:, ::stride]
-    level = np.partition(windows, half, axis=2)[:, :, half] / 0.6745 + DUST_MM
-    at = np.arange(frames) / stride
-    low = np.minimum(at.astype(int), level.shape[1] - 1)
-    high = np.minimum(low + 1, level.shape[1] - 1)
-    part = at - low
-    return np.asarray(level[:, low] * (1 - part) + level[:, high] * part)

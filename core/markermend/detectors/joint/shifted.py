@@ -10,13 +10,18 @@ postures never seen before leave several.
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from markermend.arrays import BoolArray, FloatArray, IntArray
+from markermend.arrays import (
+    BoolArray,
+    FloatArray,
+    IntArray,
+    median_of_seen,
+    quantile_of_seen,
+)
 from markermend.artifact import Artifact, Kind
 from markermend.detectors.finding import in_mm
 from markermend.detectors.joint.body import belief
@@ -97,6 +102,8 @@ def find_shifted(take: Take, markers: Sequence[int], trusted: BoolArray) -> list
     thin = max(1, round(take.rate / RATE_HZ), -(-take.frames // MOST_FRAMES))
     x = take.positions[::thin, markers].copy()
     x[~trusted[::thin, markers]] = np.nan
+    if len(x) < LEAST_FRAMES:
+        return []
     found: list[Artifact] = []
     change, steady = _changes(x), np.ones(len(markers), dtype=bool)
     while True:
@@ -123,14 +130,12 @@ def _changes(x: FloatArray) -> FloatArray:
     change = np.full((count, count), np.inf)
     seen = ~np.isnan(x[:, :, 0])
     often = (seen.T.astype(np.float64) @ seen) >= 0.5 * len(x)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", RuntimeWarning)
-        for i in range(count):
-            apart = np.sqrt(((x - x[:, [i]]) ** 2).sum(axis=2))
-            moved = np.nanquantile(np.abs(apart[LAG:] - apart[:-LAG]), USUAL, axis=0)
-            moved += FAR * np.nanmedian(apart, axis=0)
-            change[i] = np.where(often[i], np.nan_to_num(moved, nan=np.inf), np.inf)
-    np.fill_diagonal(change, np.inf)
+    for i in range(count - 1):
+        apart = np.sqrt(((x[:, i + 1 :] - x[:, [i]]) ** 2).sum(axis=2))
+        moved = quantile_of_seen(np.abs(apart[LAG:] - apart[:-LAG]), USUAL)
+        moved += FAR * median_of_seen(apart)
+        moved = np.where(often[i, i + 1 :], np.nan_to_num(moved, nan=np.inf), np.inf)
+        change[i, i + 1 :] = change[i + 1 :, i] = moved
     return change
 
 
@@ -168,8 +173,10 @@ def shift_of(x: FloatArray, change: FloatArray, steady: BoolArray, marker: int) 
 
 def _components(values: FloatArray) -> FloatArray:
     """(frames, k) first principal components, of variance 1."""
-    left, _, _ = np.linalg.svd(values - values.mean(axis=0), full_matrices=False)
-    return np.asarray(left[:, :TERMS] * np.sqrt(len(values)))
+    centred = values - values.mean(axis=0)
+    power, turn = np.linalg.eigh(centred.T @ centred)
+    most = np.maximum(power[-TERMS:], np.finfo(np.float64).tiny)
+    return np.asarray(centred @ (turn[:, -TERMS:] * np.sqrt(len(values) / most)))
 
 
 def _judged(marker: int, at: IntArray, place: FloatArray, design: FloatArray) -> Shift | None:

@@ -8,12 +8,13 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
 from markermend.arrays import BoolArray, FloatArray
+from markermend.detectors.joint.loudness import loudness
 
 LAGS, LEADS = 8, 3
 BLOCK, AROUND = 50, 6
 WHOLE_WEIGHT = 0.05
 PASSES = 3
-SIGMA_WINDOW, STRIDE = 65, 8
+SIGMA_WINDOW = 65
 DUST_MM = 0.002
 CLIP = 6.0
 
@@ -50,12 +51,13 @@ def whiten(residual: FloatArray, movers: FloatArray, trusted: BoolArray) -> Whit
     """
     frames = len(residual)
     residual = residual - np.median(residual)
-    past = sliding_window_view(np.pad(residual, (LAGS, 0)), LAGS)[:frames, ::-1]
-    columns = np.hstack([past, movers])
-    scale = np.maximum(columns.std(axis=0), 1e-9)
-    columns = columns / scale
-    both = np.hstack([columns, residual[:, None]])
-    count = columns.shape[1]
+    count = LAGS + movers.shape[1]
+    both = np.empty((frames, count + 1))
+    both[:, :LAGS] = sliding_window_view(np.pad(residual, (LAGS, 0)), LAGS)[:frames, ::-1]
+    both[:, LAGS:count], both[:, count] = movers, residual
+    away = both[:, :count] - np.full(frames, 1.0 / frames) @ both[:, :count]
+    scale = np.maximum(np.sqrt(np.einsum("fc,fc->c", away, away) / frames), 1e-9)
+    both[:, :count] /= scale
     blocks = max(1, frames // BLOCK)
     edges = np.linspace(0, frames, blocks + 1).astype(int)
     sizes = np.diff(edges)
@@ -66,19 +68,20 @@ def whiten(residual: FloatArray, movers: FloatArray, trusted: BoolArray) -> Whit
     whole = np.zeros((blocks * longest, count + 1))
     whole[row_of] = both
     whole = whole.reshape(blocks, longest, count + 1)
-    weight, weighted = trusted.astype(np.float64), np.zeros((blocks, longest, count))
+    columns, weighted = whole[:, :, :count], np.empty((blocks, longest, count))
+    weight, weight_of = trusted.astype(np.float64), np.zeros((blocks, longest))
+    total = np.zeros((blocks + 1, count, count + 1))
     for _ in range(PASSES):
-        weighted.reshape(-1, count)[row_of] = columns * weight[:, None]
-        grams = weighted.transpose(0, 2, 1) @ whole
-        total = np.cumsum(np.concatenate([np.zeros_like(grams[:1]), grams]), axis=0)
+        weight_of.reshape(-1)[row_of] = weight
+        np.multiply(columns, weight_of[:, :, None], out=weighted)
+        np.cumsum(weighted.transpose(0, 2, 1) @ whole, axis=0, out=total[1:])
         own = _around(total, 1)
         gram = _around(total, AROUND) - own + WHOLE_WEIGHT * (total[-1] - own)
-        left = gram[:, :, :count]
-        size = np.trace(left, axis1=1, axis2=2) / count
-        left = left + (1e-5 * size + 1e-12)[:, None, None] * np.eye(count)
-        solved = np.linalg.solve(left, gram[:, :, count:])[:, :, 0]
-        error = residual - (whole[:, :, :count] @ solved[:, :, None]).reshape(-1)[row_of]
-        sigma = _local_sigma(error)
+        diagonal = gram.reshape(blocks, -1)[:, :: count + 2]
+        diagonal += 1e-5 * diagonal.mean(axis=1, keepdims=True) + 1e-12
+        solved = np.linalg.solve(gram[:, :, :count], gram[:, :, count:])[:, :, 0]
+        error = residual - (columns @ solved[:, :, None]).reshape(-1)[row_of]
+        sigma = loudness(error, SIGMA_WINDOW) + DUST_MM
         weight = trusted / sigma**2 / np.maximum(1.0, np.abs(error) / (2.5 * sigma))
     # The first have no past to be foretold from.
     error[:LAGS] = 0.0
@@ -103,16 +106,6 @@ def body_motion(body: FloatArray, *others: FloatArray) -> FloatArray:
     moves = sliding_window_view(np.pad(np.gradient(body), LEADS, mode="edge"), 2 * LEADS + 1)
     apart = [other - body for other in others]
     return np.column_stack([moves, *apart, *(np.gradient(a) for a in apart)])
-
-
-def _local_sigma(error: FloatArray) -> FloatArray:
-    """Robust standard deviation over 65 frames, worked out every eighth, (frames,) mm."""
-    half = SIGMA_WINDOW // 2
-    windows = sliding_window_view(np.pad(np.abs(error), half, mode="reflect"), SIGMA_WINDOW)
-    middle = np.partition(windows[::STRIDE], half, axis=1)[:, half]
-    level = middle / 0.6745 + DUST_MM
-    frames = np.arange(len(error))
-    return np.asarray(np.interp(frames, frames[::STRIDE], level))
 
 
 def _around(total: FloatArray, reach: int) -> FloatArray:
