@@ -223,6 +223,24 @@ def test_quality_and_tree_count_what_it_asks_about(narrowed, qtbot):
     assert quality.total.rows[0].gap_before > 0.0
 
 
+def test_what_is_missing_is_counted_within_it(narrowed, qtbot):
+    document, told = narrowed.document, narrowed.inspector.take._gaps
+    gap = next(a for a in document.session.artifacts if a.kind is Kind.GAP)
+    model = narrowed.tree._model
+    node = model.node(model.index_of(gap.marker))
+    qtbot.waitUntil(lambda: node.missing == 0.0)
+    document.select(None)
+    qtbot.waitUntil(lambda: told.text() == "0.00 % of the samples reviewed")
+    document.do(lambda s: s.set_region((gap.start, gap.stop)))
+    qtbot.waitUntil(lambda: node.missing == 1.0)
+    share = 100 / len(document.session.original.named)
+    qtbot.waitUntil(lambda: told.text() == f"{share:.2f} % of the samples reviewed")
+    key(qtbot, narrowed, Qt.Key.Key_O, SHIFT)
+    qtbot.waitUntil(lambda: told.text().endswith("of all samples"))
+    share = gap.length / document.session.original.frames
+    qtbot.waitUntil(lambda: node.missing == share)
+
+
 def test_a_glance_is_of_what_it_asks_about(narrowed):
     document = narrowed.document
     document.reject([a.id for a in document.session.listed])

@@ -116,6 +116,11 @@ class Session:
         return self._state.region
 
     @property
+    def asked(self) -> slice:
+        """Frames that are asked about: the region of interest, or all of the take."""
+        return slice(*(self.region or (0, self.original.frames)))
+
+    @property
     def listed(self) -> tuple[Artifact, ...]:
         """Artifacts that are asked about: those that reach into the region of interest."""
         region = self.region

@@ -4524,6 +4524,10 @@
         <source>{0:.2f} % of all samples</source>
         <translation>{0:.2f} % aller Werte</translation>
     </message>
+    <message>
+        <source>{0:.2f} % of the samples reviewed</source>
+        <translation>{0:.2f} % der durchgesehenen Messwerte</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

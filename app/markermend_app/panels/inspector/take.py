@@ -157,6 +157,7 @@ class TakePage(QWidget):
         document.artifacts_changed.connect(self._refresh_region)
         theme.watcher.changed.connect(self._refresh)
         self._gaps, self._reviewed = plain(), plain()
+        self._asked = slice(0)
         self._refresh()
 
     def _refresh(self) -> None:
@@ -198,7 +199,7 @@ class TakePage(QWidget):
         if take.named:
             self.facts.addRow(_name(self.tr("Missing")), self._gaps)
         self.facts.addRow(_name(self.tr("Reviewed")), self._reviewed)
-        self._refresh_gaps()
+        self._asked = slice(0)
         self._refresh_region()
         for sentence in take.warnings:
             self.warnings.addWidget(_warning(told(sentence)))
@@ -214,6 +215,8 @@ class TakePage(QWidget):
             first, last = take.frame_numbers(*region)
             text = self.tr("Frames {0} to {1}").format(first, last)
             self._reviewed.setText(text)
+        if session.asked != self._asked:
+            self._refresh_gaps()
 
     def _refresh_gaps(self) -> None:
         """Tell how much is missing now."""
@@ -222,8 +225,13 @@ class TakePage(QWidget):
             return
         named = list(session.original.named)
         if named and session.original.frames:
-            share = count_missing(session.origin)[named].mean() / session.original.frames
-            self._gaps.setText(self.tr("{0:.2f} % of all samples").format(100 * share))
+            self._asked = session.asked
+            origin = session.origin[self._asked]
+            share = count_missing(origin)[named].mean() / len(origin)
+            text = self.tr("{0:.2f} % of all samples")
+            if session.region is not None:
+                text = self.tr("{0:.2f} % of the samples reviewed")
+            self._gaps.setText(text.format(100 * share))
 
     def showEvent(self, event: QShowEvent) -> None:
         """Catch up with repairs made while another page was seen."""

@@ -99,14 +99,14 @@ class MarkerModel(QStandardItemModel):
         """Counts of the markers that have open artifacts."""
         return [node.own for node in self._by_label.values() if node.own]
 
-    def set_missing(self, take: Take, labels: Iterable[str]) -> None:
-        """Work out the share of frames without these markers."""
+    def set_missing(self, take: Take, labels: Iterable[str], frames: slice) -> None:
+        """Work out in what share of some frames these markers are missing."""
         nodes = [self._by_label[label] for label in labels if label in self._by_label]
         columns = [take.index(node.label) for node in nodes]
-        whole = columns == list(range(take.markers))
-        counts = count_missing(take.origin if whole else take.origin[:, columns])
+        whole, origin = columns == list(range(take.markers)), take.origin[frames]
+        counts = count_missing(origin if whole else origin[:, columns])
         for node, count in zip(nodes, counts.tolist(), strict=True):
-            node.missing = count / max(1, take.frames)
+            node.missing = count / max(1, len(origin))
         self._write(MISSING, nodes)
 
     def set_shown(self, shown: tuple[str, ...]) -> None:

@@ -132,6 +132,7 @@ class MarkerTree(QWidget):
 
         self._anew = Later(self._rebuild, self)
         self._counted: Session | None = None
+        self._asked = slice(0)
         document.opened.connect(self._start_over)
         document.mesh_changed.connect(self._anew.ask)
         self._changed: set[str] = set()
@@ -175,9 +176,9 @@ class MarkerTree(QWidget):
         self._expand()
         self._syncing = False
         if session is not self._counted or self._changed:
-            self._counted = session
+            self._counted, self._asked = session, session.asked
             self._changed.clear()
-            self._model.set_missing(session.take, session.original.labels)
+            self._model.set_missing(session.take, session.original.labels, self._asked)
         self._count()
         self._follow_shown()
 
@@ -259,9 +260,11 @@ class MarkerTree(QWidget):
         """Bring up to date what changed; to lay the rows out anew does so, too."""
         session = self._document.session
         changed, self._changed = self._changed, set()
-        if session is not None and changed:
-            labels = [label for label in session.original.labels if label in changed]
-            self._model.set_missing(session.take, labels)
+        if session is not None and (changed or session.asked != self._asked):
+            every, elsewhere = session.original.labels, session.asked != self._asked
+            self._asked = session.asked
+            labels = every if elsewhere else [label for label in every if label in changed]
+            self._model.set_missing(session.take, labels, self._asked)
         self._count()
         # Once: a decision about what is shown already must not scroll the tree back to it.
         following, self._following = self._following, False
