@@ -9,8 +9,9 @@ from PySide6.QtCore import QCoreApplication
 
 from markermend.artifact import Artifact, Kind
 from markermend.patch import Patch
+from markermend.repairs.registry import Repair
 from markermend.review import hand
-from markermend.take import Take
+from markermend.take import Origin, Take
 from markermend_app.panels.plots import drawn
 from markermend_app.panels.plots.quantity import way_of
 from markermend_app.style import theme
@@ -21,9 +22,6 @@ def test_gaps_stay_holes_and_originals_lie_beneath(bench):
     assert np.isnan(trace.item("measured").values[60:90]).all()
     assert trace.item("original").values is None
     session = bench.document.session
-    from markermend.patch import Patch
-    from markermend.repairs.registry import Repair
-
     gap = next(a for a in session.artifacts if a.kind is Kind.GAP)
     values = np.full((30, 3), 321.0)
     bench.document.repair_many(
@@ -32,6 +30,22 @@ def test_gaps_stay_holes_and_originals_lie_beneath(bench):
     assert np.isnan(trace.item("measured").values[60:90]).all()
     assert (trace.item("filled").frames[0], trace.item("filled").frames[-1]) == (59, 90)
     assert set(trace.item("filled").values[1:-1]) == {321.0}
+
+
+def test_axes_that_were_not_edited_stay_as_measured(bench, qtbot):
+    document, (x, _, z) = bench.document, bench.panel.rows[:3]
+    step = next(a for a in document.session.artifacts if a.kind is Kind.STEP)
+    assert step.axes == "z"
+    document.show([step.marker])
+    patch = Patch(step.marker, "z", step.start, step.stop, np.full((step.length, 1), 5.0))
+    document.repair_many([(step.id, Repair("test", (patch,)))], "")
+    qtbot.waitUntil(lambda: "edited" in z.traces[step.marker].made)
+    assert set(z.traces[step.marker].item("edited").values[1:-1]) == {5.0}
+    assert np.isfinite(x.traces[step.marker].item("measured").values).all()
+    told = [row.origin_at(step.marker, step.start) for row in (x, z)]
+    assert told == [Origin.MEASURED, Origin.EDITED]
+    bench.panel.set_before_after(True)
+    assert z.origin_at(step.marker, step.start) is Origin.MEASURED
 
 
 @pytest.mark.parametrize(

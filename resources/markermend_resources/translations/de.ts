@@ -4526,7 +4526,7 @@
     </message>
     <message>
         <source>{0:.2f} % of the samples reviewed</source>
-        <translation>{0:.2f} % der durchgesehenen Messwerte</translation>
+        <translation>{0:.2f} % der durchgesehenen Werte</translation>
     </message>
 </context>
 <context>

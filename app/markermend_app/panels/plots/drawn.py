@@ -49,15 +49,16 @@ class Drawn:
             return known[2]
         take, original, column = session.take, session.original, session.take.index(name)
 
-        def gather() -> tuple[Way, Way, ByteArray]:
+        def gather() -> tuple[Way, Way, ByteArray, ByteArray]:
             read, written = column_of(original, column), session.state.written.get(column)
             if written is None:
                 # What was not repaired need not be worked out twice.
                 way = way_of(take, name, read[0], partner, predicted)
-                return way, way, read[1]
+                return way, way, read[1], read[1]
             before = way_of(original, name, read[0], partner, predicted)
             positions, origin = _as_it_stands(take, column, read, written)
-            return way_of(take, name, positions, partner, predicted, read[0]), before, origin
+            now = way_of(take, name, positions, partner, predicted, read[0])
+            return now, before, origin, read[1]
 
         shown = Shown(take.frames, gather)
         self._known[name] = partner, predicted, shown

@@ -45,7 +45,8 @@ def read_out(take: Take, shown: Sequence[str], frame: int, row: PlotFrame | None
         value = _tr("missing")
         return f"{where} · {name} {value}"
     value = ", ".join(units.number(v) for v in position)
-    return f"{where} · {name} {value} {units.unit()}{_origin(take, shown[0], frame)}"
+    origin = take.origin[frame, take.index(shown[0])]
+    return f"{where} · {name} {value} {units.unit()}{_how(origin)}"
 
 
 def _value(take: Take, row: PlotRow, name: str, frame: int) -> str:
@@ -59,12 +60,11 @@ def _value(take: Take, row: PlotRow, name: str, frame: int) -> str:
     unit, factor, more = units.scaled(row.quantity.unit)
     number = f"{value * factor:.{row.quantity.places + more}f} {unit}".rstrip()
     axis = "" if row.column is None else f"{row.title} "
-    return f"{axis}{number}{_origin(take, name, frame)}"
+    return f"{axis}{number}{_how(row.origin_at(name, frame))}"
 
 
-def _origin(take: Take, name: str, frame: int) -> str:
+def _how(origin: int) -> str:
     """Say so where a sample was not measured."""
-    origin = take.origin[frame, take.index(name)]
     if origin == Origin.FILLED:
         how = _tr("filled")
     elif origin == Origin.EDITED:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 from operator import is_
 
@@ -46,14 +47,16 @@ class Shown:
     Parameters
     ----------
     frames : of the take
-    gather : gives ``now``, ``before`` and ``origin``
+    gather : gives ``now``, ``before``, ``origin`` and ``origin_before``
     """
 
-    def __init__(self, frames: int, gather: Callable[[], tuple[Way, Way, ByteArray]]) -> None:
+    def __init__(
+        self, frames: int, gather: Callable[[], tuple[Way, Way, ByteArray, ByteArray]]
+    ) -> None:
         self.frames, self._gather = frames, gather
 
     @cached_property
-    def _gathered(self) -> tuple[Way, Way, ByteArray]:
+    def _gathered(self) -> tuple[Way, Way, ByteArray, ByteArray]:
         return self._gather()
 
     @property
@@ -70,6 +73,20 @@ class Shown:
     def origin(self) -> ByteArray:
         """(frames,) uint8, see :class:`markermend.take.Origin`."""
         return self._gathered[2]
+
+    @property
+    def origin_before(self) -> ByteArray:
+        """(frames,) uint8, the same in the file."""
+        return self._gathered[3]
+
+
+@dataclass(frozen=True, eq=False)
+class _Source:
+    """What a quantity was in the file, and how its samples came about: there, and as they stand."""
+
+    values: FloatArray
+    origin_before: ByteArray
+    origin: ByteArray
 
 
 class PlotRow(PlotFrame):
@@ -100,7 +117,7 @@ class PlotRow(PlotFrame):
         self._pool: list[Trace] = []
         self.traces: dict[str, Trace] = {}
         self.values_of: dict[str, FloatArray] = {}
-        self._source_of: dict[str, FloatArray] = {}
+        self._source_of: dict[str, _Source] = {}
         self._shown: dict[str, Shown] = {}
         self._asked: Sequence[object] = ()
         self._offered: tuple[Sequence[Patch], Banded | None] = ((), None)
@@ -191,18 +208,24 @@ class PlotRow(PlotFrame):
             self._source_of.pop(name, None)
             trace.clear_all()
             return
-        self.values_of[name], self._source_of[name] = values, source
-        filled, edited = shown.origin == Origin.FILLED, shown.origin == Origin.EDITED
+        origin, same = shown.origin, None
+        if source is not values:
+            same = (values == source) | (np.isnan(values) & np.isnan(source))
+            # Of a sample one axis may have been edited and not the others.
+            kept = same & (origin == Origin.EDITED)
+            origin = np.where(kept, shown.origin_before, origin) if kept.any() else origin
+        self.values_of[name] = values
+        self._source_of[name] = _Source(source, shown.origin_before, origin)
+        filled, edited = origin == Origin.FILLED, origin == Origin.EDITED
         mended = filled | edited
         measured = np.where(mended, np.nan, values) if mended.any() else values
         trace.fill_whole("measured", measured)
         trace.fill_pieces("filled", values, filled)
         trace.fill_pieces("edited", values, edited)
         trace.fill_pieces("lone", values, lone_samples(values), join=0)
-        if source is values:
+        if same is None:
             trace.clear("original")
         else:
-            same = (values == source) | (np.isnan(values) & np.isnan(source))
             trace.fill_pieces("original", source, ~same)
 
     def show_prediction(self, predicted: Mapping[str, FloatArray]) -> None:
@@ -230,8 +253,17 @@ class PlotRow(PlotFrame):
 
         NaN where missing, None where nothing is known.
         """
-        values = (self._source_of if self._before else self.values_of).get(name)
+        values, source = self.values_of.get(name), self._source_of.get(name)
+        if self._before and source is not None:
+            values = source.values
         return None if values is None or not len(values) else float(values[frame])
+
+    def origin_at(self, name: str, frame: int) -> Origin:
+        """How that value came about."""
+        source = self._source_of.get(name)
+        if source is None:
+            return Origin.MEASURED
+        return Origin(int((source.origin_before if self._before else source.origin)[frame]))
 
     # Artifacts and the proposal
 
