@@ -19,7 +19,7 @@ CURVES, MODELS = (
     ("spline", "pchip", "makima", "linear"),
     ("li", "lpr", "lgrnn", "glr", "pca", "pma"),
 )
-METHODS = ("auto", *CURVES, *MODELS)
+METHODS = ("auto", "kalman", *CURVES, *MODELS)
 SECONDS, GAPS, SEED, BESIDE = (0.05, 0.1, 0.2, 0.5, 1.0), 6, 7, 5
 
 

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from recordings import read_named
 
 from markermend.arrays import FloatArray
-from markermend.bench.gaps import GapRow, read_cases, replay, summarise
+from markermend.bench.gaps import BAND_90, GapRow, read_cases, replay, summarise
 from markermend.mesh import Group, Mesh
 from markermend.repairs import REPAIRS, propose
 from markermend.repairs.bridge import bridge, bridge_within, context_of
@@ -182,10 +182,24 @@ def test_kalman_smooths_noise_and_knows_its_size() -> None:
     clean = way(300)
     noisy = clean + rng.normal(0, 0.5, clean.shape)
     known = np.ones(300, dtype=bool)
-    mean, variance = smooth(noisy, known, 100, 200)
+    mean, variance, noise = smooth(noisy, known, 100, 200)
     error = mean - clean[100:200]
     assert error.std() < 0.35
     assert np.sqrt(variance.mean()) == pytest.approx(error.std(), rel=0.5)
+    assert np.sqrt(noise) == pytest.approx([0.5] * 3, rel=0.1)
+
+
+def test_the_band_of_a_short_gap_counts_the_noise_of_measurement() -> None:
+    rng = np.random.default_rng(6)
+    truth = way(300) + rng.normal(0, 0.5, (300, 3))
+    held = []
+    for start in range(40, 240, 8):
+        done = propose(
+            hide(lonely(truth), "A", start, start + 3), gap("A", start, start + 3), method="kalman"
+        )
+        off = np.linalg.norm(done.patches[0].values - truth[start : start + 3], axis=1)
+        held.append(np.mean(off <= BAND_90 * done.band_mm))
+    assert 0.8 < np.mean(held) < 0.99
 
 
 def test_kalman_stays_sound_where_a_lone_sample_precedes_a_long_gap() -> None:
@@ -194,7 +208,7 @@ def test_kalman_stays_sound_where_a_lone_sample_precedes_a_long_gap() -> None:
     known = np.ones(360, dtype=bool)
     known[1:143] = known[175:179] = False
     with np.errstate(all="raise", under="ignore"):
-        mean, variance = smooth(track, known, 175, 179)
+        mean, variance, _ = smooth(track, known, 175, 179)
     assert np.abs(mean - track[175:179]).max() < 1.0
     assert (variance > 0).all()
 

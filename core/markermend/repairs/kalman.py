@@ -33,8 +33,9 @@ UNSETTLED = 8
 LEAST_VARIANCE_MM2 = 1e-8
 # Beside the body less of the trajectory tells as much.
 OWN_CONTEXT_S = 0.5
-# The filter is too sure of itself where the movement changes: its deviation is counted so much.
-DOUBT = 1.5
+# The filter is too sure of itself where the movement changes: its deviation is counted so much,
+# with the noise of what would have been measured beside it, and without.
+DOUBT, DOUBT_ALONE = 1.25, 1.5
 
 
 @dataclass(frozen=True)
@@ -86,7 +87,8 @@ def repair_kalman(evidence: Evidence, artifact: Artifact, params: Any) -> Repair
     sides = int(known[:start].sum()), int(known[stop:].sum())
     if min(sides) < LEAST_SIDE:
         return refuse(METHOD, too_few(artifact.marker, *sides, LEAST_SIDE), params)
-    mean, deviation = _across(evidence, artifact, first, known)
+    mean, variance, noise = _across(evidence, artifact, first, known)
+    deviation = np.sqrt(DOUBT**2 * variance + noise)
     return make_repair(METHOD, evidence, artifact, mean, params, deviation)
 
 
@@ -100,13 +102,15 @@ def own_course(evidence: Evidence, artifact: Artifact) -> tuple[FloatArray, Floa
 
     Returns
     -------
-    mean, deviation : (stop - start, 3) mm; None where too little is seen on a side
+    mean, deviation : (stop - start, 3) mm, without the noise of measurement; None where too little
+        is seen on a side
     """
     first, known = _around(evidence, artifact, OWN_CONTEXT_S)
     start, stop = artifact.start - first, artifact.stop - first
     if min(known[:start].sum(), known[stop:].sum()) < LEAST_SIDE:
         return None
-    return _across(evidence, artifact, first, known)
+    mean, variance, _ = _across(evidence, artifact, first, known)
+    return mean, DOUBT_ALONE * np.sqrt(variance)
 
 
 def _around(evidence: Evidence, artifact: Artifact, context_s: float) -> tuple[int, BoolArray]:
@@ -122,17 +126,16 @@ def _around(evidence: Evidence, artifact: Artifact, context_s: float) -> tuple[i
 
 def _across(
     evidence: Evidence, artifact: Artifact, first: int, known: BoolArray
-) -> tuple[FloatArray, FloatArray]:
-    """Mean and deviation in an interval of which nothing is known."""
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Smoothed positions in an interval of which nothing is known, as :func:`smooth` gives them."""
     take = evidence.take
     track = take.positions[first : first + len(known), take.index(artifact.marker)]
-    mean, variance = smooth(track, known, artifact.start - first, artifact.stop - first)
-    return mean, DOUBT * np.sqrt(variance)
+    return smooth(track, known, artifact.start - first, artifact.stop - first)
 
 
 def smooth(
     track: FloatArray, known: BoolArray, start: int, stop: int
-) -> tuple[FloatArray, FloatArray]:
+) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Smoothed positions in an interval.
 
     Parameters
@@ -144,6 +147,7 @@ def smooth(
     Returns
     -------
     mean, variance : (stop - start, 3) in mm and mm²
+    noise : (3,) variance of the measurement along each axis, mm²
     """
     heed()
     origin = track[known].mean(axis=0)
@@ -158,7 +162,7 @@ def smooth(
         state = states[t] = here[t] + back[t] @ (state - ahead[t])
     wanted = states[: stop - start].reshape(-1, 3, 6)
     variance = np.maximum(wanted[:, 0, 0], 0.0)[:, None] * forward.scale
-    return wanted[:, 0, 3:] + origin, variance
+    return wanted[:, 0, 3:] + origin, variance, forward.scale
 
 
 def _for_both(turns: FloatArray) -> FloatArray:
