@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -14,10 +15,13 @@ from markermend.bench.e1 import Clean
 from markermend.bench.e3 import e3, reconstruct, rmse
 from markermend.bench.e3_paper import published
 from markermend.bench.e3_text import e3_csv, e3_table
+from markermend.bench.told import Told, beside_truth, mean_told
 from markermend.cli import main
 from markermend.detectors import find_detector
 from markermend.errors import MethodError
 from markermend.files import write
+from markermend.patch import Patch
+from markermend.repairs import Repair
 from markermend.simulation import contaminate, simulate_clean
 from markermend.take import Take
 
@@ -70,11 +74,49 @@ def test_perfect_classification_helps_and_a_detector_no_more_than_that(performer
 def test_only_the_named_samples_change(performer, method):
     damaged, truth = contaminate(performer, share=0.05, kinds=["noise"], seed=5)
     gap = Artifact("C7", "xyz", 5, 9, Kind.GAP)
-    result = reconstruct(damaged, (*truth, gap), method)
+    result, repairs = reconstruct(damaged, (*truth, gap), method)
+    assert len(repairs) == (0 if method == "ffnn" else len(truth))
     inside = damage_mask(performer, truth)
     changed = result.positions != damaged.positions
     assert not (changed & ~inside).any()
     assert changed[inside].mean() > 0.9
+
+
+def test_what_repairs_tell_is_held_against_the_truth():
+    truth = Take(np.zeros((20, 2, 3)), ("A", "B"), 100.0)
+    counted = np.ones(truth.positions.shape, dtype=bool)
+    counted[12, 1, 0] = False
+    values = np.full((4, 1), 2.0)
+    values[2:] = 9.0
+
+    def repaired(axes, values, band_mm):
+        return Repair("x", (Patch("B", axes, 10, 14, values),), error_mm=1.5, band_mm=band_mm)
+
+    (one,) = beside_truth([repaired("x", values, np.full(4, 1.3))], truth, counted)
+    assert one == Told((2.0 + 2.0 + 9.0) / 3, 1.5, 2 / 3)
+    (three,) = beside_truth(
+        [repaired("xyz", np.tile(values, 3) / np.sqrt(3), np.full(4, 1.3))], truth, counted
+    )
+    assert three.held == 0.0  # what holds 2 mm on one axis does not on three
+    unsaid = replace(repaired("x", values, np.ones(4)), band_mm=None)
+    assert beside_truth([unsaid, Repair("x")], truth, counted) == []
+    assert mean_told([one, Told(1.0, 0.5, 0.0)]).expected_mm == 1.0
+    assert math.isnan(mean_told([]).off_mm)
+
+
+def test_usual_repairs_tell_their_error(performer):
+    rows = by_way(
+        e3([Clean("head", performer)], detectors=(), repairers=("auto", "linear"), kinds=["noise"],
+           shares=(0.05,), simulations=2, n_jobs=1)
+    )  # fmt: skip
+    usual = rows["perfect", "auto", 0.05, "noise"]
+    assert usual.repairs >= 2
+    assert 0.3 < usual.told.off_mm / usual.told.expected_mm < 2.0
+    assert usual.told.held > 0.6
+    assert rows["perfect", "linear", 0.05, "noise"].repairs == 0
+    text = "\n".join(e3_table(list(rows.values())))
+    assert "noise, auto (perfect)" in text
+    assert "linear (perfect)  " not in text.split("What repairs tell")[1]
 
 
 def test_rmse_leaves_out_what_is_not_there():

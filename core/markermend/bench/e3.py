@@ -1,7 +1,8 @@
 """E3: contaminate clean takes, detect, reconstruct, and compare with what was there.
 
 skurowski2022, sections 4.1.2 and 4.2.3. Beyond the paper: our detector beside the published one,
-and the method that is chosen for each artifact beside one for all.
+the method that is chosen for each artifact beside one for all, and what repairs tell of their error
+beside how far off they are.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from markermend.arrays import BoolArray
 from markermend.artifact import Artifact, Kind, axis_columns, damage_mask
 from markermend.bench.e1 import Clean, bare
 from markermend.bench.e3_paper import CLASSES, CLASSIFIED, DISTORTED, PERFECT, published
+from markermend.bench.told import Told, beside_truth, mean_told
 from markermend.detectors import detect, find_detector
 from markermend.errors import DataError, MethodError
 from markermend.mesh import infer_mesh
@@ -26,7 +28,7 @@ from markermend.patch import Patch, patched
 from markermend.predictors.ffnn import FfnnParams, predict_ffnn
 from markermend.processes import in_processes
 from markermend.progress import Progress, quiet
-from markermend.repairs import evidence_for, find_method, repair
+from markermend.repairs import Repair, evidence_for, find_method, repair_all
 from markermend.repairs.ffnn_loose import FfnnLooseParams
 from markermend.simulation import contaminate
 from markermend.take import Take, is_unlabelled
@@ -53,6 +55,8 @@ class E3Row:
     spread_mm : standard deviation of it between simulations
     published_mm : what the paper prints; NaN where it has no such row
     seconds : mean time of detection and reconstruction
+    repairs : how many tell how far off they may be, in all simulations
+    told : what these say beside how far off they are, on average
     """
 
     take: str
@@ -65,6 +69,8 @@ class E3Row:
     spread_mm: float
     published_mm: float
     seconds: float
+    repairs: int
+    told: Told
 
 
 @dataclass(frozen=True)
@@ -79,6 +85,8 @@ class _Task:
 
 _Way = tuple[str, str]
 """Who located the damage, and what reconstructed it."""
+_Result = tuple[float, float, list[Told]]
+"""RMSE, seconds, and what the repairs told."""
 
 
 def e3(
@@ -130,7 +138,7 @@ def e3(
     Notes
     -----
     skurowski2022, 4.1.2, 4.1.3 and equation 38. The published methods see the samples beside an
-    artifact as they are; ``"auto"`` repairs as :func:`markermend.repairs.repair` does. With
+    artifact as they are; ``"auto"`` repairs as :func:`markermend.repairs.repair_all` does. With
     "all distortions simulated separately" we read the tables as reconstructing the planted class
     only: a straight line through the slow changes that the paper's detector flags wrongly costs
     0.225 mm in its own slow column (0.293 with actual, 0.188 with perfect classification), and
@@ -156,7 +164,7 @@ def e3(
     each = (
         (small[t.clean], t, used, tuple(repairers), amplitude_mm, all_classes, seed) for t in tasks
     )
-    measured: dict[tuple[int, float, Kind], dict[_Way, list[tuple[float, float]]]] = {}
+    measured: dict[tuple[int, float, Kind], dict[_Way, list[_Result]]] = {}
     with in_processes(_simulate, each, n_jobs) as results:
         for done, (task, ways) in enumerate(zip(tasks, results, strict=True)):
             setting = measured.setdefault((task.clean, task.share, task.kind), {})
@@ -187,7 +195,9 @@ def rmse(reconstructed: Take, original: Take, counted: BoolArray) -> float:
     return float(np.sqrt(np.mean(known**2))) if len(known) else math.nan
 
 
-def reconstruct(take: Take, artifacts: Iterable[Artifact], method: str) -> Take:
+def reconstruct(
+    take: Take, artifacts: Iterable[Artifact], method: str
+) -> tuple[Take, tuple[Repair, ...]]:
     """Reconstruct a take at the artifacts named, and nowhere else.
 
     Parameters
@@ -198,7 +208,8 @@ def reconstruct(take: Take, artifacts: Iterable[Artifact], method: str) -> Take:
 
     Returns
     -------
-    Take; what a method cannot reconstruct stays as it is
+    The take, in which what a method cannot reconstruct stays as it is, and the repairs, of which
+    the network makes none
 
     Raises
     ------
@@ -206,15 +217,16 @@ def reconstruct(take: Take, artifacts: Iterable[Artifact], method: str) -> Take:
         for an unknown method
     """
     damaged = [a for a in artifacts if a.kind is not Kind.GAP]
-    if method == AUTO:
-        return repair(take, damaged)
     with threadpool_limits(1):
         if method == FFNN:
-            return patched(take, _predicted(take, damaged))
-        found = find_method(method)
-        evidence, defaults = evidence_for(take, damaged), found.params()
-        done = [found.run(evidence, artifact, defaults) for artifact in damaged]
-    return patched(take, (patch for repaired in done for patch in repaired.patches))
+            return patched(take, _predicted(take, damaged)), ()
+        if method == AUTO:
+            done = tuple(repaired for _, repaired in repair_all(take, damaged))
+        else:
+            found = find_method(method)
+            evidence, defaults = evidence_for(take, damaged), found.params()
+            done = tuple(found.run(evidence, artifact, defaults) for artifact in damaged)
+    return patched(take, (patch for repaired in done for patch in repaired.patches)), done
 
 
 def _predicted(take: Take, artifacts: Sequence[Artifact]) -> Iterator[Patch]:
@@ -244,8 +256,8 @@ def _simulate(
     amplitude_mm: float,
     all_classes: bool,
     seed: int,
-) -> dict[_Way, tuple[float, float]]:
-    """Contaminate once and reconstruct in every way: RMSE and seconds."""
+) -> dict[_Way, _Result]:
+    """Contaminate once and reconstruct in every way."""
     take = clean.take
     named = np.array([not is_unlabelled(label) for label in take.labels])
     damaged, truth = contaminate(
@@ -257,7 +269,7 @@ def _simulate(
         seed=int(np.random.SeedSequence((seed, task.number)).generate_state(1)[0]),
     )
     counted = ~damage_mask(take, clean.flaws) & named[:, None]
-    ways = {(DISTORTED, ""): (rmse(damaged, take, counted), 0.0)}
+    ways: dict[_Way, _Result] = {(DISTORTED, ""): (rmse(damaged, take, counted), 0.0, [])}
     places: dict[str, tuple[tuple[Artifact, ...], float]] = {PERFECT: (truth, 0.0)}
     for name, params in detectors.items():
         began = time.perf_counter()
@@ -267,18 +279,18 @@ def _simulate(
     for located, (artifacts, searched) in places.items():
         for method in repairers:
             began = time.perf_counter()
-            result = reconstruct(damaged, artifacts, method)
+            result, repairs = reconstruct(damaged, artifacts, method)
             seconds = searched + time.perf_counter() - began
-            ways[located, method] = (rmse(result, take, counted), seconds)
+            told = beside_truth(repairs, take, counted)
+            ways[located, method] = (rmse(result, take, counted), seconds, told)
     return ways
 
 
-def _row(
-    take: str, share: float, kind: Kind, way: _Way, values: Sequence[tuple[float, float]]
-) -> E3Row:
+def _row(take: str, share: float, kind: Kind, way: _Way, results: Sequence[_Result]) -> E3Row:
     """Mean and spread over the simulations of one setting."""
     located, method = way
-    errors, seconds = np.array(values).T
+    errors, seconds = np.array([result[:2] for result in results]).T
+    told = [one for result in results for one in result[2]]
     where = located if located in (DISTORTED, PERFECT) else CLASSIFIED
     return E3Row(
         take=take,
@@ -286,11 +298,13 @@ def _row(
         kind=kind,
         located=located,
         method=method,
-        simulations=len(values),
+        simulations=len(results),
         rmse_mm=float(errors.mean()),
-        spread_mm=float(errors.std(ddof=1)) if len(values) > 1 else math.nan,
+        spread_mm=float(errors.std(ddof=1)) if len(results) > 1 else math.nan,
         published_mm=published(share, where, method, kind),
         seconds=float(seconds.mean()),
+        repairs=len(told),
+        told=mean_told(told),
     )
 
 

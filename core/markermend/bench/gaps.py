@@ -18,6 +18,7 @@ import numpy as np
 
 from markermend.arrays import FloatArray
 from markermend.artifact import Artifact, Kind
+from markermend.bench.told import WITHIN_90
 from markermend.errors import DataError, FileFormatError
 from markermend.files.opening import not_opened
 from markermend.processes import in_processes
@@ -28,7 +29,7 @@ from markermend.take import AXES, Take, is_unlabelled
 # A frame that a method leaves empty counts as this many times the reference's error.
 UNFILLED = 3.0
 # A 90 % band in root-mean-square deviations of a three-dimensional Gaussian error.
-BAND_90 = 1.4434
+BAND_90 = WITHIN_90[2]
 
 
 @dataclass(frozen=True)
