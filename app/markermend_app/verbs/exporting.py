@@ -10,10 +10,10 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from markermend.artifact import Status
 from markermend.errors import ExportError, RangeError
-from markermend.files import Export
+from markermend.files import TOLD_MM, Export
 from markermend.progress import Progress
 from markermend.take import Take
-from markermend_app import settings
+from markermend_app import settings, units
 from markermend_app.background.jobs import Lane
 from markermend_app.background.loading import proposed_place
 from markermend_app.background.saver import Saver
@@ -173,6 +173,9 @@ class Exporter(QObject):
         text = (one if export.samples == 1 else many).format(export.path, export.samples)
         if export.backup is not None:
             text += " " + self.tr("The original is kept as {0}.").format(export.backup.name)
+        if export.off_mm >= TOLD_MM:
+            rigid = self.tr("Its bones are rigid: a joint is up to {0} from where it was reviewed.")
+            text += " " + rigid.format(units.length(export.off_mm))
         return text
 
     def _ask_target(self, take: Take) -> Path | None:

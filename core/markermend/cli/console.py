@@ -207,6 +207,8 @@ def check_take_output(path: str, *, source: str = "") -> None:
 
 def written(export: Export) -> list[str]:
     """Say where a take went, how much of it changed, and what no longer fits it."""
+    from markermend.files import TOLD_MM
+
     how_much = count(export.samples, "new sample") if export.samples else "no sample changed"
     lines = [f"Written: {export.path}, {how_much}."]
     if export.outputs:
@@ -215,6 +217,9 @@ def written(export: Export) -> list[str]:
             f"{count(len(export.outputs), 'model output')} in the file ({names}) may no longer "
             "match the repaired markers; compute them anew."
         )
+    if export.off_mm >= TOLD_MM:
+        off = f"up to {export.off_mm:.1f} mm from where the repair has it"
+        lines.append(f"Its bones are rigid: a joint is {off}.")
     return lines
 
 

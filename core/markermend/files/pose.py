@@ -15,8 +15,9 @@ from markermend.files.atomic import write_whole
 from markermend.files.bvh import read_bvh, write_bvh
 from markermend.files.opening import not_opened
 from markermend.files.pose_csv import Table, read_pose_csv, write_pose_csv
+from markermend.poses.inverse import farthest_off, inverse_kinematics
 from markermend.poses.pose import Pose
-from markermend.poses.skeleton import Movement, forward_kinematics, inverse_kinematics
+from markermend.poses.skeleton import Movement, forward_kinematics
 from markermend.progress import Progress, quiet
 
 __all__ = ["read_pose", "write_pose"]
@@ -94,7 +95,7 @@ def write_pose(pose: Pose, path: str | PathLike[str], *, progress: Progress | No
         the disk does not take the file
     """
     target = Path(path)
-    fill = pose_writer(pose, target, progress or quiet)
+    fill, _ = pose_writer(pose, target, progress or quiet)
     write_whole(target, fill, backup=False)
 
 
@@ -127,16 +128,20 @@ def crop_pose(pose: Pose, start: int, stop: int) -> Pose:
 
 def pose_writer(
     pose: Pose, target: Path, report: Progress, *, whole: Pose | None = None
-) -> Callable[[IO[bytes]], None]:
+) -> tuple[Callable[[IO[bytes]], None], float]:
     """Choose by a name's ending how a recording is written, or a part of the ``whole`` one.
 
     The other parameters and errors are those of :func:`write_pose`.
+
+    Returns
+    -------
+    What writes it, and how far off in mm the farthest joint is there: the bones of an AMC are rigid
     """
     match target.suffix.lower():
         case ".csv":
-            return lambda file: write_pose_csv(pose, file, report)
+            return lambda file: write_pose_csv(pose, file, report), 0.0
         case ".bvh":
-            return lambda file: write_bvh(pose, file, report, whole=whole)
+            return lambda file: write_bvh(pose, file, report, whole=whole), 0.0
         case ".amc":
             if not isinstance(pose.source, Movement):
                 raise ExportError(
@@ -144,7 +149,8 @@ def pose_writer(
                     " AMC has; write a CSV."
                 )
             movement = inverse_kinematics(pose, pose.source)
-            return lambda file: write_amc(movement, file, report)
+            off_mm = farthest_off(movement, pose)
+            return lambda file: write_amc(movement, file, report), off_mm
         case _:
             raise ExportError(
                 f"{target.name} should end in {', '.join(WRITABLE)}, to tell what to write."

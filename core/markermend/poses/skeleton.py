@@ -9,15 +9,12 @@ from pathlib import Path
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from markermend.arrays import BoolArray, FloatArray
+from markermend.arrays import FloatArray
 from markermend.poses.pose import Pose
 
 ROOT = "root"
 TURNS = ("rx", "ry", "rz")
 """Degrees of freedom that are angles."""
-
-# What normalising a quaternion once more may change.
-_SAME = 1e-9
 
 
 @dataclass(frozen=True)
@@ -146,69 +143,6 @@ def forward_kinematics(movement: Movement, rate: float, *, warnings: tuple[str, 
     return Pose(
         positions, rotations, skeleton.names, parents, rate, seen, movement, warnings=warnings
     )
-
-
-def inverse_kinematics(pose: Pose, source: Movement) -> Movement:
-    """Channels that move a skeleton as a recording has it: the inverse of forward kinematics.
-
-    Parameters
-    ----------
-    pose : one joint per segment, in the skeleton's order
-    source : whose skeleton and channels are followed; what the recording cannot tell (a length
-        that changes, a shift of a segment that is no root) stays as it was there, and so does
-        every channel in the frames in which the recording is turned as that
-
-    Returns
-    -------
-    Movement
-        exact where a segment turns about three axes; where about fewer, the turns nearest to the
-        recording's. NaN where a joint or its parent was not seen.
-    """
-    skeleton = source.skeleton
-    channels: dict[str, FloatArray] = {}
-    moved = _moved(pose, source)
-    for i, segment in enumerate(skeleton.segments):
-        if segment.name not in source.channels or source.frames != pose.frames:
-            values = np.zeros((pose.frames, len(segment.dofs)))
-        else:
-            values = np.array(source.channels[segment.name])
-        seen, other = ~np.isnan(pose.rotations[:, i, 3]), moved[:, i].copy()
-        if segment.parent >= 0:
-            seen &= ~np.isnan(pose.rotations[:, segment.parent, 3])
-            other |= moved[:, segment.parent]
-        if segment.name not in source.channels or not segment.dofs:
-            continue
-        anew = np.flatnonzero(seen & other)
-        frame = Rotation.from_euler(segment.axis_order, segment.axis, degrees=True)
-        own = Rotation.from_quat(pose.rotations[anew, i])
-        if segment.parent >= 0:
-            own = Rotation.from_quat(pose.rotations[anew, segment.parent]).inv() * own
-        turns = [k for k, dof in enumerate(segment.dofs) if dof in TURNS]
-        order = "".join(segment.dofs[k][1] for k in turns)
-        if order and len(anew):
-            order += "".join(axis for axis in "xyz" if axis not in order)
-            angles = np.asarray((frame.inv() * own * frame).as_euler(order, degrees=True))  # type: ignore[call-overload]
-            values[np.ix_(anew, np.array(turns))] = angles[:, : len(turns)]
-        if segment.parent < 0:
-            start = pose.positions[:, i] / skeleton.scale_mm - np.asarray(skeleton.position)
-            for k, dof in enumerate(segment.dofs):
-                if dof in ("tx", "ty", "tz"):
-                    values[anew, k] = start[anew, "xyz".index(dof[1])]
-        values[~seen] = np.nan
-        channels[segment.name] = values
-    return Movement(skeleton, channels, pose.frames, source.file)
-
-
-def _moved(pose: Pose, source: Movement) -> BoolArray:
-    """(frames, segments) where a recording is not as its source moves it; a root's place counts."""
-    if source.frames != pose.frames:
-        return np.ones(pose.rotations.shape[:2], dtype=bool)
-    before = forward_kinematics(source, pose.rate)
-    moved = np.asarray((np.abs(pose.rotations - before.rotations) > _SAME).any(axis=2))
-    away = np.abs(pose.positions - before.positions) > _SAME * source.skeleton.scale_mm
-    roots = [i for i, parent in enumerate(pose.parents) if parent < 0]
-    moved[:, roots] |= away[:, roots].any(axis=2)
-    return np.asarray(moved | (pose.seen != before.seen))
 
 
 def local_rotation(segment: Segment, values: FloatArray) -> Rotation:

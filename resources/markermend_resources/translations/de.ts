@@ -3245,6 +3245,10 @@
         <translation>Das Original bleibt als {0} erhalten.</translation>
     </message>
     <message>
+        <source>Its bones are rigid: a joint is up to {0} from where it was reviewed.</source>
+        <translation>Die Knochen darin sind starr: ein Gelenk liegt bis zu {0} neben der durchgesehenen Stelle.</translation>
+    </message>
+    <message>
         <source>Export repaired take</source>
         <translation>Reparierte Aufnahme exportieren</translation>
     </message>

@@ -1,0 +1,142 @@
+"""Channels that put the joints of a skeleton where a recording has them.
+
+How a recording turns its joints and where it puts them need not agree to the last millimetre: each
+was measured, or restored, by itself. What is looked at, and reviewed, is where joints are.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+from threadpoolctl import threadpool_limits
+
+from markermend.arrays import BoolArray, FloatArray
+from markermend.poses.pose import Pose
+from markermend.poses.reaching import SHIFTS, axes_of, reach
+from markermend.poses.skeleton import TURNS, Movement, Segment, forward_kinematics
+
+SAME = 1e-9
+"""What normalising a quaternion once more may change; of places, in the skeleton's unit."""
+BLOCK = 512
+"""Frames worked on at a time."""
+
+
+def inverse_kinematics(pose: Pose, source: Movement) -> Movement:
+    """Channels that move a skeleton as a recording has it: the inverse of forward kinematics.
+
+    Parameters
+    ----------
+    pose : one joint per segment, in the skeleton's order
+    source : whose skeleton and channels are followed; what the recording cannot tell (a length
+        that changes, a shift of a segment that is no root) stays as it was there, and so does
+        every channel in the frames in which its segment is as there, with all those that it hangs
+        on and those that hang on it by one bone
+
+    Returns
+    -------
+    Movement
+        with joints as near to the recording's as rigid segments and their degrees of freedom
+        allow, and turned as there as far as that leaves open; only turned as there in frames in
+        which every joint is where it was. NaN where a joint or its parent was not seen.
+    """
+    turned, away = _changes(pose, source)
+    channels = _nearest_turns(pose, source, _with_parents(turned, pose))
+    free = _free(turned, away, pose)
+    frames = np.flatnonzero(away.any(axis=1))
+    # On matrices as small as these several threads only wait for each other.
+    with threadpool_limits(1):
+        for block in np.array_split(frames, -(-len(frames) // BLOCK)) if len(frames) else ():
+            given = {name: values[block] for name, values in channels.items()}
+            found = reach(source.skeleton, given, pose.positions[block], free[block])
+            for name, values in found.items():
+                channels[name][block] = values
+    return Movement(source.skeleton, channels, pose.frames, source.file)
+
+
+def farthest_off(movement: Movement, pose: Pose) -> float:
+    """How far from a recording the farthest joint stands that a movement has, in mm."""
+    placed = forward_kinematics(movement, pose.rate)
+    away = np.linalg.norm(placed.positions - pose.positions, axis=2)[placed.seen & pose.seen]
+    return float(away.max(initial=0.0))
+
+
+def _changes(pose: Pose, source: Movement) -> tuple[BoolArray, BoolArray]:
+    """Whether joints are turned or seen otherwise than in the source, and whether elsewhere.
+
+    Both (frames, segments) bool; a root that is elsewhere counts for both.
+    """
+    if source.frames != pose.frames:
+        every = np.ones(pose.rotations.shape[:2], dtype=bool)
+        return every, every
+    before = forward_kinematics(source, pose.rate)
+    apart = np.abs(pose.positions - before.positions) > SAME * source.skeleton.scale_mm
+    away = np.asarray(apart.any(axis=2))
+    turned = (np.abs(pose.rotations - before.rotations) > SAME).any(axis=2)
+    turned |= pose.seen != before.seen
+    roots = [i for i, parent in enumerate(pose.parents) if parent < 0]
+    turned[:, roots] |= away[:, roots]
+    return turned, away
+
+
+def _with_parents(marked: BoolArray, pose: Pose) -> BoolArray:
+    """Joints that are marked or whose parents are."""
+    both = marked.copy()
+    for joint, parent in enumerate(pose.parents):
+        if parent >= 0:
+            both[:, joint] |= marked[:, parent]
+    return both
+
+
+def _free(turned: BoolArray, away: BoolArray, pose: Pose) -> BoolArray:
+    """Segments that may be turned so that joints come to their places.
+
+    Those that are turned or elsewhere, those that these hang on, and all that hangs on either.
+    """
+    free = turned | away
+    for joint, parent in enumerate(pose.parents):
+        if parent >= 0:
+            free[:, parent] |= away[:, joint]
+    for joint, parent in enumerate(pose.parents):
+        if parent >= 0:
+            free[:, joint] |= free[:, parent]
+    return free
+
+
+def _nearest_turns(pose: Pose, source: Movement, turned: BoolArray) -> dict[str, FloatArray]:
+    """Channels turned as the recording, as far as the degrees of freedom go."""
+    skeleton = source.skeleton
+    channels: dict[str, FloatArray] = {}
+    for i, segment in enumerate(skeleton.segments):
+        if segment.name not in source.channels or not segment.dofs:
+            continue
+        if source.frames != pose.frames:
+            values = np.zeros((pose.frames, len(segment.dofs)))
+        else:
+            values = np.array(source.channels[segment.name])
+        seen = ~np.isnan(pose.rotations[:, i, 3])
+        if segment.parent >= 0:
+            seen &= ~np.isnan(pose.rotations[:, segment.parent, 3])
+        anew = np.flatnonzero(seen & turned[:, i])
+        own = Rotation.from_quat(pose.rotations[anew, i])
+        if segment.parent >= 0:
+            own = Rotation.from_quat(pose.rotations[anew, segment.parent]).inv() * own
+        turns = _turns(segment)
+        if turns and len(anew):
+            order = "".join(segment.dofs[k][1] for k in turns)
+            order += "".join(axis for axis in "xyz" if axis not in order)
+            frame = axes_of(segment)
+            angles = np.asarray((frame.inv() * own * frame).as_euler(order, degrees=True))  # type: ignore[call-overload]
+            values[np.ix_(anew, np.array(turns))] = angles[:, : len(turns)]
+        if segment.parent < 0:
+            start = pose.positions[:, i] / skeleton.scale_mm - np.asarray(skeleton.position)
+            for k, dof in enumerate(segment.dofs):
+                if dof in SHIFTS:
+                    values[anew, k] = start[anew, SHIFTS.index(dof)]
+        values[~seen] = np.nan
+        channels[segment.name] = values
+    return channels
+
+
+def _turns(segment: Segment) -> list[int]:
+    """Which of a segment's channels are angles."""
+    return [k for k, dof in enumerate(segment.dofs) if dof in TURNS]

@@ -1,0 +1,111 @@
+"""Channels of a skeleton: joints come to where the recording has them, and the rest stays."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from markermend.poses.inverse import farthest_off, inverse_kinematics
+from markermend.poses.skeleton import Movement, Segment, Skeleton, forward_kinematics
+
+FRAMES = 30
+
+
+@pytest.fixture
+def movement():
+    """A trunk with an arm whose elbow bends one way, and a leg."""
+    segments = (
+        Segment("root", -1, (0.0, 0.0, 1.0), 0.0, dofs=("tx", "ty", "tz", "rx", "ry", "rz")),
+        Segment("back", 0, (0.0, 0.0, 1.0), 5.0, (10.0, 20.0, 0.0), "xyz", ("rx", "ry", "rz")),
+        Segment("arm", 1, (1.0, 0.0, 0.0), 3.0, (0.0, 0.0, 30.0), "xyz", ("rx", "ry", "rz")),
+        Segment("fore", 2, (1.0, 0.0, 0.0), 2.5, (0.0, 0.0, 0.0), "xyz", ("ry",)),
+        Segment("hand", 3, (1.0, 0.0, 0.0), 1.0, (0.0, 0.0, 0.0), "xyz", ("ry", "rz")),
+        Segment("leg", 0, (0.0, 0.0, -1.0), 6.0, (0.0, 0.0, 0.0), "xyz", ("rx", "ry", "rz", "l")),
+    )
+    rng = np.random.default_rng(0)
+    time = np.linspace(0, 2 * np.pi, FRAMES)[:, None]
+    channels = {
+        s.name: rng.uniform(-30, 30, len(s.dofs))
+        + 20 * np.sin(time + rng.uniform(0, 6, len(s.dofs)))
+        for s in segments
+    }
+    channels["root"][:, :3] /= 10.0
+    channels["fore"] -= 60.0
+    channels["leg"][:, 3] = 0.1
+    return Movement(Skeleton(segments, 50.0), channels, FRAMES)
+
+
+def test_what_did_not_change_stays_to_the_last_bit(movement):
+    pose = forward_kinematics(movement, 100.0)
+    found = inverse_kinematics(pose, movement)
+    for name, values in movement.channels.items():
+        np.testing.assert_array_equal(found.channels[name], values)
+
+
+def test_a_joint_that_was_moved_is_reached_and_the_others_stay(movement):
+    """Only places are told, not how joints are turned."""
+    pose = forward_kinematics(movement, 100.0)
+    other = dict(movement.channels)
+    other["arm"], other["fore"] = other["arm"].copy(), other["fore"].copy()
+    other["arm"][10:20] += [8.0, -5.0, 6.0]
+    other["fore"][10:20] += 10.0
+    wanted = forward_kinematics(replace(movement, channels=other), 100.0)
+    found = inverse_kinematics(replace(pose, positions=wanted.positions), movement)
+    placed = forward_kinematics(found, 100.0)
+    assert np.abs(placed.positions - wanted.positions).max() < 0.05
+    for name in ("root", "leg"):
+        np.testing.assert_array_equal(found.channels[name], movement.channels[name])
+    for name, values in movement.channels.items():
+        np.testing.assert_array_equal(found.channels[name][:10], values[:10])
+        np.testing.assert_array_equal(found.channels[name][20:], values[20:])
+
+
+def test_places_count_more_than_turns_that_do_not_fit_them(movement):
+    pose = forward_kinematics(movement, 100.0)
+    rotations = pose.rotations.copy()
+    rotations[5:15, 2] = [0.0, 0.0, 0.0, 1.0]
+    places = pose.positions.copy()
+    places[5:15, 4] += 0.01
+    found = inverse_kinematics(replace(pose, rotations=rotations, positions=places), movement)
+    assert farthest_off(found, pose) < 0.5
+    # Where no place was changed, only the turns can be meant.
+    found = inverse_kinematics(replace(pose, rotations=rotations), movement)
+    turned = forward_kinematics(found, 100.0).rotations
+    np.testing.assert_allclose(turned[:, 2] * np.sign(turned[:, 2, 3:]), rotations[:, 2]
+                               * np.sign(rotations[:, 2, 3:]), atol=1e-9)  # fmt: skip
+
+
+def test_what_rigid_bones_cannot_reach_comes_as_near_as_they_can(movement):
+    pose = forward_kinematics(movement, 100.0)
+    places = pose.positions.copy()
+    begin, end = places[12, 2], places[12, 3]
+    places[12, 3] = end + 40.0 * (end - begin) / np.linalg.norm(end - begin)
+    found = inverse_kinematics(replace(pose, positions=places), movement)
+    assert 5.0 < farthest_off(found, replace(pose, positions=places)) < 30.0
+    left = np.linalg.norm(places - forward_kinematics(found, 100.0).positions, axis=2)
+    assert np.sum(left[12] ** 2) < 0.7 * 40.0**2
+    assert left[:12].max() == left[13:].max() == 0.0
+
+
+def test_an_unseen_joint_is_left_out_with_what_hangs_on_it(movement):
+    pose = forward_kinematics(movement, 100.0)
+    hidden, places = pose.confidence.copy(), pose.positions.copy()
+    hidden[7, 3] = 0.0
+    places[7, 1] += 1.0
+    unseen = pose.with_samples(places, pose.rotations, hidden)
+    found = inverse_kinematics(unseen, movement)
+    assert np.isnan(found.channels["fore"][7]).all()
+    assert np.isnan(found.channels["hand"][7]).all()
+    assert np.isfinite(found.channels["arm"][7]).all()
+    assert farthest_off(found, unseen) < 2.0
+
+
+def test_any_recording_can_be_written_by_a_skeleton_of_another_length(movement):
+    pose = forward_kinematics(movement, 100.0)
+    other = movement.part(0, 4)
+    found = inverse_kinematics(pose, other)
+    assert found.frames == FRAMES
+    # The leg is 5 mm longer than at rest, which no channel of the recording tells.
+    assert 2.0 < farthest_off(found, pose) < 5.5
