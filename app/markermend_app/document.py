@@ -22,6 +22,7 @@ from markermend.review.session import Session
 from markermend_app.background.preview import Preview
 from markermend_app.following import Following
 from markermend_app.looking import Looking
+from markermend_app.style import theme
 from markermend_app.telling import told
 from markermend_app.walk import open_after
 
@@ -305,7 +306,23 @@ class Document(Looking):
         stop: int | None = None,
     ) -> None:
         """Give an artifact another class, axes or edges."""
-        self.do(lambda s: s.change(artifact_id, kind=kind, axes=axes, start=start, stop=stop))
+        self.adjust(
+            [artifact_id],
+            lambda s: s.change(artifact_id, kind=kind, axes=axes, start=start, stop=stop),
+        )
+
+    def adjust(self, ids: Sequence[str], verb: Callable[[Session], Change]) -> bool:
+        """Make something else of artifacts, and say so where that takes a repair back."""
+        session = self.session
+        repaired = [] if session is None else session.with_status(Status.REPAIRED)
+        mine = [a for a in repaired if a.id in ids]
+        done = self.do(verb)
+        if done and session is not None and mine:
+            now = {a.id for a in session.with_status(Status.REPAIRED)}
+            if any(a.id not in now for a in mine):
+                text = self.tr("{0} on {1} is open again: its repair was for what it was before.")
+                self.said.emit(text.format(theme.kind_name(mine[0].kind), mine[0].marker))
+        return done
 
     def undo(self) -> None:
         """Take the last step back, and go to what it was about."""

@@ -270,7 +270,7 @@ def swap_by_hand(session: Session) -> None:
     swapped = artifact(start=28, stop=34, kind=Kind.STEP, counterpart="C")
     values = session.positions[28:34, :1]
     patch = Patch("A", "xyz", 28, 34, values[:, 0].copy())
-    session.mark(swapped, Repair("swap", (patch,), error_mm=0.0))
+    hand.repair(session, swapped, Repair("swap", (patch,), error_mm=0.0))
 
 
 @pytest.mark.parametrize("work", [lambda s: hand.cut(s, "A", 28, 34), swap_by_hand])
@@ -296,3 +296,40 @@ def test_smoothing_a_repair_is_noted_once_and_its_error_still_told():
     assert (note.error_mm, note.band_mm) == (before.error_mm, before.band_mm)
     assert note.leaves == "Smoothed since; the expected error is that of the repair."
     assert session.notes[far].leaves == ""
+
+
+def test_repairing_a_range_answers_what_was_found_inside():
+    take = make_take()
+    positions = take.positions.copy()
+    positions[20:28, take.index("A")] = np.nan
+    session = Session(Take(positions, take.labels, take.rate))
+    gap = artifact(start=20, stop=28, kind=Kind.GAP)
+    beside, rejected = artifact(start=29, stop=31), artifact(start=22, stop=24)
+    other = artifact("B", start=20, stop=28)
+    session.add_detected([gap, beside, rejected, other], "joint")
+    session.set_status([rejected.id], Status.REJECTED)
+    swept = artifact(start=18, stop=30, kind=Kind.NOISE)
+    hand.repair(session, swept, proposal(swept))
+    left = {(a.marker, a.start, a.stop, a.status) for a in session.artifacts}
+    assert left == {
+        ("A", 18, 30, Status.REPAIRED),
+        ("A", 29, 31, Status.PENDING),
+        ("A", 22, 24, Status.REJECTED),
+        ("B", 20, 28, Status.PENDING),
+    }
+    session.undo()
+    assert session.artifact(gap.id).status is Status.PENDING
+
+
+def test_of_a_gap_that_is_filled_in_part_the_rest_stays():
+    take = make_take()
+    positions = take.positions.copy()
+    positions[20:28, take.index("A")] = np.nan
+    session = Session(Take(positions, take.labels, take.rate))
+    session.add_detected([artifact(start=20, stop=28, kind=Kind.GAP)], "joint")
+    swept = artifact(start=24, stop=31, kind=Kind.NOISE)
+    hand.repair(session, swept, proposal(swept))
+    open_ = [(a.start, a.stop) for a in session.artifacts if a.status is Status.PENDING]
+    assert open_ == [(20, 24)]
+    assert np.isnan(session.positions[20:24, take.index("A"), 0]).all()
+    assert np.isfinite(session.positions[24:31, take.index("A"), 0]).all()

@@ -83,7 +83,9 @@ class HandWork(QObject):
 
             return work
 
-        self._work(self.tr("Repairing"), prepare, lambda s, repair: s.mark(artifact, repair))
+        self._work(
+            self.tr("Repairing"), prepare, lambda s, repair: hand.repair(s, artifact, repair)
+        )
 
     def cut_selection(self) -> None:
         """Make the swept range missing; the gap comes under review, its repair previewed."""
@@ -120,7 +122,7 @@ class HandWork(QObject):
             from markermend.repairs import propose
 
             repair = propose(session.take, artifact, session.artifacts, method="swap")
-            return session.mark(artifact, repair)
+            return hand.repair(session, artifact, repair)
 
         self._change(swap)
 
@@ -191,7 +193,8 @@ class HandWork(QObject):
         """Make two of the current artifact, at the cursor."""
         current = self._document.current
         if current is not None:
-            self._document.do(lambda s: hand.split(s, current.id, self._document.frame))
+            at = self._document.frame
+            self._document.adjust([current.id], lambda s: hand.split(s, current.id, at))
 
     def join_artifacts(self) -> None:
         """Make one of the artifacts selected in the queue, else of the current and the next one."""
@@ -212,7 +215,10 @@ class HandWork(QObject):
                 None,
             )
             ids = [current.id] if following is None else [current.id, following]
-        if self._document.do(lambda s: hand.join(s, ids)) and self._document.current is None:
+        if (
+            self._document.adjust(ids, lambda s: hand.join(s, ids))
+            and self._document.current is None
+        ):
             left = [i for i in ids if session.find(i) is not None]
             self._document.select(left[0])
 
@@ -225,7 +231,9 @@ class HandWork(QObject):
         """Move an edge of the current artifact by frames; it stays at least one frame long."""
         current = self._document.current
         if current is not None:
-            self._document.do(lambda s: hand.nudge(s, current.id, start=start, stop=stop))
+            self._document.adjust(
+                [current.id], lambda s: hand.nudge(s, current.id, start=start, stop=stop)
+            )
 
     # Inner workings
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -26,11 +27,14 @@ from markermend.review.edits import (
     SetSamples,
     merged,
 )
-from markermend.review.repairing import describe
+from markermend.review.repairing import describe, repairing
 from markermend.review.restoring import overwritten, taking_back
 from markermend.review.session import Session
 from markermend.review.step import artifacts_of
 from markermend.take import AXES, Origin, Take, is_unlabelled
+
+if TYPE_CHECKING:
+    from markermend.repairs.registry import Repair
 
 
 def cut(session: Session, marker: str, start: int, stop: int) -> Change:
@@ -52,6 +56,37 @@ def cut(session: Session, marker: str, start: int, stop: int) -> Change:
     patch = _patch(marker, start, np.full((stop - start, 3), np.nan), missing=True)
     label = f"Cut {marker} in {_frames(session, start, stop)}"
     return _perform(session, label, [patch])
+
+
+def repair(session: Session, artifact: Artifact, proposal: Repair) -> Change:
+    """Repair what was swept, as proposed.
+
+    What was found inside and is not decided, or accepted, is answered by it and goes; of a gap that
+    it fills in part, the rest stays.
+
+    Parameters
+    ----------
+    session : the review
+    artifact : what was swept
+    proposal : its repair
+
+    Raises
+    ------
+    DataError
+        when the proposal has no patches, or reaches outside
+    """
+    artifact = session.placed(artifact)
+    edits = repairing(artifact, proposal)
+    answered = {
+        i: a
+        for i, a in _artifacts_after(session, proposal.patches).items()
+        if a is not None or session.artifact(i).status in (Status.PENDING, Status.ACCEPTED)
+    }
+    notes = SetNotes(overwritten(session.state, proposal.patches))
+    what = f"Repair {describe([artifact])}"
+    if proposal.method == "swap":
+        what = f"Swap {artifact.marker} and {artifact.counterpart}"
+    return session.perform(f"{what} by hand", Group((SetArtifacts(answered), *edits, notes)))
 
 
 def move(session: Session, donor: str, receiver: str, start: int, stop: int) -> Change:

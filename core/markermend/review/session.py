@@ -22,7 +22,6 @@ from markermend.review.edits import (
     SetArtifacts,
     SetBase,
     SetNames,
-    SetNotes,
     SetRegion,
     State,
     extent,
@@ -30,7 +29,7 @@ from markermend.review.edits import (
 )
 from markermend.review.pace import Pace, Stopwatch, pace_of
 from markermend.review.repairing import describe, repairing
-from markermend.review.restoring import overwritten, taking_back
+from markermend.review.restoring import taking_back
 from markermend.review.step import Step, decides, parts, same_finding, touched_by_hand
 from markermend.take import Take
 
@@ -254,21 +253,23 @@ class Session:
             edits.extend(repairing(artifact, proposal))
         return self.perform(label or f"Repair {describe(chosen)}", Group(tuple(edits)))
 
-    def mark(self, artifact: Artifact, proposal: Repair | None = None) -> Change:
-        """Add an artifact by hand; with a proposal it is repaired by it in the same step."""
+    def mark(self, artifact: Artifact) -> Change:
+        """Add an artifact by hand."""
+        artifact = self.placed(artifact)
+        return self.perform(f"Mark {describe([artifact])}", SetArtifacts({artifact.id: artifact}))
+
+    def placed(self, artifact: Artifact) -> Artifact:
+        """An artifact under a name that is not in use.
+
+        Raises
+        ------
+        DataError
+            when there is no such marker, or it reaches beyond the take
+        """
         self.original.index(artifact.marker)
         if artifact.stop > self.original.frames:
             raise DataError("An artifact cannot reach beyond the last frame.")
-        artifact = replace(artifact, id=self.free_id(artifact.id))
-        if proposal is None:
-            edit: Edit = SetArtifacts({artifact.id: artifact})
-            return self.perform(f"Mark {describe([artifact])}", edit)
-        notes = SetNotes(overwritten(self._state, proposal.patches))
-        edit = Group((*repairing(artifact, proposal), notes))
-        what = f"Repair {describe([artifact])}"
-        if proposal.method == "swap":
-            what = f"Swap {artifact.marker} and {artifact.counterpart}"
-        return self.perform(f"{what} by hand", edit)
+        return replace(artifact, id=self.free_id(artifact.id))
 
     def free_id(self, wanted: str) -> str:
         """An artifact's name that is not in use, the wanted one if it can be."""

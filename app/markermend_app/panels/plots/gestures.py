@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 SNAP_PX = 6.0
 """Nearer than this to an edge, a swept range or a dragged edge ends there."""
+NEAR_PX = 8.0
+"""A sweep that begins nearer than this to a curve is of that curve's marker."""
 
 
 class Gestures:
@@ -40,7 +42,7 @@ class Gestures:
         row.view.double_pressed.connect(self._double_press)
         row.view.menu_wanted.connect(lambda at, screen: self._menu(row, at, screen))
         row.view.scrubbed.connect(lambda x: self._document.go_to(round(x)))
-        row.view.swept.connect(self._sweep)
+        row.view.swept.connect(lambda *swept: self._sweep(row, *swept))
         if isinstance(row, PlotRow):
             row.edges.dragged.connect(lambda: self._drag_edges(row))
             row.edges.dropped.connect(lambda: self._drop_edges(row))
@@ -94,16 +96,18 @@ class Gestures:
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         menu.popup(screen.toPoint())
 
-    def _sweep(self, start: float, stop: float, last: bool) -> None:
-        """Follow a range being swept; when it is done, select it on the foremost marker."""
-        take = self._panel.take
-        if take is None or not self._document.shown:
+    def _sweep(self, row: PlotFrame, begin: QPointF, stop: float, last: bool) -> None:
+        """Follow a range being swept; when it is done, select it on the marker that is meant."""
+        take, shown = self._panel.take, self._document.shown
+        if take is None or not shown:
             return
-        low, high = self._whole(min(start, stop), max(start, stop) + 1, take.frames)
-        for row in self._panel.canvas.frames:
-            row.show_sweep(low, high)
+        near = row.nearest(begin, shown, NEAR_PX) if isinstance(row, PlotRow) else None
+        marker, start = near or shown[0], row.view.frame_at(begin)
+        low, high = self._whole(marker, min(start, stop), max(start, stop) + 1, take.frames)
+        for each in self._panel.canvas.frames:
+            each.show_sweep(low, high)
         if last:
-            self._document.sweep(Selection(self._document.shown[0], low, high))
+            self._document.sweep(Selection(marker, low, high))
 
     def _drag_edges(self, source: PlotRow) -> None:
         """Let the other plots follow an edge that is dragged."""
@@ -116,20 +120,26 @@ class Gestures:
         current, take = self._document.current, self._panel.take
         if current is None or take is None:
             return
-        start, stop = self._whole(*row.edges.frames, take.frames, besides=current)
+        edges = row.edges.frames
+        start, stop = self._whole(current.marker, *edges, take.frames, besides=current)
         if (start, stop) != (current.start, current.stop):
             self._document.change(current.id, start=start, stop=stop)
         self._panel.show_current()
 
     def _whole(
-        self, start: float, stop: float, frames: int, besides: Artifact | None = None
+        self,
+        marker: str,
+        start: float,
+        stop: float,
+        frames: int,
+        besides: Artifact | None = None,
     ) -> tuple[int, int]:
-        """Whole frames, at the edge of another artifact on the foremost marker where it is near."""
+        """Whole frames, at the edge of another artifact on the marker where it is near."""
         session = self._document.session
         edges = [
             edge
             for a in (() if session is None else session.artifacts)
-            if a.marker == self._document.shown[0] and a != besides
+            if a.marker == marker and a != besides
             for edge in (a.start, a.stop)
         ]
         view = self._panel.canvas.frames[0].view

@@ -8,6 +8,7 @@ from functools import cached_property
 from operator import is_
 
 import numpy as np
+from PySide6.QtCore import QPointF
 
 from markermend.arrays import ByteArray, FloatArray
 from markermend.artifact import Artifact
@@ -253,10 +254,15 @@ class PlotRow(PlotFrame):
 
         NaN where missing, None where nothing is known.
         """
-        values, source = self.values_of.get(name), self._source_of.get(name)
-        if self._before and source is not None:
-            values = source.values
+        values = self._in_front(name)
         return None if values is None or not len(values) else float(values[frame])
+
+    def _in_front(self, name: str) -> FloatArray | None:
+        """(frames,) values of a marker, of the version in front."""
+        source = self._source_of.get(name)
+        if self._before and source is not None:
+            return source.values
+        return self.values_of.get(name)
 
     def origin_at(self, name: str, frame: int) -> Origin:
         """How that value came about."""
@@ -264,6 +270,31 @@ class PlotRow(PlotFrame):
         if source is None:
             return Origin.MEASURED
         return Origin(int((source.origin_before if self._before else source.origin)[frame]))
+
+    def nearest(self, at: QPointF, names: Sequence[str], reach: float) -> str | None:
+        """The marker whose curve passes nearest to a point, None where none is in reach.
+
+        Parameters
+        ----------
+        at : in the scene
+        names : markers looked at; of equals the first
+        reach : pixels
+        """
+        here, (wide, high) = self.view.mapSceneToView(at), self.view.viewPixelSize()
+        first = max(0, int(here.x() - reach * wide))
+        frames = np.arange(first, int(here.x() + reach * wide) + 2)
+        found: str | None = None
+        for name in names if len(frames) else ():
+            values = self._in_front(name)
+            if values is None:
+                continue
+            curve = values[first : frames[-1] + 1]
+            across = (frames[: len(curve)] - here.x()) / wide
+            apart = np.hypot(across, (curve - here.y()) / high)
+            least = float(np.nanmin(apart, initial=np.inf))
+            if least < reach:
+                found, reach = name, least
+        return found
 
     # Artifacts and the proposal
 

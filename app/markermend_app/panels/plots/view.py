@@ -27,7 +27,7 @@ class PlotView(CurveView):
     double_pressed(QPointF) : a double click
     menu_wanted(QPointF, QPointF) : a click with the right button, in scene and screen coordinates
     scrubbed(float) : the cursor is dragged to this frame
-    swept(float, float, bool) : a range is being swept from one frame to another; last when True
+    swept(QPointF, float, bool) : a range is being swept from a point to a frame; last when True
     """
 
     time_wanted = Signal(float, float)
@@ -36,7 +36,7 @@ class PlotView(CurveView):
     double_pressed = Signal(object)
     menu_wanted = Signal(object, object)
     scrubbed = Signal(float)
-    swept = Signal(float, float, bool)
+    swept = Signal(object, float, bool)
 
     def __init__(self) -> None:
         super().__init__(enableMenu=False)
@@ -71,8 +71,8 @@ class PlotView(CurveView):
         here = self.mapSceneToView(ev.scenePos())
         if ev.button() == Qt.MouseButton.LeftButton and axis != 1:
             if ev.modifiers() & Qt.KeyboardModifier.ShiftModifier:
-                start = self.frame_at(ev.buttonDownScenePos())
-                self.swept.emit(start, float(here.x()), bool(ev.isFinish()))
+                begin = ev.buttonDownScenePos()
+                self.swept.emit(begin, float(here.x()), bool(ev.isFinish()))
             else:
                 self.scrubbed.emit(float(here.x()))
             return
