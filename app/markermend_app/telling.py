@@ -88,6 +88,7 @@ _SAME = (
     "is said to stand at 0, 0, 0 for {0}",
     "stands up to {0} from where its bones reach, for {1}",
     # Why there is no repair, or this one.
+    "With only {0} to follow: {1}",
     "Worked out from other repairs; look at it closely. Without them: {0}",
     "No other marker of the body is seen all through the interval of {0}; three are needed.",
     "Only one other marker of the body is seen all through the interval of {0}; three are needed.",

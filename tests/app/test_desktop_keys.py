@@ -6,7 +6,6 @@ import pytest
 from driving import answer_with
 from plots import SHIFT, Bench
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
@@ -112,8 +111,7 @@ def test_the_right_button_on_a_marker_in_space_is_about_that_marker(window, qtbo
     scene.grab()
     x, y = scene._at[document.session.original.index("LWRB")]
     at = QPointF(x, y).toPoint()
-    event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, at, scene.mapToGlobal(at))
-    QApplication.sendEvent(scene, event)
+    qtbot.mouseClick(scene, Qt.MouseButton.RightButton, pos=at)
     menu, offered = the_menu()
     menu.close()
     assert document.shown[0] == menu.actions()[0].text() == "LWRB"

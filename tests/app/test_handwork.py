@@ -7,7 +7,6 @@ import pytest
 from driving import answer_with, settled
 from plots import SHIFT, Bench
 from PySide6.QtCore import QPoint, QPointF, Qt, QTimer
-from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QMenu
 
@@ -130,9 +129,7 @@ def test_a_swept_range_is_swapped_from_the_menu_on_the_other_marker(window, mous
         window.scene.grab()
         place = window.scene._at[document.session.original.index("LSHO")]
         at = QPoint(*(round(v) for v in place.tolist()))
-        QApplication.sendEvent(
-            window.scene, QContextMenuEvent(QContextMenuEvent.Reason.Mouse, at, at)
-        )
+        QTest.mouseClick(window.scene, Qt.MouseButton.RightButton, pos=at)
         menu = window.scene.findChild(QMenu, options=DIRECT)
     else:
         window.tree._show_menu(window.tree.view.visualRect(index_of(window, "LSHO")).center())

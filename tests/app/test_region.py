@@ -293,6 +293,10 @@ def test_the_dialog_proposes_it_and_can_be_told_otherwise(qtbot, window):
     qtbot.mouseClick(box, Qt.MouseButton.LeftButton)
     assert not dialog.choice.region
     assert "2 not decided" in dialog._heading.text()
+    assert "Noise xyz  301–340  open" in dialog._details.toPlainText()
+    box.setFocus()
+    qtbot.keyClick(box, Qt.Key.Key_Return)
+    assert dialog.result() == dialog.DialogCode.Accepted
     whole = export_dialog.ExportDialog(window, pending, [], [], 101, False)
     qtbot.addWidget(whole)
     whole.show()

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from driving import settled
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QWheelEvent
+from PySide6.QtGui import QContextMenuEvent, QWheelEvent
+from PySide6.QtWidgets import QApplication
 
 from markermend.artifact import Kind, Status
 from markermend.mesh import Group, Mesh
@@ -77,6 +78,14 @@ def test_drags_turn_move_zoom_and_scrub(qtbot, scene, document):
     drag(qtbot, scene, QPoint(60, 20), Qt.MouseButton.MiddleButton)
     assert scene.camera.target != before.target
     assert scene.camera.yaw == before.yaw
+    before = scene.camera
+    # By some systems the menu is asked for with the press already.
+    at = QPoint(120, 320)
+    asked = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, at, scene.mapToGlobal(at))
+    QApplication.sendEvent(scene, asked)
+    drag(qtbot, scene, QPoint(60, 20), Qt.MouseButton.RightButton)
+    assert scene.camera.target != before.target
+    assert QApplication.activePopupWidget() is None
     before = scene.camera
     drag(qtbot, scene, QPoint(60, 20), held=Qt.KeyboardModifier.ShiftModifier)
     assert scene.camera.target != before.target

@@ -177,6 +177,14 @@ def test_too_few_samples_are_told_as_an_operator_would(rigid: Take) -> None:
     assert "only 3 trusted samples near the interval's end" in too_few("M1", 9, 3, 4)
 
 
+def test_why_chosen_references_do_not_do_names_them(rigid: Take) -> None:
+    take = hide(hide(rigid, "M1", 100, 200), "M2", 150, 160)
+    chosen = ("M2", "M3", "M4")
+    done = propose(take, gap("M1", 100, 200), references=chosen)
+    assert not done.patches
+    assert done.reason.startswith("With only M2, M3, M4 to follow: Only two others of the body")
+
+
 def test_curves_do_not_look_at_flagged_samples(rigid: Take) -> None:
     damaged = rigid.positions.copy()
     damaged[240:250, 1] += 500.0

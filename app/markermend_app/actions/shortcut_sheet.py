@@ -260,7 +260,7 @@ def _gestures() -> list[tuple[str, list[tuple[str, str]]]]:
             tr("In the 3D view"),
             [
                 (tr("Drag"), tr("Orbit")),
-                (tr("Shift+drag or middle drag"), tr("Pan")),
+                (tr("Middle, right or Shift+drag"), tr("Pan")),
                 (tr("Wheel"), tr("Zoom")),
                 (tr("Ctrl+drag"), tr("Scrub through time")),
                 (tr("Alt+arrows, with Shift"), tr("Orbit, pan, once the view has the focus")),

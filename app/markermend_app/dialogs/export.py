@@ -17,6 +17,9 @@ from PySide6.QtWidgets import (
 
 from markermend.artifact import Artifact, within
 from markermend_app.dialogs.help_key import help_in
+from markermend_app.panels.inspector.artifact_text import STATUS_NAME
+from markermend_app.style import theme
+from markermend_app.words import tr
 
 
 @dataclass(frozen=True)
@@ -102,10 +105,14 @@ class ExportDialog(QDialog):
         buttons = QDialogButtonBox()
         go = buttons.addButton(self.tr("Export…"), QDialogButtonBox.ButtonRole.AcceptRole)
         go.setDefault(True)
-        buttons.addButton(QDialogButtonBox.StandardButton.Cancel)
+        others = [buttons.addButton(QDialogButtonBox.StandardButton.Cancel)]
         if accepted or pending or outputs:
             show = buttons.addButton(self.tr("Show list"), QDialogButtonBox.ButtonRole.ActionRole)
             show.clicked.connect(self._toggle)
+            others.append(show)
+        # Return exports, wherever the focus went in between.
+        for button in others:
+            button.setAutoDefault(False)
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         box.addWidget(self._details, 1)
@@ -163,8 +170,8 @@ def _lines(
 ) -> list[str]:
     """One line for each artifact left, and the outputs by name."""
     lines = [
-        f"{a.marker}  {a.kind.value} {a.axes}  {a.start + first_frame}–{a.stop - 1 + first_frame}"
-        f"  {a.status.value}"
+        f"{a.marker}  {theme.kind_name(a.kind)} {a.axes}"
+        f"  {a.start + first_frame}–{a.stop - 1 + first_frame}  {tr(STATUS_NAME[a.status])}"
         for a in (*accepted, *pending)
     ]
     return lines + ([", ".join(outputs)] if outputs else [])

@@ -99,14 +99,14 @@ class HandWork(QObject):
         if swept is None or session is None:
             return
         offered = exchangers(session.take, swept.marker, swept.start, swept.stop)
-        shown = self._document.shown
+        beside = [name for name in self._document.shown if name != swept.marker]
         question = self.tr("Swap {0} with which marker, {1}?").format(
             swept.marker, self._frames(swept.start, swept.stop)
         )
         self._ask_marker(
             question,
-            # Who put another one beside it most likely means that one.
-            sorted(offered, key=lambda pair: pair[0] not in shown),
+            # Who put one other beside it most likely means that one.
+            sorted(offered, key=lambda pair: len(beside) != 1 or pair[0] != beside[0]),
             lambda other: self._swap(swept, other),
             self.tr("jumps {0} at the edges"),
         )

@@ -91,7 +91,11 @@ def propose(
             method = "local_regression" if len(references) > 2 else "pattern"
         if method == "pattern" and params is None:
             params = {"donor": references[0]}
-        return measured(evidence, artifact, method, params)
+        done = measured(evidence, artifact, method, params)
+        if not done.patches:
+            chosen = ", ".join(references)
+            return replace(done, reason=f"With only {chosen} to follow: {done.reason}")
+        return done
     repaired = {
         a: (errors or {}).get(a.id, 0.0)
         for a in known

@@ -252,8 +252,8 @@
         <translation>Drehen</translation>
     </message>
     <message>
-        <source>Shift+drag or middle drag</source>
-        <translation>Umschalt+Ziehen oder mittlere Taste</translation>
+        <source>Middle, right or Shift+drag</source>
+        <translation>Mit mittlerer, rechter oder Umschalt+linker Taste ziehen</translation>
     </message>
     <message>
         <source>Wheel</source>
@@ -2136,6 +2136,10 @@
         <translation>steht bis zu {0} von dort, wohin seine Knochen reichen, {1} lang</translation>
     </message>
     <message>
+        <source>With only {0} to follow: {1}</source>
+        <translation>Nur nach {0}: {1}</translation>
+    </message>
+    <message>
         <source>No other marker of the body is seen all through the interval of {0}; three are needed.</source>
         <translation>Kein anderer Marker des Körpers ist während des ganzen Intervalls von {0} zu sehen; drei sind nötig.</translation>
     </message>
@@ -3165,6 +3169,10 @@
     <message>
         <source>The flag on {0} is accepted, the samples are left. {1}</source>
         <translation>Der Befund an {0} ist angenommen, die Werte bleiben. {1}</translation>
+    </message>
+    <message>
+        <source>{0} on {1} is open again: its repair was for what it was before.</source>
+        <translation>{0} an {1} ist wieder offen: die Reparatur galt dem, was es vorher war.</translation>
     </message>
 </context>
 <context>

@@ -91,7 +91,8 @@ class Trace:
         if part == "predicted":
             curve.wear(theme.blend(look.accent, color, 0.3), style=dotted)
         elif part in _MENDED:
-            mended = theme.blend(color, look.accent, 0.55)
+            # The foremost changes its colour, too; others would look like it, and like each other.
+            mended = color if self._index else theme.blend(color, look.accent, 0.55)
             curve.wear(
                 look.original if self._before else mended,
                 style=dotted if self._before else _MENDED[part],

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QContextMenuEvent,
     QKeyEvent,
@@ -346,6 +346,8 @@ class Scene(QWidget):
         if outline is not None and self._dragged:
             self._show_inside(outline, event.modifiers())
             return
+        if clicked and event.button() == Qt.MouseButton.RightButton:
+            self._offer(event.position(), event.globalPosition().toPoint())
         if not clicked or event.button() != Qt.MouseButton.LeftButton:
             return
         marker = self.marker_at(event.position())
@@ -380,13 +382,22 @@ class Scene(QWidget):
         event.accept()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """Offer what can be seen, unless the right button was used to move."""
-        if self._dragged or self.stage is None:
+        """Offer what can be done by the menu key.
+
+        The mouse's comes when the right button is let go: by some systems it comes with the press,
+        before anyone can tell a click from a drag that moves.
+        """
+        if event.reason() != QContextMenuEvent.Reason.Mouse:
+            self._offer(QPointF(event.pos()), event.globalPos())
+
+    def _offer(self, at: QPointF, screen: QPoint) -> None:
+        """Open the menu of what is there."""
+        if self.stage is None:
             return
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self._fill(menu, self.marker_at(QPointF(event.pos())))
-        menu.popup(event.globalPos())
+        self._fill(menu, self.marker_at(at))
+        menu.popup(screen)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Turn, move and zoom."""
