@@ -108,8 +108,9 @@ def judge(
     # Not by clip, whose call takes longer than the work.
     start = np.maximum(np.minimum(frame - reach, stop - window), first)
     offset = frame - start
-    fits = (start + window <= stop) & (offset >= LEAST_SIDE)
-    fits &= (offset + length <= window - LEAST_SIDE) if length else (offset <= window - LEAST_SIDE)
+    side = LEAST_SIDE if length <= reach else LONG_SIDE
+    fits = (start + window <= stop) & (offset >= side)
+    fits &= offset + length <= window - side
     size, error, unit = (np.full(len(frame), value) for value in (0.0, np.inf, np.inf))
     if not fits.any():
         return Judged(size, error, unit)
@@ -129,5 +130,6 @@ def judge(
     return Judged(size, error, unit)
 
 
-LEAST_SIDE = 1
-"""Frames of the undamaged trajectory needed on each side of a shape: with less, a jump is none."""
+LEAST_SIDE, LONG_SIDE = 1, 3
+"""Frames of the undamaged trajectory needed on each side of a shape: with less, a jump is none. A block
+longer than the reach bends with the motion, and with fewer beside it nothing tells the two apart."""
