@@ -77,6 +77,8 @@ _SAME = (
     "jumps {0} in one frame, its neighbours by {1}, and stays off for {2}, up to an end of the "
     "take, at another distance from them: it moved on the body or fell off",
     "seen for {0} inside a gap, {1} from where its neighbours put it; around the gap that is {2}",
+    "strays {0} from where its neighbours put it in the {1} before it is lost",
+    "strays {0} from where its neighbours put it in the {1} after it is found again",
     "repeats one position for {0} while its neighbours move {1}; in the end it is {2} off",
     "repeats one position for {0}, as every marker does: the recording stands still",
     "sticks out by {0} for {1}",

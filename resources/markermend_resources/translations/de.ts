@@ -2096,6 +2096,14 @@
         <translation>in einer Lücke gesehen, {0} lang, {1} von dem Ort, den seine Nachbarn angeben; um die Lücke sind es {2}</translation>
     </message>
     <message>
+        <source>strays {0} from where its neighbours put it in the {1} before it is lost</source>
+        <translation>gerät in den {1}, bevor er verloren geht, {0} neben die Stelle, an die seine Nachbarn ihn setzen</translation>
+    </message>
+    <message>
+        <source>strays {0} from where its neighbours put it in the {1} after it is found again</source>
+        <translation>liegt in den {1}, nachdem er wiedergefunden ist, {0} neben der Stelle, an die seine Nachbarn ihn setzen</translation>
+    </message>
+    <message>
         <source>repeats one position for {0} while its neighbours move {1}; in the end it is {2} off</source>
         <translation>wiederholt {0} lang einen Ort, während seine Nachbarn sich {1} bewegen; am Ende liegt er {2} daneben</translation>
     </message>

@@ -8,6 +8,7 @@ from markermend.detectors.channels import channels
 from markermend.detectors.counterpart import name_swaps
 from markermend.detectors.joint.confidence import confidences
 from markermend.detectors.joint.frozen import find_frozen
+from markermend.detectors.joint.lost import find_lost, with_lost
 from markermend.detectors.joint.neighbours import nearest_markers
 from markermend.detectors.joint.params import JointParams
 from markermend.detectors.joint.shifted import find_shifted
@@ -114,5 +115,8 @@ def _with_unseen_jumps(
         for a in sudden
         if not any(a.marker == f.marker and f.overlaps(a.start - 1, a.stop + 1) for f in frozen)
     ]
+    trusted = trusted_samples(take, [*kept, *frozen])
+    lost = find_lost(take, markers, trusted)
+    kept = with_lost(kept, [a for a in lost if a.confidence >= least])
     strays = find_strays(take, markers, trusted_samples(take, [*kept, *frozen]))
     return [*kept, *frozen, *(a for a in strays if a.confidence >= least)]

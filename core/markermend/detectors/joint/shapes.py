@@ -131,5 +131,5 @@ def judge(
 
 
 LEAST_SIDE, LONG_SIDE = 1, 3
-"""Frames of the undamaged trajectory needed on each side of a shape: with less, a jump is none. A block
-longer than the reach bends with the motion, and with fewer beside it nothing tells the two apart."""
+"""Frames of the undamaged trajectory needed on each side of a shape: with less, a jump is none. A
+block longer than the reach bends with the motion; with fewer beside it nothing tells them apart."""
