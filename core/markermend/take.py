@@ -125,8 +125,9 @@ class Take:
 
     Attributes
     ----------
-    positions : (frames, markers, 3) float64, mm, C order, read-only; NaN in all three
-        coordinates where the marker was not seen
+    positions : (frames, markers, 3) float64, mm, C order; NaN in all three coordinates where the
+        marker was not seen. The array is handed over and becomes read-only; what has another type
+        or order, or is a part of another array, is copied
     labels : one per marker, unique; a prefix ``Subject:`` names the body it belongs to
     rate : frames per second
     first_frame : the file's number of index 0 (C3D counts from 1)
@@ -163,6 +164,9 @@ class Take:
 
     def __post_init__(self) -> None:
         positions = np.ascontiguousarray(self.positions, dtype=np.float64)
+        if isinstance(positions.base, np.ndarray) and positions.base.flags.writeable:
+            # A part of a larger array could still be written to by way of that.
+            positions = positions.copy()
         if positions.ndim != 3 or positions.shape[2] != 3:
             raise DataError(f"Positions must be (frames, markers, 3), not {positions.shape}.")
         if len(self.labels) != positions.shape[1]:
@@ -217,8 +221,10 @@ class Take:
 
     @cached_property
     def present(self) -> BoolArray:
-        """(frames, markers) bool: the marker has a position in that frame."""
-        return ~np.isnan(self.positions[:, :, 0])
+        """(frames, markers) bool, read-only: the marker has a position in that frame."""
+        present = ~np.isnan(self.positions[:, :, 0])
+        present.flags.writeable = False
+        return present
 
     @cached_property
     def _column(self) -> dict[str, int]:

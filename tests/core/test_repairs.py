@@ -177,6 +177,14 @@ def test_too_few_samples_are_told_as_an_operator_would(rigid: Take) -> None:
     assert "only 3 trusted samples near the interval's end" in too_few("M1", 9, 3, 4)
 
 
+@pytest.mark.parametrize("sure", [2.0, -0.1, float("nan")])
+def test_a_confidence_that_is_none_is_refused(rigid: Take, sure: float) -> None:
+    with pytest.raises(MethodError, match="from 0 to 1"):
+        repair(rigid, [gap("M1", 10, 20)], min_confidence=sure)
+    with pytest.raises(MethodError, match="0 or more"):
+        fill(rigid, max_gap=-1)
+
+
 def test_why_chosen_references_do_not_do_names_them(rigid: Take) -> None:
     take = hide(hide(rigid, "M1", 100, 200), "M2", 150, 160)
     chosen = ("M2", "M3", "M4")

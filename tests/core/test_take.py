@@ -130,3 +130,12 @@ def test_runs_are_what_they_cover(values):
 def test_strange_axes_are_refused(axes):
     with pytest.raises(DataError, match="Axes"):
         Artifact("A", axes, 0, 1, Kind.PEAK)
+
+
+def test_what_a_take_was_made_of_cannot_change_it():
+    larger = np.zeros((6, 2, 3))
+    take = Take(larger[1:], ("A", "B"), 100.0)
+    larger[1] = 77.0
+    assert (take.positions == 0.0).all()
+    with pytest.raises(ValueError, match="read-only"):
+        take.present[0, 0] = False

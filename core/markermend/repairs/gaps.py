@@ -31,10 +31,10 @@ def find_gaps(take: Take, *, max_gap: int | None = None) -> tuple[Artifact, ...]
     Raises
     ------
     MethodError
-        when ``max_gap`` is no whole number
+        when ``max_gap`` is no whole number, or negative
     """
-    if max_gap is not None and max_gap != int(max_gap):
-        raise MethodError(f"max_gap is a whole number of frames, not {max_gap}.")
+    if max_gap is not None and (max_gap != int(max_gap) or max_gap < 0):
+        raise MethodError(f"max_gap is a whole number of frames, 0 or more, not {max_gap}.")
     found = []
     for column, label in enumerate(take.labels):
         if is_unlabelled(label) or not take.present[:, column].any():

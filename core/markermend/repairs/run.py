@@ -109,7 +109,8 @@ def repair(
     Raises
     ------
     MethodError
-        when there is no such method, or a parameter is unknown or out of range
+        when there is no such method, or a parameter, or ``min_confidence``, is unknown or out of
+        range
     DataError
         when an artifact is of another take: no such marker, or an interval beyond its end
     """
@@ -142,6 +143,8 @@ def _run(
 ) -> tuple[Take, list[tuple[Artifact, Repair]]]:
     """Repair stage by stage; returns the repaired take and each artifact with its repair."""
     report = progress or quiet
+    if not 0.0 <= min_confidence <= 1.0:
+        raise MethodError(f"min_confidence goes from 0 to 1, not {min_confidence}.")
     chosen = in_order(artifacts)
     ids = {a.id for a in chosen}
     known = [*chosen, *(a for a in others if a.id not in ids)]
