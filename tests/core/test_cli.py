@@ -280,3 +280,15 @@ def test_clean_never_ends_in_a_traceback(
         assert code == (1 if told else 0), take
         assert "itself failed" not in err, (take, err)
         assert len(told) <= 1, (take, err)
+
+
+def test_detect_says_which_markers_are_never_seen(tmp_path, capsys):
+    positions = 1000 + np.cumsum(np.random.default_rng(0).normal(size=(300, 4, 3)) * 0.1, axis=0)
+    positions[:, 1] = np.nan
+    positions[:50, 2] = np.nan
+    path = tmp_path / "never.c3d"
+    mm.write(mm.Take(positions, ("A", "B", "C", "D"), 100.0), path)
+    assert run("detect", path, "--no-slow") == 0
+    assert "Never seen: 1 marker (B)." in capsys.readouterr().out
+    assert run("detect", path, "--no-slow", "--frames", 1, 40) == 0
+    assert "Never seen in these frames: 2 markers (B, C)." in capsys.readouterr().out

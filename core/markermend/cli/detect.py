@@ -65,7 +65,20 @@ def run(options: argparse.Namespace) -> int:
         for line in _listing(take, found):
             say(line)
         say(summary(found, part=frames is not None))
+        for line in never_seen(take, frames):
+            say(line)
     return 0
+
+
+def never_seen(take: Take, frames: tuple[int, int] | None) -> list[str]:
+    """Name what cannot be damaged, since it is not there at all."""
+    rows = slice(*(frames or (0, take.frames)))
+    missing = [take.labels[i] for i in take.named if not take.present[rows, i].any()]
+    if not missing:
+        return []
+    names = ", ".join(missing[:5]) + ("…" if len(missing) > 5 else "")
+    where = "" if frames is None else " in these frames"
+    return [f"Never seen{where}: {count(len(missing), 'marker')} ({names})."]
 
 
 def find(
