@@ -207,6 +207,20 @@ def test_no_joint_that_was_filled_is_said_to_be_exact():
     assert (far(restored.pose, pose)[hidden, 1] < 2 * error).all()
 
 
+def test_a_bone_shorter_than_its_noise_allows_for_is_rigid_still():
+    rng = np.random.default_rng(0)
+    features = np.zeros((400, 2, 7))
+    features[..., 6] = 1.0
+    way = rng.normal(size=(400, 3))
+    features[:, 1, :3] = 0.1 * way / np.linalg.norm(way, axis=1, keepdims=True)
+    features[..., :3] += rng.normal(0.0, 0.02, (400, 2, 3))
+    everywhere = np.ones((400, 2), dtype=bool)
+    assert find_bones(features, everywhere, everywhere, (-1, 0), 0.02).lengths[1] == (
+        pytest.approx(0.1, rel=0.15)
+    )
+    assert np.isnan(find_bones(features, everywhere, everywhere, (-1, 0), 0.002).lengths[1])
+
+
 def test_bones_keep_their_length_and_rotations_follow():
     pose = arm()
     features = np.concatenate([pose.positions, pose.rotations], axis=2)
