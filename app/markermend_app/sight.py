@@ -64,12 +64,18 @@ class Sight(QObject):
             return None
         return a
 
-    def bring_back(self) -> bool:
-        """Look at the artifact under review again if it is out of sight; whether it was."""
+    def look_back(self) -> Artifact | None:
+        """Look at the artifact under review again if it is out of sight; which one was."""
         lost = self.lost
+        if lost is not None:
+            self._document.look_at(lost.markers, *self._document.asked_frames(lost))
+        return lost
+
+    def bring_back(self) -> bool:
+        """Look back before what a key decides is decided, and say so; whether that was needed."""
+        lost = self.look_back()
         if lost is None:
             return False
-        self._document.look_at(lost.markers, *self._document.asked_frames(lost))
         text = self.tr("{0} on {1} is under review, but was out of sight. Press again to decide.")
         text = text.format(theme.kind_name(lost.kind), lost.marker)
         self._said = lost.id, text

@@ -253,7 +253,7 @@
     </message>
     <message>
         <source>Middle, right or Shift+drag</source>
-        <translation>Mit mittlerer, rechter oder Umschalt+linker Taste ziehen</translation>
+        <translation>Mitte, rechts oder Umschalt+ziehen</translation>
     </message>
     <message>
         <source>Wheel</source>

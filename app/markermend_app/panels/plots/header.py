@@ -104,7 +104,7 @@ class PlotHeader(QWidget):
     def follow(self, sight: Sight) -> None:
         """Offer the way back to the artifact under review while it is out of sight."""
         self._sight = sight
-        self.back.clicked.connect(sight.bring_back)
+        self.back.clicked.connect(sight.look_back)
         sight.changed.connect(self._offer_back)
 
     def _offer_back(self, *, anew: bool = False) -> None:
