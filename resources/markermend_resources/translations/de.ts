@@ -253,7 +253,7 @@
     </message>
     <message>
         <source>Middle, right or Shift+drag</source>
-        <translation>Mitte, rechts oder Umschalt+ziehen</translation>
+        <translation>Mitte, rechts oder Umschalt+Ziehen</translation>
     </message>
     <message>
         <source>Wheel</source>
