@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from markermend.errors import Cancelled
 from markermend.poses.inverse import farthest_off, inverse_kinematics
 from markermend.poses.skeleton import Movement, Segment, Skeleton, forward_kinematics
 
@@ -109,3 +110,19 @@ def test_any_recording_can_be_written_by_a_skeleton_of_another_length(movement):
     assert found.frames == FRAMES
     # The leg is 5 mm longer than at rest, which no channel of the recording tells.
     assert 2.0 < farthest_off(found, pose) < 5.5
+
+
+def test_it_tells_how_far_it_is_and_can_be_stopped(movement, monkeypatch):
+    monkeypatch.setattr("markermend.poses.inverse.BLOCK", 10)
+    pose = forward_kinematics(movement, 100.0)
+    moved = replace(pose, positions=pose.positions + 1.0)
+    told = []
+    inverse_kinematics(moved, movement, progress=lambda share, _: told.append(share))
+    assert told == [0.0, 10 / FRAMES, 20 / FRAMES]
+
+    def stop(share: float, _: str) -> None:
+        if share > 0.5:
+            raise Cancelled
+
+    with pytest.raises(Cancelled):
+        inverse_kinematics(moved, movement, progress=stop)

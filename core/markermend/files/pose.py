@@ -18,7 +18,7 @@ from markermend.files.pose_csv import Table, read_pose_csv, write_pose_csv
 from markermend.poses.inverse import farthest_off, inverse_kinematics
 from markermend.poses.pose import Pose
 from markermend.poses.skeleton import Movement, forward_kinematics
-from markermend.progress import Progress, quiet
+from markermend.progress import Progress, part, quiet
 
 __all__ = ["read_pose", "write_pose"]
 
@@ -148,9 +148,10 @@ def pose_writer(
                     f"{target.name} needs a skeleton (ASF), which only a recording read from an"
                     " AMC has; write a CSV."
                 )
-            movement = inverse_kinematics(pose, pose.source)
+            turning, writing = part(report, 0.0, 0.7), part(report, 0.7, 1.0)
+            movement = inverse_kinematics(pose, pose.source, progress=turning)
             off_mm = farthest_off(movement, pose)
-            return lambda file: write_amc(movement, file, report), off_mm
+            return lambda file: write_amc(movement, file, writing), off_mm
         case _:
             raise ExportError(
                 f"{target.name} should end in {', '.join(WRITABLE)}, to tell what to write."

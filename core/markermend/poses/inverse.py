@@ -14,6 +14,7 @@ from markermend.arrays import BoolArray, FloatArray
 from markermend.poses.pose import Pose
 from markermend.poses.reaching import SHIFTS, axes_of, reach
 from markermend.poses.skeleton import TURNS, Movement, Segment, forward_kinematics
+from markermend.progress import Progress, quiet
 
 SAME = 1e-9
 """What normalising a quaternion once more may change; of places, in the skeleton's unit."""
@@ -21,7 +22,7 @@ BLOCK = 512
 """Frames worked on at a time."""
 
 
-def inverse_kinematics(pose: Pose, source: Movement) -> Movement:
+def inverse_kinematics(pose: Pose, source: Movement, *, progress: Progress = quiet) -> Movement:
     """Channels that move a skeleton as a recording has it: the inverse of forward kinematics.
 
     Parameters
@@ -31,6 +32,7 @@ def inverse_kinematics(pose: Pose, source: Movement) -> Movement:
         that changes, a shift of a segment that is no root) stays as it was there, and so does
         every channel in the frames in which its segment is as there, with all those that it hangs
         on and those that hang on it by one bone
+    progress : told the share of frames done; may raise to stop
 
     Returns
     -------
@@ -45,7 +47,9 @@ def inverse_kinematics(pose: Pose, source: Movement) -> Movement:
     frames = np.flatnonzero(away.any(axis=1))
     # On matrices as small as these several threads only wait for each other.
     with threadpool_limits(1):
-        for block in np.array_split(frames, -(-len(frames) // BLOCK)) if len(frames) else ():
+        for first in range(0, len(frames), BLOCK):
+            progress(first / len(frames), "Writing poses")
+            block = frames[first : first + BLOCK]
             given = {name: values[block] for name, values in channels.items()}
             found = reach(source.skeleton, given, pose.positions[block], free[block])
             for name, values in found.items():
