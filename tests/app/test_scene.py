@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 from driving import settled
-from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QContextMenuEvent, QWheelEvent
+from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
+from PySide6.QtGui import QContextMenuEvent, QFont, QFontMetrics, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
 from markermend.artifact import Kind, Status
@@ -256,11 +256,22 @@ def test_names_cover_neither_each_other_nor_markers_that_have_room_beside_them(s
     # A marker stands where the first name would be written, and two lie on the same spot.
     at = np.array([[100.0, 100.0], [125.0, 100.0], [300.0, 100.0], [300.0, 100.0], [np.nan] * 2])
     names = [(i, f"M{i}") for i in range(5)]
-    boxes = dict((name, box) for box, name in place_labels(metrics, at, names))
+    room = QRectF(0.0, 0.0, 500.0, 400.0)
+    boxes = dict((name, box) for box, name in place_labels(metrics, at, names, room))
     assert sorted(boxes) == ["M0", "M1", "M2", "M3"]
     assert not any(box.contains(QPointF(x, y)) for box in boxes.values() for x, y in at[:4])
     placed = list(boxes.values())
     assert not any(a.intersects(b) for i, a in enumerate(placed) for b in placed[:i])
+
+
+def test_names_at_the_border_are_whole(qapp):
+    metrics = QFontMetrics(QFont())
+    room = QRectF(0.0, 0.0, 300.0, 200.0)
+    at = np.array([[2.0, 100.0], [298.0, 100.0], [150.0, 1.0], [150.0, 199.0]])
+    names = [(i, f"LongMarkerName{i}") for i in range(4)]
+    placed = place_labels(metrics, at, names, room)
+    assert len(placed) == 4
+    assert all(room.contains(box) for box, _ in placed)
 
 
 def test_says_so_while_nothing_is_open(scene, document):

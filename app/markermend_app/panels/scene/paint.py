@@ -189,7 +189,8 @@ def paint_labels(sight: Sight, at: FloatArray, names: Sequence[tuple[int, str]])
     t = theme.current()
     painter = sight.painter
     painter.setFont(_font(painter, QFont.Weight.DemiBold))
-    for box, name in place_labels(painter.fontMetrics(), at, names):
+    room = QRectF(0.0, 0.0, sight.width, sight.height)
+    for box, name in place_labels(painter.fontMetrics(), at, names, room):
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(theme.faded(t.plot, 0.75))
         painter.drawRoundedRect(box, 3, 3)
@@ -198,9 +199,9 @@ def paint_labels(sight: Sight, at: FloatArray, names: Sequence[tuple[int, str]])
 
 
 def place_labels(
-    metrics: QFontMetrics, at: FloatArray, names: Sequence[tuple[int, str]]
+    metrics: QFontMetrics, at: FloatArray, names: Sequence[tuple[int, str]], room: QRectF
 ) -> list[tuple[QRectF, str]]:
-    """Boxes for the names of markers, (markers, 2) pixels; the first names choose first."""
+    """Boxes within a room for the names of markers, (markers, 2) pixels; the first choose first."""
     taken: list[tuple[QRectF, str]] = []
     for column, name in names:
         x, y = at[column].tolist()
@@ -215,7 +216,7 @@ def place_labels(
             (x - width / 2, y + 8),
         ):
             box = QRectF(left, top, width, height)
-            if any(box.intersects(other) for other, _ in taken):
+            if not room.contains(box) or any(box.intersects(other) for other, _ in taken):
                 continue
             over = np.abs(at - (left + width / 2, top + height / 2)) < (width / 2, height / 2)
             covered = int(np.count_nonzero(over.all(axis=1)))
