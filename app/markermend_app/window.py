@@ -35,6 +35,7 @@ from markermend_app.panels.plots.trajectories import TrajectoryPanel
 from markermend_app.panels.quality import QualityPanel
 from markermend_app.panels.queue.review_queue import ReviewQueue
 from markermend_app.panels.scene.scene import Scene
+from markermend_app.panels.side_widths import SideWidths
 from markermend_app.panels.status import StatusLine
 from markermend_app.panels.take_list import TakeList
 from markermend_app.panels.toolbar import Toolbar
@@ -105,6 +106,7 @@ class MainWindow(QMainWindow):
         )
         self.pressing = Pressing(self)
         self.lay_out(ROOMY.boundedTo(self.screen().availableSize() * 0.94))
+        SideWidths(self, [self.docks["markers"], self.docks["scene"]])
         self._default_state = self.saveState(LAYOUT_VERSION)
         self._restore_layout()
         self._retitle()

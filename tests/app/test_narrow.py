@@ -128,3 +128,17 @@ def test_the_list_of_takes_does_not_keep_the_window_wide(qtbot, window):
     qtbot.waitUntil(lambda: takes.next.text() == "Next take")
     assert takes.width() < 160
     assert "(" in takes.next.toolTip()
+
+
+def test_sides_are_as_wide_again_once_the_window_is(window, qtbot):
+    widen(window, 1500, 900)
+    sides = [window.docks["markers"], window.docks["scene"]]
+    window.resizeDocks(sides, [320, 400], Qt.Orientation.Horizontal)
+    widen(window, 1500, 900)
+    before = [side.width() for side in sides]
+    for width in (1300, 1000, HALF):
+        widen(window, width)
+    assert sum(side.width() for side in sides) < sum(before) - 20
+    widen(window, 1200)
+    widen(window, 1500, 900)
+    qtbot.waitUntil(lambda: [side.width() for side in sides] == before)

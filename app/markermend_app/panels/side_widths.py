@@ -1,0 +1,51 @@
+"""Side panels get their width back when a window that was made small is made large again."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QDockWidget, QMainWindow
+
+
+class SideWidths(QObject):
+    """Of a window that grows Qt widens the middle only, and leaves the sides as narrow as they are.
+
+    Parameters
+    ----------
+    window : whose size is followed
+    sides : panels, one of each side
+    """
+
+    def __init__(self, window: QMainWindow, sides: Sequence[QDockWidget]) -> None:
+        super().__init__(window)
+        self._window, self._sides = window, sides
+        self._before: tuple[int, list[int]] | None = None
+        self._soon = QTimer(self, singleShot=True, interval=0)
+        self._soon.timeout.connect(self._widen)
+        window.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Remember the widths before the window shrinks; use them once it is as wide again."""
+        if isinstance(event, QResizeEvent) and watched is self._window:
+            old, new = event.oldSize().width(), event.size().width()
+            if self._before is None and 0 < new < old:
+                self._before = old, [side.width() for side in self._sides]
+            elif self._before is not None and new >= self._before[0]:
+                self._soon.start()
+        return super().eventFilter(watched, event)
+
+    def _widen(self) -> None:
+        """Give the sides what they had, where they have less; wider ones were drawn wider since."""
+        if self._before is None or self._window.width() < self._before[0]:
+            return
+        (_, widths), self._before = self._before, None
+        docked = [
+            (side, width)
+            for side, width in zip(self._sides, widths, strict=True)
+            if side.isVisible() and not side.isFloating() and side.width() < width
+        ]
+        if docked:
+            sides, wanted = zip(*docked, strict=True)
+            self._window.resizeDocks(list(sides), list(wanted), Qt.Orientation.Horizontal)
