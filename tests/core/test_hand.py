@@ -333,3 +333,13 @@ def test_of_a_gap_that_is_filled_in_part_the_rest_stays():
     assert open_ == [(20, 24)]
     assert np.isnan(session.positions[20:24, take.index("A"), 0]).all()
     assert np.isfinite(session.positions[24:31, take.index("A"), 0]).all()
+
+
+def test_a_swap_answers_steps_and_leaves_what_else_is_wrong():
+    session = Session(make_take())
+    step, noise = artifact(start=29, stop=33, kind=Kind.STEP), artifact(start=30, stop=32)
+    assert noise.kind is not Kind.STEP
+    session.add_detected([step, noise], "joint")
+    swap_by_hand(session)
+    assert session.find(step.id) is None
+    assert session.artifact(noise.id).status is Status.PENDING

@@ -73,5 +73,7 @@ def test_a_peak_that_it_overlaps_becomes_part_of_it():
         ("A", "xyz", 8, 12),
     ]
     noise = Artifact("A", "x", 2, 9, Kind.NOISE)
+    (whole,) = with_lost([noise], [one, Artifact("A", "xyz", 1, 2, Kind.PEAK)])
+    assert (whole.kind, whole.start, whole.stop) == (Kind.NOISE, 1, 12)
     (longer,) = with_lost([noise], [one])
     assert (longer.kind, longer.axes, longer.start, longer.stop) == (Kind.NOISE, "x", 2, 12)

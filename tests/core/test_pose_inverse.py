@@ -126,3 +126,10 @@ def test_it_tells_how_far_it_is_and_can_be_stopped(movement, monkeypatch):
 
     with pytest.raises(Cancelled):
         inverse_kinematics(moved, movement, progress=stop)
+
+
+def test_a_skeleton_without_a_movement_stays_as_it_is(movement):
+    rest = Movement(movement.skeleton, {}, 1)
+    pose = forward_kinematics(rest, 100.0)
+    found = inverse_kinematics(replace(pose, positions=pose.positions + 5.0), rest)
+    assert found.channels == {}

@@ -44,7 +44,8 @@ def inverse_kinematics(pose: Pose, source: Movement, *, progress: Progress = qui
     turned, away = _changes(pose, source)
     channels = _nearest_turns(pose, source, _with_parents(turned, pose))
     free = _free(turned, away, pose)
-    frames = np.flatnonzero(away.any(axis=1))
+    # A skeleton by itself has nothing that could be turned.
+    frames = np.flatnonzero(away.any(axis=1) & bool(channels))
     # On matrices as small as these several threads only wait for each other.
     with threadpool_limits(1):
         for first in range(0, len(frames), BLOCK):

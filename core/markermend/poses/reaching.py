@@ -15,7 +15,8 @@ from markermend.poses.skeleton import TURNS, Segment, Skeleton
 SHIFTS = ("tx", "ty", "tz")
 """Degrees of freedom that are places."""
 TURN_MM = 1.0
-"""A turn one radian from where it begins counts as much as a joint this far off."""
+"""A turn one radian from where it begins counts as much as a joint this far off; so does a root a
+millimetre from where it begins."""
 PASSES, SETTLED, NOTHING_MM2 = 40, 1e-2, 1e-12
 """Passes at most; a frame is done when one makes it better by less than that share, or when no more
 than that is left of its squared error."""
@@ -157,8 +158,8 @@ class _Placed:
 def _settled(limbs: _Limbs, places: FloatArray, fixed: BoolArray) -> FloatArray:
     """Values that leave the least error, (frames, n)."""
     start = np.nan_to_num(limbs.start)
-    values, placed = start.copy(), _placed(limbs, start, np.arange(len(start)))
-    left = _away(placed, places)
+    values = start.copy()
+    left = _away(_placed(limbs, start, np.arange(len(start))), places)
     cost = (left**2).sum(axis=1)
     damping = np.full(len(values), FIRST_DAMPING)
     rows = np.flatnonzero(cost > NOTHING_MM2)
@@ -188,10 +189,8 @@ def _placed(limbs: _Limbs, values: FloatArray, rows: IntArray) -> _Placed:
     """Forward kinematics of some frames, with the axes of every degree of freedom."""
     segments, frames = limbs.skeleton.segments, len(values)
     begins, ends = (np.empty((frames, len(segments), 3)) for _ in range(2))
-    turned, axes = (
-        np.empty((frames, len(segments), 3, 3)),
-        np.empty((frames, len(limbs.columns), 3)),
-    )
+    turned = np.empty((frames, len(segments), 3, 3))
+    axes = np.empty((frames, len(limbs.columns), 3))
     for i, segment in enumerate(segments):
         if segment.parent >= 0:
             above, begin = turned[:, segment.parent], ends[:, segment.parent]

@@ -62,7 +62,8 @@ def repair(session: Session, artifact: Artifact, proposal: Repair) -> Change:
     """Repair what was swept, as proposed.
 
     What was found inside and is not decided, or accepted, is answered by it and goes; of a gap that
-    it fills in part, the rest stays.
+    it fills in part, the rest stays. A swap answers steps and gaps only: what else was wrong is
+    wrong still.
 
     Parameters
     ----------
@@ -77,14 +78,17 @@ def repair(session: Session, artifact: Artifact, proposal: Repair) -> Change:
     """
     artifact = session.placed(artifact)
     edits = repairing(artifact, proposal)
+    swap = proposal.method == "swap"
+    kinds = (Kind.STEP, Kind.GAP) if swap else tuple(Kind)
+    open_ = {a.id for a in session.with_status(Status.PENDING, Status.ACCEPTED) if a.kind in kinds}
     answered = {
         i: a
         for i, a in _artifacts_after(session, proposal.patches).items()
-        if a is not None or session.artifact(i).status in (Status.PENDING, Status.ACCEPTED)
+        if a is not None or i in open_
     }
     notes = SetNotes(overwritten(session.state, proposal.patches))
     what = f"Repair {describe([artifact])}"
-    if proposal.method == "swap":
+    if swap:
         what = f"Swap {artifact.marker} and {artifact.counterpart}"
     return session.perform(f"{what} by hand", Group((SetArtifacts(answered), *edits, notes)))
 

@@ -24,6 +24,7 @@ LONGEST_S, FIT_S, NEAR_S = 0.035, 0.07, 0.35
 OWN_MM, OWN_TIMES = 1.5, 2.0
 """How far off its own course a marker must be at the gap, and how many times the usual."""
 USUAL = 0.9
+"""Quantile of how far it usually is."""
 LEAST_MM, TIMES_USUAL = 2.5, 1.5
 """How far from where its neighbours put it, and how many times what is usual around."""
 ALIKE = 0.4
@@ -93,18 +94,18 @@ def find_lost(take: Take, markers: Sequence[int], trusted: BoolArray) -> list[Ar
 
 def with_lost(sudden: Sequence[Artifact], lost: Sequence[Artifact]) -> list[Artifact]:
     """Sudden artifacts with those beside gaps: peaks become part of them, and they of noise."""
-    kept, whole = list(sudden), []
+    kept = list(sudden)
     for one in lost:
         beside = [
             a for a in kept if a.marker == one.marker and a.overlaps(one.start - 1, one.stop + 1)
         ]
         noise = next((a for a in beside if a.kind is Kind.NOISE), None)
         same = [a for a in beside if a.kind is Kind.PEAK or a is noise]
-        kept = [a for a in kept if a not in same]
         start = min([one.start, *(a.start for a in same)])
         stop = max([one.stop, *(a.stop for a in same)])
-        whole.append(replace(noise or one, start=start, stop=stop))
-    return [*kept, *whole]
+        whole = replace(noise or one, start=start, stop=stop)
+        kept = [*(a for a in kept if a not in same), whole]
+    return kept
 
 
 def _course(fit: int, ahead: int) -> FloatArray:
