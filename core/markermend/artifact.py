@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from enum import StrEnum
+from numbers import Integral
 
 import numpy as np
 
@@ -43,22 +44,23 @@ class Artifact:
     marker : label
     axes : the axes that are wrong, a non-empty part of ``"xyz"`` in that order
     start, stop : half-open interval of 0-based frame indices
-    kind : class of the artifact
+    kind : class of the artifact, or its name
     confidence : in [0, 1], share of such flags that are real
     amplitude_mm : size of the deviation; NaN where it has none (a gap)
     why : the evidence in one sentence
     counterpart : for a swap, the marker under whose name its own samples are
     further_counterparts : for a swap of three or more, the markers after ``counterpart``, each
         under the name of the next; those of the last are under ``marker``
-    status : what the operator decided
+    status : what the operator decided, or its name
     note : what the operator wrote about it
     id : stable name; made from marker, axes, interval and kind when empty, kept by edits
 
     Raises
     ------
     DataError
-        when the interval is empty, the axes are not a part of ``"xyz"``, or there are further
-        counterparts without a first
+        when the interval is empty or not one of whole frames, the axes are not a part of
+        ``"xyz"``, the confidence is not within [0, 1], there is no such class or decision, or
+        there are further counterparts without a first
     """
 
     marker: str
@@ -78,8 +80,16 @@ class Artifact:
     def __post_init__(self) -> None:
         if not self.axes or "".join(a for a in AXES if a in self.axes) != self.axes:
             raise DataError(f"Axes must be a part of “xyz” in that order, not “{self.axes}”.")
-        if not 0 <= self.start < self.stop:
+        whole = isinstance(self.start, Integral) and isinstance(self.stop, Integral)
+        if not (whole and 0 <= self.start < self.stop):
             raise DataError(f"An artifact cannot reach from frame {self.start} to {self.stop}.")
+        if not 0.0 <= self.confidence <= 1.0:
+            raise DataError(f"A confidence is between 0 and 1, not {self.confidence}.")
+        try:
+            object.__setattr__(self, "kind", Kind(self.kind))
+            object.__setattr__(self, "status", Status(self.status))
+        except ValueError as error:
+            raise DataError(f"An artifact cannot be of this class or status: {error}.") from None
         if self.further_counterparts and self.counterpart is None:
             raise DataError(f"A swap of {self.marker} with further markers needs a counterpart.")
         if not self.id:

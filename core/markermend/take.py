@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, fields, replace
 from enum import IntEnum
 from functools import cached_property
+from numbers import Real
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal
@@ -128,7 +129,8 @@ class Take:
     positions : (frames, markers, 3) float64, mm, C order; NaN in all three coordinates where the
         marker was not seen. The array is handed over and becomes read-only; what has another type
         or order, or is a part of another array, is copied
-    labels : one per marker, unique; a prefix ``Subject:`` names the body it belongs to
+    labels : one per marker, unique, kept as a tuple; a prefix ``Subject:`` names the body it
+        belongs to
     rate : frames per second
     first_frame : the file's number of index 0 (C3D counts from 1)
     residuals : (frames, markers) float32 in mm, or None; the file's own reconstruction residual,
@@ -144,7 +146,8 @@ class Take:
     Raises
     ------
     DataError
-        when shapes, labels or rate do not fit together
+        when shapes, labels or rate do not fit together, and for positions that are infinite or no
+        numbers
     """
 
     positions: FloatArray
@@ -163,25 +166,19 @@ class Take:
     info: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
 
     def __post_init__(self) -> None:
-        positions = np.ascontiguousarray(self.positions, dtype=np.float64)
+        try:
+            positions = np.ascontiguousarray(self.positions, dtype=np.float64)
+        except (TypeError, ValueError):
+            raise DataError("Positions must be numbers, (frames, markers, 3).") from None
         if isinstance(positions.base, np.ndarray) and positions.base.flags.writeable:
             # A part of a larger array could still be written to by way of that.
             positions = positions.copy()
         if positions.ndim != 3 or positions.shape[2] != 3:
             raise DataError(f"Positions must be (frames, markers, 3), not {positions.shape}.")
-        if len(self.labels) != positions.shape[1]:
-            raise DataError(
-                f"There are {positions.shape[1]} trajectories but {len(self.labels)} labels."
-            )
-        if len(set(self.labels)) != len(self.labels):
-            raise DataError("Marker labels must be unique.")
-        if not (np.isfinite(self.rate) and self.rate > 0):
+        labels = _checked_labels(self.labels, positions.shape[1])
+        if not (isinstance(self.rate, Real) and np.isfinite(self.rate) and self.rate > 0):
             raise DataError(f"The frame rate must be positive, not {self.rate}.")
-        # Axis by axis, since reducing over an axis of three is ten times slower.
-        absent = np.isnan(positions)
-        missing = absent[:, :, 0]
-        if any((absent[:, :, axis] != missing).any() for axis in (1, 2)):
-            raise DataError("A missing sample must be NaN in all three coordinates.")
+        missing = _checked_missing(positions)
         origin = self.origin
         if origin is None or origin.size == 0:
             # Not missing is 1, which is Origin.MEASURED.
@@ -192,6 +189,7 @@ class Take:
             if array is not None:
                 array.flags.writeable = False
         object.__setattr__(self, "positions", positions)
+        object.__setattr__(self, "labels", labels)
         object.__setattr__(self, "origin", origin)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -356,6 +354,30 @@ class Take:
         view.__dict__.update(self.__dict__, positions=positions, origin=origin)
         view.__dict__.pop("present", None)
         return view
+
+
+def _checked_labels(labels: Iterable[str], markers: int) -> tuple[str, ...]:
+    """Labels as a tuple; raises DataError where they are not one text a marker."""
+    names = () if isinstance(labels, str) else tuple(labels)
+    if isinstance(labels, str) or not all(isinstance(name, str) for name in names):
+        raise DataError("Marker labels must be texts, one per marker.")
+    if len(names) != markers:
+        raise DataError(f"There are {markers} trajectories but {len(names)} labels.")
+    if len(set(names)) != len(names):
+        raise DataError("Marker labels must be unique.")
+    return names
+
+
+def _checked_missing(positions: FloatArray) -> BoolArray:
+    """(frames, markers) where positions are missing; raises DataError where they are half there."""
+    # Axis by axis, since reducing over an axis of three is ten times slower.
+    absent = ~np.isfinite(positions)
+    missing: BoolArray = absent[:, :, 0]
+    if any((absent[:, :, axis] != missing).any() for axis in (1, 2)):
+        raise DataError("A missing sample must be NaN in all three coordinates.")
+    if not np.isnan(positions[missing]).all():
+        raise DataError("Positions must be finite, or NaN where a marker was not seen.")
+    return missing
 
 
 def _take_from(values: dict[str, Any]) -> Take:

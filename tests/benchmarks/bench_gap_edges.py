@@ -4,6 +4,9 @@ python tests/benchmarks/bench_gap_edges.py TAKE.c3d ... (recordings with little 
 
 Plain: gaps of 5 to 100 frames in one marker or three neighbours at once; flags that the take as it
 is does not have. Ramps: gaps of 10 to 60 frames, a ramp over 1 to 4 frames on either side of them.
+Steps: such gaps with 2 to 30 frames beside them that are one step off in a random direction; how
+many are found, how many of the axes that are 1 mm off or more are named, and what is left of the
+error in these frames once they are repaired.
 """
 
 from __future__ import annotations
@@ -19,10 +22,12 @@ from markermend.artifact import Artifact, Kind
 from markermend.bench.gaps import only_named
 from markermend.patch import patched
 from markermend.repairs import repair_all
-from markermend.take import Take
+from markermend.take import AXES, Take
 
 COPIES, MARKERS, SEED, FREE = 8, 6, 5, 60
 RAMPS_MM = ((3.0, 6.0), (8.0, 20.0))
+STEPS_MM = ((5.0, 10.0), (10.0, 40.0))
+NOTICEABLE_MM = 1.0
 
 
 def flagged_plain(take: Take, together: int) -> tuple[int, int]:
@@ -78,6 +83,40 @@ def found_ramps(take: Take, smallest: float, largest: float) -> tuple[float, flo
     return float(np.mean(edges)), float(np.nanmean(off))
 
 
+def found_steps(take: Take, smallest: float, largest: float) -> tuple[float, float, float, float]:
+    """Share of steps found, share of their axes named, mean and largest error left, mm."""
+    rng = np.random.default_rng([SEED, round(largest), 1])
+    seen, named, off = list[bool](), list[bool](), list[float]()
+    for _ in range(COPIES):
+        positions, steps = take.positions.copy(), []
+        for marker in rng.choice(take.markers, MARKERS, replace=False).tolist():
+            length = int(rng.integers(10, 60))
+            start = int(rng.integers(100, take.frames - length - 100))
+            beside = int(rng.integers(2, 31))
+            first = start - beside if rng.random() < 0.5 else start + length
+            way = rng.normal(size=3)
+            height = rng.uniform(smallest, largest) * way / np.linalg.norm(way)
+            positions[first : first + beside, marker] += height
+            positions[start : start + length, marker] = np.nan
+            steps.append((marker, first, first + beside, height))
+        damaged = Take(positions, take.labels, take.rate)
+        found = mm.detect(damaged, slow=False)
+        fixed = patched(damaged, (p for _, r in repair_all(damaged, found) for p in r.patches))
+        for marker, start, stop, height in steps:
+            if np.isnan(take.positions[start:stop, marker]).any():
+                continue
+            mine = [a for a in found if a.marker == take.labels[marker] and a.kind is not Kind.GAP]
+            mine = [a for a in mine if a.overlaps(start, stop)]
+            seen.append(bool(mine))
+            if mine:
+                axes = {axis for a in mine for axis in a.axes}
+                wrong = np.flatnonzero(np.abs(height) >= NOTICEABLE_MM)
+                named += [AXES[n] in axes for n in wrong]
+            away = (fixed.positions - take.positions)[start:stop, marker]
+            off.append(float(np.linalg.norm(away, axis=1).mean()))
+    return float(np.mean(seen)), float(np.mean(named)), float(np.mean(off)), max(off)
+
+
 def _ramp(rng: np.random.Generator, smallest: float, largest: float) -> FloatArray:
     """(1 to 4, 3) mm, rising in a random direction."""
     frames, way = int(rng.integers(1, 5)), rng.normal(size=3)
@@ -101,6 +140,12 @@ def main() -> None:
             sys.stdout.write(
                 f"{name}: ramps to {smallest:g} to {largest:g} mm at {share:.0%} of the edges"
                 f" found, gaps {off:.1f} mm off\n"
+            )
+        for smallest, largest in STEPS_MM:
+            share, axes, off, most = found_steps(take, smallest, largest)
+            sys.stdout.write(
+                f"{name}: steps of {smallest:g} to {largest:g} mm beside gaps: {share:.0%} found,"
+                f" {axes:.0%} of their axes named, {off:.1f} mm off once repaired ({most:.1f})\n"
             )
 
 

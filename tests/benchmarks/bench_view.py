@@ -26,7 +26,7 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np
-from PySide6.QtCore import QEvent, QObject, QSettings
+from PySide6.QtCore import QEvent, QEventLoop, QObject, QSettings
 from PySide6.QtWidgets import QApplication, QWidget
 
 from markermend.artifact import Artifact, Kind
@@ -94,11 +94,12 @@ def per_frame(widget: QWidget, move: Callable[[int], None]) -> float:
     """Median processor milliseconds of a move and the painting that follows it."""
     paints, found = Paints(widget), []
     for i in range(FRAMES):
-        before = time.process_time()
+        before, painted = time.process_time(), paints.count
         move(i)
-        QApplication.processEvents()
+        # What stands beside the plots is painted in a turn of its own.
+        while paints.count == painted:
+            QApplication.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents)
         found.append(1000 * (time.process_time() - before))
-    assert paints.count >= FRAMES, "a frame was not painted"
     return statistics.median(found)
 
 

@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import json
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -37,6 +38,30 @@ def test_an_artifact_survives_json(artifact: Artifact) -> None:
 def test_further_counterparts_need_a_first() -> None:
     with pytest.raises(DataError, match="counterpart"):
         Artifact("C7", "xyz", 1, 2, Kind.STEP, further_counterparts=("LBHD",))
+
+
+def test_an_artifact_takes_the_name_of_a_class() -> None:
+    values: dict[str, Any] = {"kind": "step", "status": "accepted"}
+    named = Artifact("C7", "xyz", 1, 2, **values)
+    assert named.kind is Kind.STEP
+    assert named.status is Status.ACCEPTED
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"start": 0.5},
+        {"stop": "2"},
+        {"confidence": 1.5},
+        {"confidence": math.nan},
+        {"kind": "wobble"},
+        {"status": "maybe"},
+    ],
+)
+def test_an_artifact_of_nonsense_is_refused(wrong: dict[str, Any]) -> None:
+    values: dict[str, Any] = {"start": 1, "stop": 2, "kind": Kind.GAP}
+    with pytest.raises(DataError):
+        Artifact("C7", "xyz", **(values | wrong))
 
 
 def test_no_amplitude_is_null_and_comes_back_as_nan() -> None:

@@ -150,6 +150,16 @@ def test_a_step_cut_off_by_a_gap_is_found(performer):
     assert "beside a gap" in a.why
 
 
+@pytest.mark.parametrize("off", [[12.0, 3.0, -2.0], [4.2, -4.2, 4.2]])
+def test_a_step_cut_off_by_a_gap_is_named_on_all_its_axes(off, performer):
+    positions = performer.positions.copy()
+    positions[500:520, 4] += off
+    positions[520:540, 4] = np.nan
+    (a,) = sudden(Take(positions, performer.labels, performer.rate))
+    assert (a.start, a.stop, a.axes, a.kind) == (500, 520, "xyz", Kind.STEP)
+    assert a.amplitude_mm == pytest.approx(np.linalg.norm(off), abs=1.0)
+
+
 @pytest.mark.parametrize(("size", "found"), [(18.0, 0), (40.0, 1)])
 def test_a_gap_long_after_a_jump_explains_it_only_when_a_marker_is_clearly_off(
     size, found, performer

@@ -380,3 +380,24 @@ def test_the_ceiling_rises_with_size_and_sinks_with_round_kinks():
     assert "hann" in ceiling_table(found)[-1]
     few = Take(take.positions[:, :3], take.labels[:3], take.rate)
     assert slow_ceiling(Clean("few", few)) == []
+
+
+def test_what_a_body_leaves_swings_less_on_a_calm_take():
+    from markermend.bench.e1 import Clean
+    from markermend.bench.unrest import swings, unrest, unrest_figure, unrest_table
+
+    take = simulate_clean(duration_s=6.0, rate=120.0, seed=2, labels=LABELS)
+    calm = unrest(Clean("calm", take))
+    assert calm is not None
+    rng = np.random.default_rng(1)
+    shaken = Take(take.positions + rng.normal(0.0, 4.0, take.positions.shape), take.labels, 120.0)
+    wild = unrest(Clean("wild", shaken))
+    assert wild is not None
+    assert calm.median_mm < 10.0 < wild.median_mm
+    assert calm.share < 0.5 < wild.share
+    assert "wild" in unrest_table([calm, wild])[-1]
+    assert unrest_figure(calm).count("<path") > 6
+    known = np.where(np.arange(60) == 5, 7.0, 0.0)[:, None]
+    assert swings(known)[:, 0].tolist() == [7.0] * 6 + [0.0] * 5
+    few = Take(take.positions[:, :3], take.labels[:3], take.rate)
+    assert unrest(Clean("few", few)) is None

@@ -33,12 +33,21 @@ def make_take() -> Take:
         ({"rate": 0.0}, "rate must be positive"),
         ({"rate": float("nan")}, "rate must be positive"),
         ({"origin": np.zeros((3, 1), dtype=np.uint8)}, "Origin must be"),
+        ({"positions": [[["a", "b", "c"]]]}, "must be numbers"),
+        ({"positions": np.full((3, 2, 3), np.inf)}, "must be finite"),
+        ({"labels": "AB"}, "must be texts"),
+        ({"labels": (1, 2)}, "must be texts"),
+        ({"rate": "100"}, "rate must be positive"),
     ],
 )
 def test_what_does_not_fit_together_is_refused(change, says):
     values = {"positions": np.zeros((3, 2, 3)), "labels": ("A", "B"), "rate": 100.0}
     with pytest.raises(DataError, match=says):
         Take(**(values | change))
+
+
+def test_labels_may_be_a_list():
+    assert Take(np.zeros((3, 2, 3)), ["A", "B"], 100).labels == ("A", "B")
 
 
 def test_half_a_sample_is_refused():

@@ -40,9 +40,12 @@ def _run_e1(options: argparse.Namespace) -> int:
     from markermend.bench.e1 import COMPANIONS, e1
     from markermend.bench.e1_svg import e1_figures, figure_names
     from markermend.bench.e1_text import e1_csv, e1_table
+    from markermend.bench.unrest import figure_name, unrest, unrest_figure, unrest_table
     from markermend.detectors import find_detector
 
-    names = figure_names([Path(t).stem for t in options.takes], options.share, options.amplitude)
+    stems = [Path(t).stem for t in options.takes]
+    names = figure_names(stems, options.share, options.amplitude)
+    names += [figure_name(stem) for stem in stems]
     check_figures(options.figures, names, force=options.force)
     check_outputs([options.csv], source=options.takes, force=options.force)
     takes = clean_takes(options.takes, options.flaws)
@@ -65,8 +68,11 @@ def _run_e1(options: argparse.Namespace) -> int:
             n_jobs=options.jobs,
             progress=bar,
         )
+    left = [] if options.no_slow else [unrest(t, jobs=options.jobs) for t in takes]
+    told = [u for u in left if u is not None]
     if options.figures is not None:
-        write_figures(options.figures, e1_figures(rows))
+        drawn = {figure_name(u.take): unrest_figure(u) for u in told}
+        write_figures(options.figures, e1_figures(rows) | drawn)
     if options.csv is not None:
         write_text(options.csv, e1_csv(rows))
     if options.csv != STDOUT:
@@ -75,7 +81,7 @@ def _run_e1(options: argparse.Namespace) -> int:
             if options.no_slow
             else [c for t in takes for c in slow_ceiling(t, seed=options.seed, jobs=options.jobs)]
         )
-        for line in [*e1_table(rows), *ceiling_table(ceilings)]:
+        for line in [*e1_table(rows), *ceiling_table(ceilings), *unrest_table(told)]:
             say(line)
     return 0
 

@@ -21,12 +21,15 @@ from markermend.progress import heed
 
 LEAST_SCORE = 4.5
 """Standard errors from which a shape is written down; confidence decides what is flagged."""
-CUT_OFF_SCORE, CUT_OFF_MM = 10.0, 5.0
-"""What a lone jump must be to count as a step whose other edge is hidden by a gap or an end."""
+CUT_OFF_SCORE, CUT_OFF_MM, CUT_OFF_AXES_MM = 10.0, 5.0, 6.5
+"""What a lone jump must be to count as a step whose other edge is hidden by a gap or an end: its
+score and size, or its size on all axes of the marker."""
 DOUBTFUL_SCORE = 6.0
 """A pair below leaves its jumps to partners that are clearer."""
 CLEAR_NOISE = 1.5
 """Noise below, times the least that counts, hides no edge of a step."""
+ALONG_MM = 1.0
+"""What the other axes jump with it need not stand out so far."""
 LONG_CUT_OFF_S, LONG_CUT_OFF_MM = 0.35, 20.0
 """A gap so far from the jump rather has nothing to do with it, unless a marker's breadth is off."""
 AT_END_MM, AT_END_S = 1.0, 1.0
@@ -222,7 +225,9 @@ def _cut_off(
         first, last = int(begin[frame, channel]), int(end[frame, channel])
         # The shorter piece is the one that went wrong.
         start, stop = (first, frame) if frame - first < last - frame else (frame, last)
-        size, score = abs(float(jumps.size[i])), float(jumps.score[i])
+        size = abs(float(jumps.size[i]))
+        every = [int(i), *_along(jumps, int(i), paired)]
+        large = size >= CUT_OFF_MM or np.linalg.norm(jumps.size[every]) >= CUT_OFF_AXES_MM
         at_end = start == 0 or stop == len(seen)
         course, long = Course.CUT_OFF, stop - start > LONGEST_S * rate
         short = at_end and reach_at(rate) <= stop - start <= AT_END_S * rate
@@ -230,7 +235,7 @@ def _cut_off(
         between[i] = False
         # Small ones must be of one level: what jumps within may be motion as well.
         own = short and beside[i] <= OWN * size and not between.any()
-        if size < CUT_OFF_MM and not own:
+        if not (large or own):
             continue
         if not at_end and stop - start > LONG_CUT_OFF_S * rate and size < LONG_CUT_OFF_MM:
             continue
@@ -243,9 +248,21 @@ def _cut_off(
             ):
                 continue
             course = Course.FALLEN
-        kind, moved = Kind.PEAK if stop - start <= peak_frames else Kind.STEP, float(beside[i])
-        found.append(Sudden(channel, start, stop, kind, size, score, moved, course))
+        kind = Kind.PEAK if stop - start <= peak_frames else Kind.STEP
+        for j in every:
+            size, score = abs(float(jumps.size[j])), float(jumps.score[j])
+            one, moved = int(jumps.channel[j]), float(beside[j])
+            found.append(Sudden(one, start, stop, kind, size, score, moved, course))
     return found
+
+
+def _along(jumps: Jumps, i: int, paired: set[int]) -> list[int]:
+    """Jumps of the other axes of a marker at the moment at which it jumps for sure."""
+    channel, frame = jumps.channel[i], jumps.frame[i]
+    same = (jumps.channel // 3 == channel // 3) & (jumps.channel != channel)
+    same &= (np.abs(jumps.frame - frame) <= 1) & (jumps.length == 0)
+    same &= np.abs(jumps.size) >= ALONG_MM
+    return [int(j) for j in np.flatnonzero(same) if int(j) not in paired]
 
 
 def _lone(jumps: Jumps, seen: BoolArray) -> set[int]:
