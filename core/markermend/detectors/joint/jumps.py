@@ -19,6 +19,9 @@ FLOOR_MM = 0.03
 """Added to every standard error: rounding, quantisation and filters leave some markers without
 any noise of their own."""
 PASSES = 3
+CLEAR_SCORE = 7.5
+"""What is as clear as this does not count for noise where others beside it are judged; what is
+less may be motion that was taken for jumps."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,12 +88,13 @@ def find_jumps(
         if not len(new):
             break
         where = np.zeros_like(seen)
-        for c, f, n, size in zip(new.channel, new.frame, new.length, new.size, strict=True):
-            rest[f : f + n if n else end[f, c], c] -= size
+        for i, (c, f, n) in enumerate(zip(new.channel, new.frame, new.length, strict=True)):
+            _push(rest, new, i, end, -1.0)
             # Elsewhere nothing has changed.
             where[max(0, f - 2 * reach) : f + n + 2 * reach, c] = True
         where &= seen
         found = _merged(found, new)
+    found = _judged_again(found, rest, begin, end, noise, reach)
     order = np.lexsort((found.frame, found.channel))
     return found.take(order), rest
 
@@ -158,6 +162,38 @@ def _one_pass(
             )
         )
     return _clearest(_joined(candidates), reach)
+
+
+def _judged_again(
+    found: Jumps,
+    rest: FloatArray,
+    begin: IntArray,
+    end: IntArray,
+    noise: FloatArray,
+    reach: int,
+) -> Jumps:
+    """With the scores that they have once the clear ones beside them are gone, where higher."""
+    score, faint = found.score.copy(), found.score < CLEAR_SCORE
+    signal = rest.copy(order="F")
+    for i in np.flatnonzero(faint):
+        _push(signal, found, int(i), end, 1.0)
+    for length in np.unique(found.length):
+        at = np.flatnonzero(found.length == length)
+        channel, frame = found.channel[at], found.frame[at]
+        first, stop = begin[frame, channel], end[frame, channel]
+        judged = judge(signal, channel, frame, int(length), reach, first, stop)
+        # A shape that is put back changes the fit's size, and nothing of what it leaves.
+        size = np.where(faint[at], 0.0, found.size[at]) + judged.size
+        again = np.abs(size) / _error(judged, noise[frame, channel])
+        score[at] = np.maximum(again, score[at])
+    return Jumps(found.channel, found.frame, found.length, found.size, score)
+
+
+def _push(signal: FloatArray, jumps: Jumps, i: int, end: IntArray, sign: float) -> None:
+    """Add one jump to a signal, in place."""
+    channel, frame, length = int(jumps.channel[i]), int(jumps.frame[i]), int(jumps.length[i])
+    stop = frame + length if length else int(end[frame, channel])
+    signal[frame:stop, channel] += sign * jumps.size[i]
 
 
 def _error(judged: Judged, level: FloatArray) -> FloatArray:
