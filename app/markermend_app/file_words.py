@@ -68,6 +68,8 @@ PROBLEMS = (
 
 REVIEWS = (
     "The review made of this take at “{0}” goes on here.",
+    "The take was exported over its original. What was not repaired of its review goes on here; "
+    "the review so far stays in “{0}”.",
     "The take has changed since it was reviewed: what was decided on the {0} markers that are the "
     "same was kept, on {1} it was not; the old review stays in “{2}”.",
 )

@@ -44,6 +44,7 @@ _SAME = (
     "Detect ({0})",
     "Review frames {0}–{1} only",
     "Review the whole take",
+    "Go on after the export",
     "{0} artifacts",
     "{0} artifact",
     "{0} markers",
@@ -51,6 +52,9 @@ _SAME = (
     "all frames",
     # Reasons; what follows a semicolon first, since it stands behind any of them.
     "marked by hand",
+    "called {0} by hand",
+    "its frames were set by hand",
+    "was taken for a mix-up with {0}, which was repaired by itself",
     "{0}; {1} times its usual scatter",
     "{0}; its residual changes there from {1} to {2} mm",
     "{0}; {1} cameras see it instead of {2}",

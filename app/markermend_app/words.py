@@ -11,3 +11,8 @@ from PySide6.QtCore import QCoreApplication
 def tr(text: str) -> str:
     """The text in the language of the app."""
     return QCoreApplication.translate("", text)
+
+
+def literal(name: str) -> str:
+    """A name as menus and buttons show it whole: a lone ampersand would mark the letter behind."""
+    return name.replace("&", "&&")

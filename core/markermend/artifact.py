@@ -5,9 +5,10 @@ from __future__ import annotations
 import hashlib
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from enum import StrEnum
 from numbers import Integral
+from typing import Any
 
 import numpy as np
 
@@ -90,11 +91,17 @@ class Artifact:
             object.__setattr__(self, "status", Status(self.status))
         except ValueError as error:
             raise DataError(f"An artifact cannot be of this class or status: {error}.") from None
+        if math.isnan(self.amplitude_mm):
+            # One and the same, so that artifacts without one are equal.
+            object.__setattr__(self, "amplitude_mm", math.nan)
         if self.further_counterparts and self.counterpart is None:
             raise DataError(f"A swap of {self.marker} with further markers needs a counterpart.")
         if not self.id:
             key = f"{self.marker}|{self.axes}|{self.start}|{self.stop}|{self.kind}"
             object.__setattr__(self, "id", hashlib.sha1(key.encode()).hexdigest()[:12])
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Artifact, tuple(getattr(self, f.name) for f in fields(self))
 
     def __repr__(self) -> str:
         size = "" if math.isnan(self.amplitude_mm) else f", {self.amplitude_mm:.1f} mm"

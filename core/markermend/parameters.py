@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import field, fields, replace
+from numbers import Real
 from typing import Any, Protocol
 
 from markermend.errors import MethodError
@@ -50,7 +51,8 @@ def read_params(
     Raises
     ------
     MethodError
-        when a name is unknown or a value lies outside the range its field declares
+        when a name is unknown, or a value no number where one is wanted or outside the range that
+        its field declares
     """
     own = isinstance(params, method.params)
     if not own and params is not None and not isinstance(params, Mapping):
@@ -86,6 +88,8 @@ def check_ranges(params: Any, whose: str = "") -> None:
     """
     for f in fields(params):
         low, high, value = f.metadata.get("min"), f.metadata.get("max"), getattr(params, f.name)
+        if (low, high) != (None, None) and not isinstance(value, Real):
+            raise MethodError(f"“{f.name}”{whose} is a number, not {value!r}.")
         if (low is not None and not value >= low) or (high is not None and not value <= high):
             bounds = (
                 f"must lie between {low:g} and {high:g}"

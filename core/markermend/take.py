@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
 from enum import IntEnum
 from functools import cached_property
-from numbers import Real
+from numbers import Integral, Real
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal
@@ -16,6 +16,7 @@ import numpy as np
 
 from markermend.arrays import BoolArray, ByteArray, Float32Array, FloatArray
 from markermend.errors import DataError
+from markermend.take_checks import check_samples, checked_labels, checked_missing
 
 if TYPE_CHECKING:
     import pandas
@@ -175,19 +176,25 @@ class Take:
             positions = positions.copy()
         if positions.ndim != 3 or positions.shape[2] != 3:
             raise DataError(f"Positions must be (frames, markers, 3), not {positions.shape}.")
-        labels = _checked_labels(self.labels, positions.shape[1])
+        labels = checked_labels(self.labels, positions.shape[1])
         if not (isinstance(self.rate, Real) and np.isfinite(self.rate) and self.rate > 0):
             raise DataError(f"The frame rate must be positive, not {self.rate}.")
-        missing = _checked_missing(positions)
+        missing = checked_missing(positions)
+        if not isinstance(self.first_frame, Integral):
+            raise DataError(f"The first frame is a whole number, not {self.first_frame!r}.")
         origin = self.origin
-        if origin is None or origin.size == 0:
+        if origin is None or np.size(origin) == 0:
             # Not missing is 1, which is Origin.MEASURED.
             origin = (~missing).astype(np.uint8)
-        if origin.shape != positions.shape[:2]:
-            raise DataError(f"Origin must be {positions.shape[:2]}, not {origin.shape}.")
-        for array in (positions, origin, self.residuals, self.cameras):
+        for name, array in (
+            ("Origin", origin),
+            ("Residuals", self.residuals),
+            ("Cameras", self.cameras),
+        ):
             if array is not None:
+                check_samples(name, array, positions.shape[:2])
                 array.flags.writeable = False
+        positions.flags.writeable = False
         object.__setattr__(self, "positions", positions)
         object.__setattr__(self, "labels", labels)
         object.__setattr__(self, "origin", origin)
@@ -238,7 +245,7 @@ class Take:
         """
         try:
             return self._column[label]
-        except KeyError:
+        except (KeyError, TypeError):
             raise DataError(self._no_marker(label)) from None
 
     def _no_marker(self, label: str) -> str:
@@ -246,7 +253,7 @@ class Take:
         from difflib import get_close_matches
 
         who = "The take" if self.source is None else self.source.path.name
-        near = get_close_matches(label.casefold(), [s.casefold() for s in self.labels], 1)
+        near = get_close_matches(str(label).casefold(), [s.casefold() for s in self.labels], 1)
         meant = next((s for s in self.labels if [s.casefold()] == near), None)
         hint = f"is “{meant}” meant?" if meant else "“markermend info” lists its markers."
         return f"{who} has no marker called “{label}”; {hint}"
@@ -354,30 +361,6 @@ class Take:
         view.__dict__.update(self.__dict__, positions=positions, origin=origin)
         view.__dict__.pop("present", None)
         return view
-
-
-def _checked_labels(labels: Iterable[str], markers: int) -> tuple[str, ...]:
-    """Labels as a tuple; raises DataError where they are not one text a marker."""
-    names = () if isinstance(labels, str) else tuple(labels)
-    if isinstance(labels, str) or not all(isinstance(name, str) for name in names):
-        raise DataError("Marker labels must be texts, one per marker.")
-    if len(names) != markers:
-        raise DataError(f"There are {markers} trajectories but {len(names)} labels.")
-    if len(set(names)) != len(names):
-        raise DataError("Marker labels must be unique.")
-    return names
-
-
-def _checked_missing(positions: FloatArray) -> BoolArray:
-    """(frames, markers) where positions are missing; raises DataError where they are half there."""
-    # Axis by axis, since reducing over an axis of three is ten times slower.
-    absent = ~np.isfinite(positions)
-    missing: BoolArray = absent[:, :, 0]
-    if any((absent[:, :, axis] != missing).any() for axis in (1, 2)):
-        raise DataError("A missing sample must be NaN in all three coordinates.")
-    if not np.isnan(positions[missing]).all():
-        raise DataError("Positions must be finite, or NaN where a marker was not seen.")
-    return missing
 
 
 def _take_from(values: dict[str, Any]) -> Take:

@@ -1,4 +1,4 @@
-"""Clean every take below a folder, and list what was left for an operator.
+"""Clean every C3D take below a folder, and list what was left for an operator.
 
 python clean_a_folder.py FOLDER OUT
 """
@@ -11,15 +11,20 @@ from markermend.patch import patched
 from markermend.repairs import repair_all
 
 folder, out = map(Path, sys.argv[1:3])
-out.mkdir(parents=True, exist_ok=True)
-
-for path in sorted(folder.rglob("*.c3d")):
-    take = mm.read(path)
+for path in sorted(p for p in folder.rglob("*") if p.suffix.lower() == ".c3d"):
+    name = path.relative_to(folder)
+    try:
+        take = mm.read(path)
+    except mm.MarkermendError as error:
+        print(f"{name}: {error}")
+        continue
     found = mm.detect(take)
     repairs = repair_all(take, found, min_confidence=0.9)
     clean = patched(take, [patch for _, repair in repairs for patch in repair.patches])
-    mm.write(clean, out / path.name)
-    left = [a for a in found if a.confidence < 0.9] + [a for a, r in repairs if not r.patches]
-    print(f"{path.name}: {len(repairs)} repaired, {len(left)} left")
+    (out / name).parent.mkdir(parents=True, exist_ok=True)
+    mm.write(clean, out / name)
+    done = [a for a, repair in repairs if repair.patches]
+    left = [a for a in found if a not in done]
+    print(f"{name}: {len(done)} repaired, {len(left)} left")
     for artifact in left:
         print("   ", artifact)

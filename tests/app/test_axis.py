@@ -41,6 +41,11 @@ def published(axis: Axis):
     return edge, drawn, [text for _, _, text in numbers]
 
 
+def said(text) -> str:
+    """What a drawn number says, its lines as pyqtgraph has them."""
+    return text.text().replace("\N{LINE SEPARATOR}", "\n")
+
+
 @pytest.mark.parametrize("scale", [1.0, 0.001, 1 / 25.4])
 @pytest.mark.parametrize(
     ("time", "values"),
@@ -54,7 +59,7 @@ def test_lines_and_numbers_are_where_pyqtgraph_has_them(frame, time, values, sca
         edge, lines, numbers = published(axis)
         drawing = axis._drawing()
         assert [drawing.edge.p1(), drawing.edge.p2()] == edge
-        assert [text.text() for _, text in drawing.numbers] == numbers
+        assert [said(text) for _, text in drawing.numbers] == numbers
         assert numbers
         for (alpha, p, q), line in zip(lines, drawing.lines, strict=True):
             ends = (line.x1(), line.y1(), line.x2(), line.y2())
@@ -68,7 +73,7 @@ def test_numbers_follow_what_is_in_view(frame):
     for top in (10, 1000):
         frame.view.setRange(yRange=(0, top), padding=0)
         frame.plot.scene().views()[0].grab()
-        seen.append([text.text() for _, text in frame.values.picture.numbers])
+        seen.append([said(text) for _, text in frame.values.picture.numbers])
     assert max(map(float, seen[0])) <= 10 < max(map(float, seen[1])) <= 1000
 
 
@@ -76,3 +81,21 @@ def test_an_axis_without_extent_draws_no_numbers(qtbot):
     axis = Axis("left")
     axis.setRange(0.0, 1.0)
     assert not axis._drawing().numbers
+
+
+def test_frame_and_seconds_are_two_lines_where_both_have_room_in_one(frame):
+    frame.time.set_clock(0, 1000.0, 3000)
+    frame.time.setRange(0, 12)
+    frame.time.picture = None
+    heights = [text.size().height() for _, text in frame.time._drawing().numbers]
+    metrics = frame.time.fontMetrics() if hasattr(frame.time, "fontMetrics") else None
+    assert metrics is None or min(heights) > 1.5 * metrics.height()
+    widths = [text.size().width() for _, text in frame.time._drawing().numbers]
+    assert len(heights) >= 3
+    assert max(heights) == min(heights)
+    assert max(widths) < 60
+
+
+def test_a_take_of_one_frame_has_it_on_its_axis(frame):
+    frame.time.set_clock(7, 100.0, 1)
+    assert frame.time.tickValues(-0.4, 0.4, 400) == [(1.0, [0.0])]

@@ -140,13 +140,13 @@ def test_what_is_done_is_passed_over_and_the_key_is_told(window, shoot, qtbot):
     settled(window, qtbot)
     assert batch.next_item.name == "more/c"
     document.reject([a.id for a in document.session.artifacts])
-    assert "Shift+N goes on with more/c" in window.status._said.text()
+    assert "Shift+N goes on with more/c" in window.status._said.whole
     batch.next_take()
     arrive(window, qtbot, "c.c3d")
     document.reject([a.id for a in document.session.artifacts])
     qtbot.waitUntil(lambda: batch.next_item is None, timeout=WAIT)
     batch.next_take()
-    assert "done" in window.status._said.text()
+    assert "done" in window.status._said.whole
     assert document.path.name == "c.c3d"
 
 

@@ -100,7 +100,7 @@ def test_a_tap_of_the_key_says_to_hold_it(window, qtbot, monkeypatch):
     QTest.keyPress(window, Qt.Key.Key_C)
     QTest.keyRelease(window, Qt.Key.Key_C)
     qtbot.waitUntil(lambda: not window.comparison.shown)
-    assert "Hold the key" in window.status._said.text()
+    assert "Hold the key" in window.status._said.whole
 
 
 def test_walking_on_while_comparing_compares_the_next(window, qtbot):

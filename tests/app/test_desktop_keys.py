@@ -39,7 +39,7 @@ def test_esc_ends_choosing_then_the_tool_then_the_selection(window, qtbot):
     press(window, Qt.Key.Key_Escape)
     assert not window.references.choosing
     assert not window.actions_by_name["choose_references"].isChecked()
-    assert "Click" not in window.status._said.text()
+    assert "Click" not in window.status._said.whole
     assert window.scene.buttons.tool == "lasso"
     press(window, Qt.Key.Key_Escape)
     assert window.scene.buttons.tool == ""

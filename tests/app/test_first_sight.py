@@ -27,9 +27,9 @@ def test_work_is_said_to_be_cancelled_once_it_has_stopped(window, qtbot):
     qtbot.mouseClick(status._cancel, Qt.MouseButton.LeftButton)
     assert status._doing.text() == "Stopping…"
     assert not status._cancel.isEnabled()
-    assert status._said.text() == ""
+    assert status._said.whole == ""
     go.set()
-    qtbot.waitUntil(lambda: status._said.text() == "Cancelled.")
+    qtbot.waitUntil(lambda: status._said.whole == "Cancelled.")
     assert not status._doing.isVisible()
     window.lane.submit("More", lambda progress: None, lambda _: None, pytest.fail)
     qtbot.waitUntil(lambda: status._cancel.isEnabled() and not window.lane.busy)

@@ -157,7 +157,7 @@ def test_the_repair_key_accepts_what_cannot_be_repaired_and_goes_on(hopeless, qt
     assert document.session.artifact(gap).status is Status.ACCEPTED
     assert document.current.id != gap
     assert why
-    assert why in window.status._said.text()
+    assert why in window.status._said.whole
     assert np.array_equal(document.session.positions, before, equal_nan=True)
     qtbot.keyClick(window, Qt.Key.Key_Z, CTRL)
     assert document.session.artifact(gap).status is Status.PENDING
@@ -171,7 +171,7 @@ def test_a_method_chosen_by_hand_that_has_no_repair_decides_nothing(hopeless, qt
     assert not document.proposal.patches
     qtbot.keyClick(window, Qt.Key.Key_F)
     assert document.session.artifact(gap).status is Status.PENDING
-    assert "cannot be repaired" in window.status._said.text()
+    assert "cannot be repaired" in window.status._said.whole
 
 
 def test_the_first_is_framed_closely_with_its_repair_and_band(hundred, qtbot):

@@ -288,6 +288,18 @@ def test_keys_nudge_split_join_and_reclass(window, qtbot):
     assert document.session.artifact(artifact.id) == artifact
 
 
+def test_a_key_does_not_join_what_is_far_apart(window, qtbot):
+    document = window.document
+    current = document.current
+    away = Artifact(current.marker, "xyz", current.stop + 150, current.stop + 160, Kind.NOISE)
+    document.do(lambda session: session.mark(away))
+    document.select(current.id)
+    steps = len(document.session.history)
+    qtbot.keyClick(window, Qt.Key.Key_J)
+    assert len(document.session.history) == steps
+    assert "150 frames later" in window.status._said.whole
+
+
 def test_nudges_of_one_edge_are_one_step_that_tells_where_it_ended(window, qtbot):
     document, before = window.document, state(window)
     artifact, steps = document.current, len(document.session.history)

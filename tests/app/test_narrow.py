@@ -142,3 +142,25 @@ def test_sides_are_as_wide_again_once_the_window_is(window, qtbot):
     widen(window, 1200)
     widen(window, 1500, 900)
     qtbot.waitUntil(lambda: [side.width() for side in sides] == before)
+
+
+def test_a_sentence_without_room_ends_in_dots(window):
+    widen(window, HALF)
+    window.status.say("One & <b>two</b>. " * 30)
+    shown = window.status._said
+    assert shown.text().endswith("…")
+    assert shown.text().startswith("One & <b>two</b>.")
+    assert shown.sizeHint().width() <= shown.width()
+    assert shown.toolTip() == shown.whole
+
+
+def test_sides_get_their_widths_back_after_a_narrow_window(window):
+    widen(window, 1500, 900)
+    sides = [window.docks["markers"], window.docks["scene"]]
+    window.resizeDocks(sides, [320, 420], Qt.Orientation.Horizontal)
+    widen(window, 1500, 900)
+    before = [side.width() for side in sides]
+    widen(window, HALF)
+    assert [side.width() for side in sides] != before
+    widen(window, 1500, 900)
+    assert [side.width() for side in sides] == before

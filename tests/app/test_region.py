@@ -41,8 +41,8 @@ def test_keys_choose_it_and_the_queue_lists_what_reaches_into_it(narrowed, qtbot
     assert set(document.queue) == {a.id for a in document.session.listed}
     assert narrowed.queue.filters.progress.text().endswith(" of 2 decided")
     assert narrowed.inspector.take._reviewed.text() == "Frames 291 to 500"
-    assert "Frames 291–500 are reviewed" in narrowed.status._said.text()
-    assert "Artifacts outside them: 2" in narrowed.status._said.text()
+    assert "Frames 291–500 are reviewed" in narrowed.status._said.whole
+    assert "Artifacts outside them: 2" in narrowed.status._said.whole
     document.go_to(250)
     key(qtbot, narrowed, Qt.Key.Key_O)
     settled(qtbot)
@@ -52,7 +52,7 @@ def test_keys_choose_it_and_the_queue_lists_what_reaches_into_it(narrowed, qtbot
     settled(qtbot)
     assert document.session.region is None
     assert len(listed(narrowed)) == 4
-    assert "whole take" in narrowed.status._said.text()
+    assert "whole take" in narrowed.status._said.whole
 
 
 def test_the_artifact_under_review_is_left_where_it_lies_outside(reviewed, qtbot):

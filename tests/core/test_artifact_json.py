@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import json
 import math
+import pickle
 from typing import Any
 
 import numpy as np
@@ -69,6 +70,12 @@ def test_no_amplitude_is_null_and_comes_back_as_nan() -> None:
     assert values["amplitude_mm"] is None
     assert json.loads(json.dumps(values, allow_nan=False)) == values
     assert math.isnan(from_dict(values).amplitude_mm)
+
+
+def test_an_artifact_without_a_size_equals_its_copy() -> None:
+    gap = Artifact("C7", "xyz", 3, 9, Kind.GAP)
+    assert pickle.loads(pickle.dumps(gap)) == gap
+    assert from_dict(to_dict(gap)) == gap
 
 
 def test_a_document_names_the_take_and_reads_back() -> None:

@@ -11,6 +11,7 @@ import pytest
 import markermend as mm
 from markermend.artifact import Status
 from markermend.batch import Recipe, find_takes, run_batch, take_over, takes_to_review
+from markermend.batch.review import ToReview
 from markermend.detectors import find_detector
 from markermend.errors import DataError, FileFormatError, MarkermendError
 from markermend.review.file import open_session, read_review
@@ -50,6 +51,23 @@ def test_a_review_begins_where_the_batch_ended(cleaned: Path) -> None:
     assert kept == {i: None if bands[i] is None else tuple(bands[i]) for i in kept}
     session.undo()
     assert np.array_equal(session.positions, before, equal_nan=True)
+
+
+def test_a_swap_of_three_is_repaired_on_all_of_them(tmp_path: Path) -> None:
+    take = mm.simulate(duration_s=5.0, seed=3, damaged=False)[0]
+    positions = take.positions.copy()
+    three = [take.index(name) for name in ("LFHD", "RFHD", "LBHD")]
+    positions[200:260, three] = positions[200:260, [three[1], three[2], three[0]]]
+    mm.write(take.with_positions(positions, take.origin), tmp_path / "s.c3d")
+    recipe = Recipe(detector_params=find_detector("joint").params(slow=False))
+    run_batch(find_takes([tmp_path / "s.c3d"]), tmp_path / "out", recipe, jobs=1)
+    takes = tmp_path / "out" / "takes"
+    item = ToReview(tmp_path / "s.c3d", "s", takes / "s.json", takes / "s_clean.c3d")
+    session = Session(mm.read(item.path))
+    assert take_over(session, item)
+    assert any(len(a.markers) == 3 for a in session.with_status(Status.REPAIRED))
+    after = mm.read(takes / "s_clean.c3d")
+    assert np.array_equal(session.positions, after.positions, equal_nan=True)
 
 
 def test_a_take_that_changed_since_is_not_mixed_with_the_batch(

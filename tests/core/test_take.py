@@ -38,6 +38,10 @@ def make_take() -> Take:
         ({"labels": "AB"}, "must be texts"),
         ({"labels": (1, 2)}, "must be texts"),
         ({"rate": "100"}, "rate must be positive"),
+        ({"labels": None}, "must be texts"),
+        ({"residuals": np.ones((3, 3), dtype=np.float32)}, "Residuals must be"),
+        ({"cameras": [[1]]}, "Cameras must be"),
+        ({"first_frame": 1.5}, "whole number"),
     ],
 )
 def test_what_does_not_fit_together_is_refused(change, says):

@@ -8,7 +8,7 @@ from pathlib import Path
 from PySide6.QtWidgets import QMenu
 
 from markermend_app import settings
-from markermend_app.words import tr
+from markermend_app.words import literal, tr
 
 
 def fill_when_shown(menu: QMenu, open_path: Callable[[Path], None]) -> None:
@@ -17,7 +17,7 @@ def fill_when_shown(menu: QMenu, open_path: Callable[[Path], None]) -> None:
     def fill() -> None:
         menu.clear()
         for path in settings.recent():
-            action = menu.addAction(f"{path.name}   –   {path.parent}")
+            action = menu.addAction(literal(f"{path.name}   –   {path.parent}"))
             action.triggered.connect(lambda _=False, p=path: open_path(p))
         if menu.isEmpty():
             menu.addAction(tr("None yet")).setEnabled(False)

@@ -164,7 +164,8 @@ def _laid_out(text: str, font_name: str) -> tuple[QStaticText, float, float]:
     metrics = QFontMetricsF(font)
     lines = text.split("\n")
     width = max(metrics.horizontalAdvance(line) for line in lines)
-    laid = QStaticText(text)
+    # A mere line feed does not end a line there, where both have room in one.
+    laid = QStaticText(text.replace("\n", "\N{LINE SEPARATOR}"))
     laid.setTextFormat(Qt.TextFormat.PlainText)
     if len(lines) > 1:
         laid.setTextOption(QTextOption(Qt.AlignmentFlag.AlignHCenter))

@@ -27,12 +27,16 @@ class TimeAxis(Axis):
     ) -> list[tuple[float, list[float]]]:
         """Ticks at round frame numbers, never between two frames or beside the take."""
         shift = self._first_frame
-        levels = super().tickValues(minVal + shift, maxVal + shift, size)
-        return [
+        levels = [
             (spacing, [v - shift for v in values if 0 <= v - shift < self._frames])
-            for spacing, values in levels
+            for spacing, values in super().tickValues(minVal + shift, maxVal + shift, size)
             if spacing >= 1
         ]
+        if levels:
+            return levels
+        # So near that what is round lies between frames: each of them.
+        inside = range(max(0, math.ceil(minVal)), min(self._frames, math.floor(maxVal) + 1))
+        return [(1.0, [float(v) for v in inside])]
 
     def tickStrings(self, values: list[float], scale: float, spacing: float) -> list[str]:
         """Two lines a tick."""

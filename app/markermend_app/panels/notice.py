@@ -18,6 +18,7 @@ class Notice(QFrame):
         self._bulk = bulk
         self.setObjectName("notice")
         self.sign, self.text = QLabel(), QLabel()
+        self.text.setTextFormat(Qt.TextFormat.PlainText)
         self.text.setWordWrap(True)
         self.agree = QPushButton()
         self.agree.clicked.connect(bulk.lower_doubted)

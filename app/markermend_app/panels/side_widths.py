@@ -22,25 +22,40 @@ class SideWidths(QObject):
         super().__init__(window)
         self._window, self._sides = window, sides
         self._before: tuple[int, list[int]] | None = None
+        self._settled: tuple[int, list[int]] = 0, []
         self._soon = QTimer(self, singleShot=True, interval=0)
         self._soon.timeout.connect(self._widen)
-        window.installEventFilter(self)
+        self._note = QTimer(self, singleShot=True, interval=0)
+        self._note.timeout.connect(self._remember)
+        for watched in (window, *sides):
+            watched.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Remember the widths before the window shrinks; use them once it is as wide again."""
         if isinstance(event, QResizeEvent) and watched is self._window:
             old, new = event.oldSize().width(), event.size().width()
             if self._before is None and 0 < new < old:
-                self._before = old, [side.width() for side in self._sides]
+                # By now the sides may be narrower already.
+                known = self._settled[0] == old
+                now = [side.width() for side in self._sides]
+                self._before = self._settled if known else (old, now)
             elif self._before is not None and new >= self._before[0]:
                 self._soon.start()
+        if isinstance(event, QResizeEvent) and self._before is None:
+            self._note.start()
         return super().eventFilter(watched, event)
+
+    def _remember(self) -> None:
+        """Keep the widths as they are once all has its place."""
+        if self._before is None:
+            self._settled = self._window.width(), [side.width() for side in self._sides]
 
     def _widen(self) -> None:
         """Give the sides what they had, where they have less; wider ones were drawn wider since."""
         if self._before is None or self._window.width() < self._before[0]:
             return
         (_, widths), self._before = self._before, None
+        self._note.start()
         docked = [
             (side, width)
             for side, width in zip(self._sides, widths, strict=True)

@@ -2,11 +2,45 @@
 
 from __future__ import annotations
 
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QLabel, QProgressBar, QSizePolicy, QStatusBar, QToolButton, QWidget
 
 from markermend_app.background.jobs import Lane
 from markermend_app.document import Document
 from markermend_app.style import theme
+
+
+class Sentence(QLabel):
+    """A sentence that ends in dots where it has no room, rather than widen the window.
+
+    Attributes
+    ----------
+    whole : all of it, which the tooltip tells too
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.whole = ""
+        self.setTextFormat(Qt.TextFormat.PlainText)
+        self.setContentsMargins(8, 0, 8, 0)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+
+    def say(self, text: str) -> None:
+        """Show another one."""
+        self.whole = text
+        self.setToolTip(text)
+        self._fit()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Show as much as has room now."""
+        super().resizeEvent(event)
+        self._fit()
+
+    def _fit(self) -> None:
+        room = self.contentsRect().width()
+        right = Qt.TextElideMode.ElideRight
+        self.setText(self.fontMetrics().elidedText(self.whole, right, room))
 
 
 class StatusLine(QStatusBar):
@@ -22,11 +56,9 @@ class StatusLine(QStatusBar):
         super().__init__(parent)
         self._document = document
         self._lane = lane
-        self._said = QLabel()
-        self._said.setContentsMargins(8, 0, 0, 0)
-        # A long sentence is cut off, and told whole in its tooltip, rather than widen the window.
-        self._said.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._said = Sentence()
         self._doing = QLabel()
+        self._doing.setTextFormat(Qt.TextFormat.PlainText)
         self._bar = QProgressBar()
         self._bar.setRange(0, 1000)
         self._bar.setFixedWidth(180)
@@ -58,12 +90,11 @@ class StatusLine(QStatusBar):
 
     def say(self, text: str) -> None:
         """Show a sentence until the next one, or the next step of the review."""
-        self._said.setText(text)
-        self._said.setToolTip(text)
+        self._said.say(text)
 
     def take_back(self, text: str) -> None:
         """Show a sentence no longer, unless another one has followed."""
-        if self._said.text() == text:
+        if self._said.whole == text:
             self.say("")
 
     def _stop(self) -> None:

@@ -89,6 +89,7 @@ QToolButton:checked { background: $checked; border-color: $accent; }
 QToolButton:focus { border: 2px solid $accent; padding: 3px; }
 QToolButton:checked:focus { border-color: $text; }
 QToolButton:disabled { color: $dimmed; }
+QToolButton:checked:disabled { border-color: $border; }
 QToolButton::menu-indicator { image: none; }
 
 QPushButton { background: $raised; border: 1px solid $border; border-radius: 4px;

@@ -391,7 +391,10 @@ class Commands(QObject):
         text = joints if take.skeleton else self.tr("{0} markers, {1} frames at {2:g} Hz.")
         text = text.format(len(take.named), take.frames, take.rate)
         if file.read_only:
-            text = self.tr("Open in another window: this one is read-only.")
+            text = self.tr(
+                "It was open in another window: this one is read-only. To review here, close that "
+                "one and open the take again."
+            )
         elif file.recovered and not file.session.exported:
             # A detection run that was cut short is no work of the operator's.
             text = self.tr("An interrupted review was recovered; last step: {0}.").format(

@@ -108,6 +108,7 @@ class Exporter(QObject):
         label = self.tr("Exporting {0}").format(target.name)
         written: list[bool] = []
         complete: list[bool] = []
+        wrote: list[str] = []
 
         held, original, revision = session.state.held(), session.original, session.revision
         region = session.region if choice.region else None
@@ -116,11 +117,12 @@ class Exporter(QObject):
         def work(progress: Progress) -> Any:
             from markermend.files import write
             from markermend.review.hand import without_emptied
+            from markermend.review.place import file_hash
             from markermend.review.standing import changed_outside
 
             take = held()
             complete.append(region is None or not changed_outside(original, take, region))
-            return write(
+            export = write(
                 without_emptied(take, original),
                 target,
                 overwrite=overwrite,
@@ -130,6 +132,8 @@ class Exporter(QObject):
                 frames=region,
                 progress=progress,
             )
+            wrote.append(file_hash(target) if overwrite else "")
+            return export
 
         def done(export: Any) -> None:
             written.append(True)
@@ -139,9 +143,7 @@ class Exporter(QObject):
             self._document.history_changed.emit()
             self.said.emit(self._summary(export))
             if self._document.session is session and self._document.file is not None:
-                self._saver.save(
-                    self._document.file, lambda error: dialogs.show_problem(self._window, error)
-                )
+                self._save(wrote[-1] if session.revision == revision else "")
                 if overwrite and not wait:
                     self.replaced.emit(target)
 
@@ -165,6 +167,13 @@ class Exporter(QObject):
         if wait:
             self._saver.finish()
         return any(written) if wait else True
+
+    def _save(self, wrote: str) -> None:
+        """Save the review, with the hash of what was written over the source, or none."""
+        file = self._document.file
+        if file is not None:
+            file.wrote = wrote
+            self._saver.save(file, lambda error: dialogs.show_problem(self._window, error))
 
     def _summary(self, export: Export) -> str:
         """Say what was written."""

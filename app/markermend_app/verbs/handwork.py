@@ -28,6 +28,9 @@ from markermend_app.looking import Selection
 from markermend_app.style import theme
 from markermend_app.telling import told
 
+NEAR_S = 0.25
+"""As far as this from the current artifact the next one of its marker is joined by a key."""
+
 
 class HandWork(QObject):
     """The verbs behind the actions of hand work. Asking and doing are kept apart.
@@ -215,6 +218,8 @@ class HandWork(QObject):
                 None,
             )
             ids = [current.id] if following is None else [current.id, following]
+            if following is not None and self._far(current, session.artifact(following)):
+                return
         if (
             self._document.adjust(ids, lambda s: hand.join(s, ids))
             and self._document.current is None
@@ -236,6 +241,18 @@ class HandWork(QObject):
             )
 
     # Inner workings
+
+    def _far(self, one: Artifact, other: Artifact) -> bool:
+        """Say so where two artifacts are so far apart that a key by itself does not join them."""
+        session = self._document.session
+        if session is None or other.start - one.stop <= NEAR_S * session.original.rate:
+            return False
+        text = self.tr(
+            "The next artifact of {0} begins {1} frames later; select both in the queue to join "
+            "them."
+        )
+        self.said.emit(text.format(one.marker, other.start - one.stop))
+        return True
 
     def _swept(self, kind: Kind | None = None) -> Artifact | None:
         """Describe the swept range as an artifact."""

@@ -154,9 +154,7 @@ def _json(path: Path) -> Any:
 
 def _patches(artifact: Artifact, method: str, clean: Take) -> tuple[Patch, ...]:
     """What the repair of an artifact wrote, as it stands in the cleaned take."""
-    names = [artifact.marker]
-    if method == "swap" and artifact.counterpart is not None:
-        names.append(artifact.counterpart)
+    names = artifact.markers if method == "swap" else (artifact.marker,)
     rows, axes = slice(artifact.start, artifact.stop), axis_columns(artifact.axes)
     return tuple(
         Patch(

@@ -65,6 +65,8 @@ def read(path: str | PathLike[str], *, progress: Progress | None = None) -> Take
         when the file cannot be opened, is damaged beyond reading, or of an unknown kind
     """
     where = Path(path)
+    if "\0" in str(where):
+        raise FileFormatError("A name with a zero byte in it is no file's.")
     try:
         return _reader(where)(where, progress=progress)
     except OSError as error:
@@ -78,6 +80,8 @@ def _reader(path: Path) -> Callable[..., Take]:
     from markermend.files.trc import SIGNATURE, read_trc
     from markermend.plugins.formats import SKELETONS, formats
 
+    if path.exists() and not path.is_file() and not path.is_dir():
+        raise FileFormatError(f"{path} is a pipe or device; takes are read from files only.")
     with path.open("rb") as file:
         head = file.read(_SNIFFED)
     suffix = path.suffix.lower()

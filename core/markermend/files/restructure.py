@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from numbers import Integral
 
 import numpy as np
 
@@ -48,7 +49,8 @@ def crop(take: Take, start: int, stop: int) -> Take:
     DataError
         when the interval is empty or reaches beyond the take
     """
-    if not 0 <= start < stop <= take.frames:
+    whole = isinstance(start, Integral) and isinstance(stop, Integral)
+    if not (whole and 0 <= start < stop <= take.frames):
         raise DataError(f"Frames {start} to {stop} are not a part of the take's {take.frames}.")
     rows = slice(start, stop)
     analog, points = take.analog, take.points

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from numbers import Real
 from typing import Any
 
 from markermend.arrays import runs
@@ -33,8 +34,9 @@ def find_gaps(take: Take, *, max_gap: int | None = None) -> tuple[Artifact, ...]
     MethodError
         when ``max_gap`` is no whole number, or negative
     """
-    if max_gap is not None and (max_gap != int(max_gap) or max_gap < 0):
-        raise MethodError(f"max_gap is a whole number of frames, 0 or more, not {max_gap}.")
+    whole = max_gap is None or (isinstance(max_gap, Real) and max_gap % 1 == 0 and max_gap >= 0)
+    if not whole:
+        raise MethodError(f"max_gap is a whole number of frames, 0 or more, not {max_gap!r}.")
     found = []
     for column, label in enumerate(take.labels):
         if is_unlabelled(label) or not take.present[:, column].any():

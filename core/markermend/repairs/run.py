@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from numbers import Real
 from typing import Any
 
 from markermend.artifact import Artifact, Status, in_order
@@ -143,8 +144,8 @@ def _run(
 ) -> tuple[Take, list[tuple[Artifact, Repair]]]:
     """Repair stage by stage; returns the repaired take and each artifact with its repair."""
     report = progress or quiet
-    if not 0.0 <= min_confidence <= 1.0:
-        raise MethodError(f"min_confidence goes from 0 to 1, not {min_confidence}.")
+    if not (isinstance(min_confidence, Real) and 0.0 <= min_confidence <= 1.0):
+        raise MethodError(f"min_confidence goes from 0 to 1, not {min_confidence!r}.")
     chosen = in_order(artifacts)
     ids = {a.id for a in chosen}
     known = [*chosen, *(a for a in others if a.id not in ids)]

@@ -222,6 +222,7 @@ def _caption(take: Take, o: Outcome) -> str:
     first, last = take.frame_number(a.start), take.frame_number(a.stop - 1)
     frames = f"frame {first}" if first == last else f"frames {first}–{last}"
     done = o.method_label or "left"
-    error = "" if o.error_mm is None else f", expected error {o.error_mm:.2f} mm"
+    # A swap, which invents nothing, has none.
+    error = f", expected error {o.error_mm:.2f} mm" if o.error_mm else ""
     error = ", expected error not measured" if o.unmeasured else error
-    return f"{a.marker} {a.axes}, {a.kind.value}, {frames}: {done}{error}"
+    return f"{' ↔ '.join(a.markers)} {a.axes}, {a.kind.value}, {frames}: {done}{error}"

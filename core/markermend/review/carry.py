@@ -7,6 +7,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from markermend.artifact import Status
+from markermend.artifact_json import from_dict
 from markermend.review.edits import (
     Edit,
     Group,
@@ -19,6 +21,7 @@ from markermend.review.edits import (
     SetSamples,
 )
 from markermend.review.session import Session
+from markermend.review.step import parts
 from markermend.review.steps_json import step_from_dict
 from markermend.take import Take
 
@@ -57,6 +60,31 @@ def carry_over(session: Session, document: Mapping[str, Any], path: Path) -> str
         f"The take has changed since it was reviewed: what was decided on the {len(same)} markers "
         f"that are the same was kept, on {changed} it was not; the old review stays in "
         f"“{path.name}.old”."
+    )
+
+
+def go_on(session: Session, document: Mapping[str, Any], path: Path) -> str:
+    """List what a review still had open when the take was exported over its original.
+
+    Parameters
+    ----------
+    session : a new review of the take as it was written then
+    document : the stored review
+    path : where that was stored
+
+    Returns
+    -------
+    One sentence that tells what was kept
+    """
+    labels = set(session.original.labels)
+    left = [a for a in map(from_dict, document["artifacts"]) if a.status is not Status.REPAIRED]
+    edits: list[Edit] = [SetArtifacts({a.id: a for a in left if set(a.markers) <= labels})]
+    for entry in document["done"]:
+        edits += parts(step_from_dict(entry)[1], SetRegion)
+    session.perform("Go on after the export", Group(tuple(edits)))
+    return (
+        "The take was exported over its original. What was not repaired of its review goes on "
+        f"here; the review so far stays in “{path.name}.old”."
     )
 
 

@@ -22,12 +22,21 @@ from pathlib import Path
 from typing import IO, Any
 
 from markermend.errors import DataError, FileFormatError, MarkermendError
-from markermend.review.carry import carry_over, marker_hashes
+from markermend.review.carry import carry_over, go_on, marker_hashes
 from markermend.review.edits import samples_in
 from markermend.review.lock import open_locked
 from markermend.review.on_disk import OnDisk
-from markermend.review.place import index_entry, journal_path, own_path, session_path, source_hash
-from markermend.review.replay import replay_document, replay_journal
+from markermend.review.place import (
+    JOURNAL_SUFFIX,
+    SUFFIX,
+    index_entry,
+    journal_path,
+    own_path,
+    session_of,
+    session_path,
+    source_hash,
+)
+from markermend.review.replay import replay_document, replay_journal, starts_journal
 from markermend.review.saving import Snapshot
 from markermend.review.session import Session
 from markermend.review.step import Step
@@ -53,6 +62,7 @@ class SessionFile:
     recovered : steps that came from the journal of a crashed or killed process
     warning : one sentence when the stored review could not be used as it is, or empty
     generation : how often the session file was written; a journal continues one generation
+    wrote : hash of what was exported over the take's file, by which it is known again; or empty
     """
 
     session: Session
@@ -62,6 +72,7 @@ class SessionFile:
     recovered: int = 0
     warning: str = ""
     generation: int = 0
+    wrote: str = ""
     _journal: IO[bytes] | None = None
     _torn: bool = False
     _on_disk: OnDisk = field(default_factory=OnDisk)
@@ -92,6 +103,7 @@ class SessionFile:
             "sha256": self.hash,
             "path": _source_path(self.session.original),
             "markers": dict(self._markers),
+            "wrote": self.wrote,
         }
         return Snapshot(
             path=self.path,
@@ -236,7 +248,7 @@ def open_session(take: Take, *, folder: Path | None = None) -> SessionFile:
             handle.truncate(0)
         if handle is not None:
             handle.seek(0)
-            result.recovered = replay_journal(session, handle.read(), result.generation, digest)
+            result.recovered += replay_journal(session, handle.read(), result.generation, digest)
             result._journal = handle
             if result.recovered or result.warning:
                 # What came from elsewhere is nowhere at this place yet.
@@ -284,23 +296,36 @@ def read_review(take: Take, *, folder: Path | None = None) -> Session:
 def _restore(result: SessionFile, beside: Path) -> bool:
     """Do again what is saved of a review; whether it is of another version of the take."""
     session, path = result.session, result.path
-    stored = _load(path)
+    stored, where = _load(path), path
     if stored is None:
-        stored = _moved(result.hash, path, beside)
+        stored, where = _moved(result.hash, path, beside)
         if stored is not None:
-            where = stored["source"]["path"]
-            result.warning = f"The review made of this take at “{where}” goes on here."
-    if stored is None:
-        return False
+            place = stored["source"]["path"]
+            result.warning = f"The review made of this take at “{place}” goes on here."
     try:
-        if stored["source"]["sha256"] != result.hash:
-            result.warning = carry_over(session, stored, path)
+        if stored is not None and stored["source"]["sha256"] != result.hash:
+            ours = stored["source"].get("wrote") == result.hash
+            result.warning = (go_on if ours else carry_over)(session, stored, path)
             return True
-        result.generation = int(stored["generation"])
-        replay_document(session, stored)
+        if stored is not None:
+            result.generation = int(stored["generation"])
+            replay_document(session, stored)
     except (KeyError, TypeError, ValueError, AttributeError, DataError) as error:
         raise _unreadable(path) from error
+    if where != path:
+        _replay_elsewhere(result, where)
     return False
+
+
+def _replay_elsewhere(result: SessionFile, where: Path) -> None:
+    """Do again what the journal of a review at another place adds to it."""
+    journal = journal_path(where)
+    with contextlib.suppress(OSError):
+        text = journal.read_bytes()
+        result.recovered = replay_journal(result.session, text, result.generation, result.hash)
+    if result.recovered and not result.warning:
+        place = where.with_name(where.name.removesuffix(SUFFIX))
+        result.warning = f"The review made of this take at “{place}” goes on here."
 
 
 def _load(path: Path) -> dict[str, Any] | None:
@@ -342,8 +367,11 @@ def _source_path(take: Take) -> str:
     return str(take.source.path) if take.source else ""
 
 
-def _moved(digest: str, path: Path, beside: Path) -> dict[str, Any] | None:
-    """The review of the same take at another place, beside it before anywhere else, or None."""
+def _moved(digest: str, path: Path, beside: Path) -> tuple[dict[str, Any] | None, Path]:
+    """The review of the same take at another place, beside it before anywhere else, and where.
+
+    Without a session file of one it may be that there is a journal; else the place is ``path``.
+    """
     places = [beside]
     with contextlib.suppress(OSError):
         places.append(Path(index_entry(digest).read_text(encoding="utf-8")))
@@ -352,8 +380,13 @@ def _moved(digest: str, path: Path, beside: Path) -> dict[str, Any] | None:
             with contextlib.suppress(FileFormatError):
                 stored = _load(where)
                 if stored is not None and stored["source"]["sha256"] == digest:
-                    return stored
-    return None
+                    return stored, where
+    own = journal_path(path)
+    if not own.exists() or own.stat().st_size == 0:
+        for journal in sorted(beside.parent.glob(f"*{JOURNAL_SUFFIX}")):
+            if journal != own and starts_journal(journal, digest):
+                return None, session_of(journal)
+    return None, path
 
 
 def _lines(journal: IO[bytes]) -> int:

@@ -27,7 +27,7 @@ from markermend.review.edits import (
     SetSamples,
     merged,
 )
-from markermend.review.repairing import describe, repairing
+from markermend.review.repairing import by_hand, describe, repairing
 from markermend.review.restoring import overwritten, taking_back
 from markermend.review.session import Session
 from markermend.review.step import artifacts_of
@@ -211,7 +211,8 @@ def split(session: Session, artifact_id: str, at: int) -> Change:
     first = replace(old, stop=at, status=status)
     second = replace(old, start=at, status=status, id="")
     second = replace(second, id=session.free_id(second.id))
-    changes = SetArtifacts({first.id: first, second.id: second})
+    rate = session.original.rate
+    changes = SetArtifacts({a.id: by_hand(old, a, rate) for a in (first, second)})
     edits = (*taking_back(session.state, [old]), changes)
     return session.perform(f"Split {describe([old])}", Group(edits))
 
@@ -219,7 +220,7 @@ def split(session: Session, artifact_id: str, at: int) -> Change:
 def join(session: Session, ids: Sequence[str]) -> Change:
     """Make one artifact of several on one marker, from the first frame to the last.
 
-    It keeps class and reason of the one we are surest of, and is open again if any was repaired.
+    It keeps the class of the one we are surest of, and is open again if any was repaired.
 
     Raises
     ------
@@ -240,7 +241,7 @@ def join(session: Session, ids: Sequence[str]) -> Change:
         status=statuses.pop() if statuses == {Status.ACCEPTED} else Status.PENDING,
     )
     changes: dict[str, Artifact | None] = dict.fromkeys(ids)
-    changes[joined.id] = joined
+    changes[joined.id] = by_hand(best, joined, session.original.rate)
     edits = (*taking_back(session.state, chosen), SetArtifacts(changes))
     return session.perform(f"Join {describe(chosen)} on {best.marker}", Group(edits))
 
@@ -351,7 +352,12 @@ def _gaps_redone(
         if kept is not None:
             del changes[kept.id]
             continue
-        why = f"not seen for {stop - start} frames, since samples were cut or moved by hand"
+        from markermend.detectors.finding import how_long
+
+        why = f"not seen for {how_long(stop - start, session.original.rate)}"
+        column = session.original.index(marker)
+        if session.original.present[start:stop, column].any():
+            why = f"not seen for {stop - start} frames, since samples were cut or moved by hand"
         new = Artifact(marker, AXES, start, stop, Kind.GAP, why=why)
         changes[session.free_id(new.id)] = replace(new, id=session.free_id(new.id))
     return changes

@@ -20,7 +20,12 @@ def source_hash(take: Take) -> str:
         digest.update(json.dumps([take.labels, take.rate, take.first_frame]).encode())
         digest.update(take.positions.tobytes())
         return digest.hexdigest()
-    with take.source.path.open("rb") as file:
+    return file_hash(take.source.path)
+
+
+def file_hash(path: Path) -> str:
+    """SHA-256 of a file."""
+    with path.open("rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
 
 
@@ -56,6 +61,11 @@ def own_path(take: Take, digest: str) -> Path:
 def journal_path(path: Path) -> Path:
     """The journal that belongs to a session file."""
     return path.with_name(path.name[: -len(SUFFIX)] + JOURNAL_SUFFIX)
+
+
+def session_of(journal: Path) -> Path:
+    """The session file that a journal belongs to."""
+    return journal.with_name(journal.name[: -len(JOURNAL_SUFFIX)] + SUFFIX)
 
 
 def index_entry(digest: str) -> Path:

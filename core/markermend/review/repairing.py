@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from markermend.artifact import Artifact, Status
+from markermend.artifact import Artifact, Kind, Status
 from markermend.artifact_json import rounded
 from markermend.errors import DataError
 from markermend.review.edits import Edit, RepairNote, SetArtifacts, SetNotes, SetSamples
@@ -17,6 +18,9 @@ if TYPE_CHECKING:
 
 def repairing(artifact: Artifact, proposal: Repair) -> tuple[Edit, ...]:
     """Edits that repair an artifact as proposed.
+
+    Where a mix-up is repaired on some of its markers only, the others become artifacts of their
+    own, which are open.
 
     Parameters
     ----------
@@ -36,11 +40,34 @@ def repairing(artifact: Artifact, proposal: Repair) -> tuple[Edit, ...]:
 
     band = None if proposal.band_mm is None else tuple(rounded(proposal.band_mm))
     note = RepairNote(proposal.method, proposal.error_mm, in_words(proposal.leaves or ()), band)
+    mended = {p.marker for p in proposal.patches}
+    left = [m for m in artifact.markers if m not in mended]
+    done = replace(artifact, counterpart=None, further_counterparts=()) if left else artifact
+    others = [_on_its_own(artifact, marker) for marker in left]
     return (
         SetSamples(proposal.patches),
         SetNotes({artifact.id: note}),
-        SetArtifacts({artifact.id: artifact.with_status(Status.REPAIRED)}),
+        SetArtifacts({a.id: a for a in (done.with_status(Status.REPAIRED), *others)}),
     )
+
+
+def by_hand(old: Artifact, new: Artifact, rate: float) -> Artifact:
+    """An artifact whose frames or class were changed by hand, with a reason that is still true.
+
+    Parameters
+    ----------
+    old, new : before and after; what has the same frames and class keeps its reason
+    rate : frames per second
+    """
+    if (old.start, old.stop, old.kind) == (new.start, new.stop, new.kind):
+        return new
+    if new.kind is Kind.GAP and old.kind is Kind.GAP:
+        from markermend.detectors.finding import how_long
+
+        return replace(new, why=f"not seen for {how_long(new.length, rate)}")
+    if new.kind is not old.kind:
+        return replace(new, why=f"called {new.kind.value} by hand")
+    return replace(new, why="its frames were set by hand")
 
 
 def describe(artifacts: Sequence[Artifact]) -> str:
@@ -48,6 +75,20 @@ def describe(artifacts: Sequence[Artifact]) -> str:
     if len(artifacts) == 1:
         return f"{artifacts[0].kind} on {artifacts[0].marker}"
     return f"{len(artifacts)} artifacts"
+
+
+def _on_its_own(artifact: Artifact, marker: str) -> Artifact:
+    """What is wrong on one marker of a mix-up once another one was repaired by itself."""
+    return replace(
+        artifact,
+        marker=marker,
+        counterpart=None,
+        further_counterparts=(),
+        status=Status.PENDING,
+        note="",
+        why=f"was taken for a mix-up with {artifact.marker}, which was repaired by itself",
+        id="",
+    )
 
 
 def _check_within(artifact: Artifact, proposal: Repair) -> None:

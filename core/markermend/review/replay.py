@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 from markermend.review.session import Session
@@ -64,6 +65,16 @@ def replay_journal(session: Session, text: bytes, generation: int, digest: str) 
             session.redo()
         count += 1
     return count
+
+
+def starts_journal(path: Path, digest: str) -> bool:
+    """Whether a file is a journal of a take of which no session file was written."""
+    try:
+        with path.open("rb") as file:
+            head = _parse(file.readline())
+    except OSError:
+        return False
+    return head is not None and (head.get("generation"), head.get("sha256")) == (0, digest)
 
 
 def _parse(line: bytes) -> dict[str, Any] | None:

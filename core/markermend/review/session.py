@@ -28,7 +28,7 @@ from markermend.review.edits import (
     merged,
 )
 from markermend.review.pace import Pace, Stopwatch, pace_of
-from markermend.review.repairing import describe, repairing
+from markermend.review.repairing import by_hand, describe, repairing
 from markermend.review.restoring import taking_back
 from markermend.review.step import Step, decides, parts, same_finding, touched_by_hand
 from markermend.take import Take
@@ -314,6 +314,7 @@ class Session:
             return Change()
         if old.status is Status.REPAIRED:
             new = new.with_status(Status.PENDING)
+        new = by_hand(old, new, self.original.rate)
         edits = (*taking_back(self._state, [old]), SetArtifacts({old.id: new}))
         what = f"Call {describe([old])} {new.kind}" if new.kind != old.kind else ""
         return self.perform(label or what or f"Adjust {describe([old])}", Group(edits))

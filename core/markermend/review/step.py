@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from markermend.artifact import Artifact
 from markermend.patch import Patch
-from markermend.review.edits import Edit, Group, SetArtifacts, SetRegion, SetSamples
+from markermend.review.edits import Edit, Group, SetArtifacts, SetNames, SetRegion, SetSamples
 
 
 @dataclass(frozen=True)
@@ -54,9 +54,11 @@ def stretch(step: Step) -> tuple[int, int] | None:
 
     Where an artifact's edges are moved these are its frames afterwards.
     """
-    if not decides(step) or len(artifacts_of(step)) > 1:
+    several = len(artifacts_of(step)) > 1
+    one_place = step.label.startswith(("Split ", "Join "))
+    if not decides(step) or parts(step.edit, SetNames) or (several and not one_place):
         return None
-    if not parts(step.edit, SetSamples):
+    if not (several or parts(step.edit, SetSamples)):
         for moved in parts(step.edit, SetArtifacts):
             for a in moved.changes.values() if isinstance(moved, SetArtifacts) else ():
                 if a is not None:

@@ -117,7 +117,10 @@ def simulate_motion(
 
 def _draws(seed: int) -> list[np.random.Generator]:
     """For the movement, the skin and the cameras."""
-    return np.random.default_rng(seed).spawn(3)
+    try:
+        return np.random.default_rng(seed).spawn(3)
+    except (TypeError, ValueError):
+        raise MethodError(f"A seed is a whole number, 0 or more, not {seed!r}.") from None
 
 
 def simulate(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, fields
+from numbers import Integral
 from typing import Any
 
 import numpy as np
@@ -206,7 +207,8 @@ def _columns(take: Take, markers: Iterable[str] | None) -> IntArray:
 def _interval(take: Take, start: int, stop: int | None) -> tuple[int, int]:
     """Check an interval of frames."""
     last = take.frames if stop is None else stop
-    if take.frames and not 0 <= start < last <= take.frames:
+    whole = isinstance(start, Integral) and isinstance(last, Integral)
+    if take.frames and not (whole and 0 <= start < last <= take.frames):
         raise DataError(
             f"There is nothing to smooth from frame {start} to {last} of {take.frames}."
         )

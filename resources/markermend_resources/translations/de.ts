@@ -1864,6 +1864,10 @@
         <translation>Die Durchsicht dieser Aufnahme von „{0}“ geht hier weiter.</translation>
     </message>
     <message>
+        <source>The take was exported over its original. What was not repaired of its review goes on here; the review so far stays in “{0}”.</source>
+        <translation>Die Aufnahme wurde über ihr Original exportiert. Was von der Durchsicht nicht repariert ist, geht hier weiter; die bisherige Durchsicht bleibt in „{0}“.</translation>
+    </message>
+    <message>
         <source>The take has changed since it was reviewed: what was decided on the {0} markers that are the same was kept, on {1} it was not; the old review stays in “{2}”.</source>
         <translation>Die Aufnahme hat sich seit der Durchsicht geändert: Was an den {0} gleichen Markern entschieden wurde, bleibt, an {1} nicht; die alte Durchsicht steht weiter in „{2}“.</translation>
     </message>
@@ -1976,6 +1980,10 @@
         <translation>Nur Frames {0}–{1} durchsehen</translation>
     </message>
     <message>
+        <source>Go on after the export</source>
+        <translation>Nach dem Export weiter</translation>
+    </message>
+    <message>
         <source>{0} artifacts</source>
         <translation>{0} Artefakte</translation>
     </message>
@@ -1998,6 +2006,18 @@
     <message>
         <source>marked by hand</source>
         <translation>von Hand markiert</translation>
+    </message>
+    <message>
+        <source>called {0} by hand</source>
+        <translation>von Hand {0} genannt</translation>
+    </message>
+    <message>
+        <source>its frames were set by hand</source>
+        <translation>die Frames wurden von Hand gesetzt</translation>
+    </message>
+    <message>
+        <source>was taken for a mix-up with {0}, which was repaired by itself</source>
+        <translation>galt als Vertauschung mit {0}, das für sich repariert wurde</translation>
     </message>
     <message>
         <source>{0}; {1} times its usual scatter</source>
@@ -3118,8 +3138,8 @@
         <translation>{0} Marker, {1} Frames mit {2:g} Hz.</translation>
     </message>
     <message>
-        <source>Open in another window: this one is read-only.</source>
-        <translation>In einem anderen Fenster offen: Hier lässt sich nur lesen.</translation>
+        <source>It was open in another window: this one is read-only. To review here, close that one and open the take again.</source>
+        <translation>Sie war in einem anderen Fenster offen: Hier wird nur gelesen. Um sie hier durchzusehen, schließen Sie jenes und öffnen Sie die Aufnahme erneut.</translation>
     </message>
     <message>
         <source>An interrupted review was recovered; last step: {0}.</source>
@@ -3321,6 +3341,10 @@
     <message>
         <source>Merge {0} into which marker?</source>
         <translation>{0} mit welchem Marker zusammenführen?</translation>
+    </message>
+    <message>
+        <source>The next artifact of {0} begins {1} frames later; select both in the queue to join them.</source>
+        <translation>Das nächste Artefakt von {0} beginnt {1} Frames später; wählen Sie beide in der Liste aus, um sie zu verbinden.</translation>
     </message>
     <message>
         <source>{0}.</source>
@@ -3625,8 +3649,8 @@
         <translation>Lücken</translation>
     </message>
     <message>
-        <source>Residual</source>
-        <translation>Residuum</translation>
+        <source>Off body</source>
+        <translation>Abstand</translation>
     </message>
     <message>
         <source>What the overview shows</source>

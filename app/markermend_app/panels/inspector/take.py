@@ -33,6 +33,7 @@ def heading(text: str = "") -> QLabel:
     """A line that names what follows."""
     label = QLabel(text)
     label.setProperty("role", "heading")
+    label.setTextFormat(Qt.TextFormat.PlainText)
     label.setWordWrap(True)
     return label
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import cache
+from functools import cache, partial
 
 from PySide6.QtCore import QByteArray, QPointF, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetrics, QIcon, QPainter, QPixmap
@@ -137,12 +137,25 @@ def _dot_icon(rgba: int, filled: bool, size: int) -> QIcon:
 
 
 def tinted_icon(name: str, color: QColor, size: int = 16) -> QIcon:
-    """One of the app's icons in another colour than the text's; empty when there is none."""
-    text = theme.svg(name, color)
-    if not text:
-        return QIcon()
-    renderer = QSvgRenderer(QByteArray(text.encode()))
-    return QIcon(_drawn(size, lambda p: renderer.render(p, QRectF(0, 0, size, size))))
+    """One of the app's icons in another colour than the text's; empty when there is none.
+
+    Where it is disabled it is dimmed as the others are.
+    """
+    result = QIcon()
+    look = theme.current()
+    dimmed = theme.blend(look.muted, look.window, 0.5)
+    for mode, ink in ((QIcon.Mode.Normal, color), (QIcon.Mode.Disabled, dimmed)):
+        text = theme.svg(name, ink)
+        if text:
+            renderer = QSvgRenderer(QByteArray(text.encode()))
+            drawn = _drawn(size, partial(_whole, renderer, size))
+            result.addPixmap(drawn, mode)
+    return result
+
+
+def _whole(renderer: QSvgRenderer, size: int, painter: QPainter) -> None:
+    """Draw an icon as large as its picture."""
+    renderer.render(painter, QRectF(0, 0, size, size))
 
 
 def _letter(painter: QPainter, kind: Kind, size: int) -> None:

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QMenu
 
 from markermend_app.actions.menus import entry
 from markermend_app.document import Document
-from markermend_app.words import tr
+from markermend_app.words import literal, tr
 
 
 def point_at(document: Document, marker: str) -> None:
@@ -29,7 +29,7 @@ def add_marker_verbs(menu: QMenu, document: Document, do: Callable[[str], None])
     if not document.shown:
         return
     # A styled menu does not draw the text of sections.
-    menu.addAction(document.shown[0]).setEnabled(False)
+    menu.addAction(literal(document.shown[0])).setEnabled(False)
     menu.addSeparator()
     for name in ("rename_marker", "merge_marker", "smooth"):
         entry(menu, name, partial(do, name)).setEnabled(document.editable)
@@ -37,6 +37,6 @@ def add_marker_verbs(menu: QMenu, document: Document, do: Callable[[str], None])
     if swept is not None and swept.marker != document.shown[0]:
         menu.addSeparator()
         text = tr("Selection on {marker}").format(marker=swept.marker)
-        menu.addAction(text).setEnabled(False)
+        menu.addAction(literal(text)).setEnabled(False)
         for name in ("swap_selection", "move_selection"):
             entry(menu, name, partial(do, name)).setEnabled(document.editable)

@@ -10,7 +10,7 @@ from markermend_app.panels.overview.picture import MODES
 
 
 class ModeButton(QToolButton):
-    """Damage, gaps or residuals.
+    """Damage, gaps, or how far markers are from where the body puts them.
 
     Signals
     -------
@@ -26,7 +26,7 @@ class ModeButton(QToolButton):
         self._names = {
             "damage": self.tr("Damage"),
             "gaps": self.tr("Gaps"),
-            "residual": self.tr("Residual"),
+            "residual": self.tr("Off body"),
         }
         self.setObjectName("overviewMode")
         self.setToolTip(self.tr("What the overview shows"))

@@ -13,6 +13,7 @@ from markermend_app.panels.markers.badge import kind_icon
 from markermend_app.panels.markers.naming import short_names
 from markermend_app.sight import Sight
 from markermend_app.style import theme
+from markermend_app.words import literal
 
 _MOST, _GAP = 6, 4
 _MARGIN, _SPACING = 8, 6
@@ -37,6 +38,7 @@ class PlotHeader(QWidget):
         self.legend = Legend()
         self.legend.chosen.connect(self.chosen)
         self.readout = QLabel()
+        self.readout.setTextFormat(Qt.TextFormat.PlainText)
         self.readout.setObjectName("readout")
         self.readout.setAccessibleName(self.tr("Readout"))
         # Else the longest readout would be the least width of the window.
@@ -165,7 +167,7 @@ class Legend(QWidget):
         for chip in self._made[len(self.named) :]:
             chip.hide()
         for i, (chip, name) in enumerate(zip(self.chips, self.named, strict=True)):
-            chip.setText(short[name])
+            chip.setText(literal(short[name]))
             chip.setIcon(_swatch(theme.marker_color(i)))
             chip.setToolTip(self.tr("Bring {marker} to the front").format(marker=name))
         self._first = short[self._markers[0]] if self._markers else ""
@@ -203,7 +205,7 @@ class Legend(QWidget):
         if not self.chips:
             self._count(0)
             return
-        self.chips[0].setText(self._first)
+        self.chips[0].setText(literal(self._first))
         widths = [chip.sizeHint().width() + _GAP for chip in self.chips]
         for fitting in range(len(self.chips), 0, -1):
             self._count(len(self._markers) - fitting)
@@ -216,7 +218,7 @@ class Legend(QWidget):
             metrics = self.chips[0].fontMetrics()
             room = metrics.horizontalAdvance(self._first) - over
             elided = metrics.elidedText(self._first, Qt.TextElideMode.ElideMiddle, max(room, 0))
-            self.chips[0].setText(elided)
+            self.chips[0].setText(literal(elided))
             widths[0] -= over
         x = 0
         for i, (chip, width) in enumerate(zip(self.chips, widths, strict=True)):

@@ -12,6 +12,7 @@ from markermend_app.actions.menus import entry
 from markermend_app.document import Document
 from markermend_app.panels.markers.marker_menu import add_marker_verbs
 from markermend_app.style import theme
+from markermend_app.words import literal
 from markermend_app.words import tr as _tr
 
 
@@ -98,7 +99,7 @@ def plot_menu(do: Callable[[str], None], document: Document, parent: QWidget) ->
 
 def _title(menu: QMenu, text: str) -> None:
     """What the menu is about; a styled menu does not draw the text of sections."""
-    menu.addAction(text).setEnabled(False)
+    menu.addAction(literal(text)).setEnabled(False)
     menu.addSeparator()
 
 

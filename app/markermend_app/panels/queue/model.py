@@ -32,6 +32,8 @@ STATUS, KIND, MARKER, AXES, FRAMES, TIME, LENGTH, SIZE, CONFIDENCE, REPAIR, WHY 
 COLUMNS = 11
 RIGHT = (FRAMES, TIME, LENGTH, SIZE)
 ARTIFACT = Qt.ItemDataRole.UserRole
+PAIRED = " ↔ "
+"""Between the names of markers that change places."""
 
 _ORDER = {Status.PENDING: 0, Status.ACCEPTED: 1, Status.REPAIRED: 2, Status.REJECTED: 3}
 STATUS_ICON = {Status.ACCEPTED: "accept", Status.REJECTED: "reject", Status.REPAIRED: "repair"}
@@ -260,7 +262,7 @@ class QueueModel(QAbstractTableModel):
 
     def _marker_text(self, a: Artifact) -> str:
         """The marker, and those it changes places with."""
-        return " ↔ ".join(self._names.get(m, m) for m in a.markers)
+        return PAIRED.join(self._names.get(m, m) for m in a.markers)
 
     def _repair_text(self, a: Artifact) -> str:
         """How a repaired artifact was repaired."""

@@ -27,7 +27,7 @@ from PySide6.QtWidgets import (
 from markermend.artifact import Artifact
 from markermend_app.actions import shortcuts
 from markermend_app.panels.markers.badge import badge_font, paint_badge, paint_share
-from markermend_app.panels.queue.model import ARTIFACT, AXES, CONFIDENCE, KIND, MARKER
+from markermend_app.panels.queue.model import ARTIFACT, AXES, CONFIDENCE, KIND, MARKER, PAIRED
 from markermend_app.style import theme
 
 Index = QModelIndex | QPersistentModelIndex
@@ -102,9 +102,18 @@ class _MarkerDelegate(QStyledItemDelegate):
     """Names that differ in their last letters stay apart where there is no room for all."""
 
     def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
-        """As ever, but the middle goes."""
+        """As ever, but the middle goes; of several names that of each by itself."""
         super().initStyleOption(option, index)
         option.textElideMode = Qt.TextElideMode.ElideMiddle
+        names = option.text.split(PAIRED)
+        if len(names) == 1:
+            return
+        metrics, middle = option.fontMetrics, Qt.TextElideMode.ElideMiddle
+        edge = 2 * (QApplication.style().pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin) + 1)
+        room = option.rect.width() - edge - (len(names) - 1) * metrics.horizontalAdvance(PAIRED)
+        if room < sum(metrics.horizontalAdvance(name) for name in names):
+            each = max(room // len(names), 0)
+            option.text = PAIRED.join(metrics.elidedText(name, middle, each) for name in names)
 
 
 class PlainDelegate(QStyledItemDelegate):
