@@ -11,7 +11,7 @@ import pytest
 from driving import WAIT, key, proposed, settled
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
-from PySide6.QtWidgets import QLabel, QMessageBox
+from PySide6.QtWidgets import QMessageBox
 
 import markermend as mm
 from markermend.artifact import Kind, Status
