@@ -6,10 +6,12 @@ import sys
 from pathlib import Path
 
 WINDOW = "markermend-window"
+OWN_MODULES = ("joblib.externals.loky.", "markermend.plugins.serve")
+"""Programs that our own processes are, of joblib and for plugins."""
 
 
-def child_of_joblib(arguments):
-    """Become a worker of joblib, whose parent calls us as if we were Python; False if we are none.
+def child_of_ours(arguments):
+    """Become a worker, whose parent calls us as if we were Python; False if we are none.
 
     A frozen program is its own interpreter, so ``-m module`` and ``-c code`` arrive here.
     """
@@ -19,7 +21,7 @@ def child_of_joblib(arguments):
     if len(arguments) < 2:
         return False
     option, what = arguments[0], arguments[1]
-    if option == "-m" and what.startswith("joblib.externals.loky."):
+    if option == "-m" and what.startswith(OWN_MODULES):
         sys.argv = arguments[1:]
         runpy.run_module(what, run_name="__main__", alter_sys=True)
         return True
@@ -33,7 +35,7 @@ def child_of_joblib(arguments):
 def main():
     """Start what we were called for; returns the exit code."""
     multiprocessing.freeze_support()
-    if child_of_joblib(sys.argv[1:]):
+    if child_of_ours(sys.argv[1:]):
         return 0
     if Path(sys.argv[0]).stem == WINDOW:
         from markermend_app.main import main as window

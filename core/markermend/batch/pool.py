@@ -10,6 +10,7 @@ import contextlib
 import multiprocessing
 import os
 import signal
+import threading
 import time
 from collections import deque
 from collections.abc import Callable, Generator, Iterator, Sequence
@@ -153,10 +154,19 @@ def _one_thread() -> Iterator[None]:
                 os.environ[name] = value
 
 
+def _end_with_parent() -> None:
+    """End this process when its parent does, even where it hears nothing of the job it is at."""
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
+
+
 def _serve(pipe: Connection, work: Callable[[Any, Progress], Any]) -> None:
     """Do jobs until the pipe ends: the life of a worker."""
     # Ctrl-C reaches all processes of a terminal; the parent alone decides.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_end_with_parent, daemon=True).start()
     told = 0.0
 
     def tell(*message: Any) -> None:

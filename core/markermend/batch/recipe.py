@@ -15,10 +15,11 @@ from markermend.detectors import DEFAULT, find_detector
 from markermend.errors import FileFormatError, MethodError
 from markermend.files.opening import not_opened
 from markermend.parameters import read_params
+from markermend.plugins.formats import writable
 from markermend.repairs import find_method
 
 NAME = "{name}"
-_FORMATS = ("same", "c3d", "trc", "csv")
+_SAME = "same"
 # How many processes a detector uses changes no result; in a batch each take has one.
 _NO_CHOICE = "jobs"
 _TABLES: dict[str, tuple[str, ...]] = {
@@ -39,7 +40,8 @@ class Recipe:
         the defaults
     method : name of the repair method for everything, or ``"auto"``
     min_confidence : in [0, 1]; below it nothing is repaired but listed for review
-    format : of the repaired take: ``"c3d"``, ``"trc"``, ``"csv"``, or ``"same"`` as it was read
+    format : of the repaired take: ``"c3d"``, ``"trc"``, ``"csv"``, one that a plugin
+        writes, or ``"same"`` as it was read
     name : the repaired take's file name without ending; ``{name}`` stands for the take's
     as_float, record, mark_outputs : as for :func:`markermend.write`; ``record`` writes what was
         repaired and how
@@ -55,7 +57,7 @@ class Recipe:
     detector_params: Any = None
     method: str = "auto"
     min_confidence: float = 0.5
-    format: str = "same"
+    format: str = _SAME
     name: str = f"{NAME}_clean"
     as_float: bool = False
     record: bool = False
@@ -73,9 +75,10 @@ class Recipe:
             raise MethodError(
                 f"A recipe's min_confidence must lie between 0 and 1, not at {self.min_confidence}."
             )
-        if self.format not in _FORMATS:
+        formats = (_SAME, *(ending[1:] for ending in writable()))
+        if self.format not in formats:
             raise MethodError(
-                f"A recipe's format must be one of {', '.join(_FORMATS)}, not “{self.format}”."
+                f"A recipe's format must be one of {', '.join(formats)}, not “{self.format}”."
             )
         if NAME not in self.name or "/" in self.name or "\\" in self.name:
             raise MethodError(

@@ -9,8 +9,10 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
 from markermend.errors import MarkermendError
+from markermend.plugins.formats import formats
 
-# In a folder; a CSV there may be any table, so it is taken only when named or matched.
+# In a folder, beside those of plugins; a CSV there may be any table, so it is taken only when named
+# or matched.
 _SUFFIXES = (".c3d", ".trc")
 # What exports are named by themselves.
 _EXPORTED = "_clean"
@@ -37,8 +39,9 @@ def find_takes(
 
     Parameters
     ----------
-    given : files; folders, searched with all below for ``.c3d`` and ``.trc``, without the exports
-        ``NAME_clean`` beside their source; and patterns such as ``day1/**/walk*.c3d``
+    given : files; folders, searched with all below for ``.c3d``, ``.trc`` and what plugins
+        read, without the exports ``NAME_clean`` beside their source; and patterns such as
+        ``day1/**/walk*.c3d``
     leave_out : a folder whose files are passed over, such as the one that is written to
 
     Returns
@@ -89,10 +92,11 @@ def _expand(item: str) -> Iterator[tuple[Path, Path]]:
     """Files of one thing given, each with its path below the folder that was named."""
     path = Path(item)
     if path.is_dir():
+        suffixes = (*_SUFFIXES, *formats())
         for below in sorted(path.rglob("*")):
             inside = below.relative_to(path)
             hidden = any(step.startswith(".") for step in inside.parts)
-            if below.suffix.lower() not in _SUFFIXES or hidden or _is_export(below):
+            if below.suffix.lower() not in suffixes or hidden or _is_export(below, suffixes):
                 continue
             if below.is_file():
                 yield below, inside
@@ -107,10 +111,10 @@ def _expand(item: str) -> Iterator[tuple[Path, Path]]:
                 yield Path(match), Path(match).relative_to(root)
 
 
-def _is_export(path: Path) -> bool:
+def _is_export(path: Path, suffixes: tuple[str, ...]) -> bool:
     """Whether a file is named as the repaired copy of one beside it."""
     source = path.stem.removesuffix(_EXPORTED)
-    endings = (e for s in _SUFFIXES for e in (s, s.upper()))
+    endings = (e for s in suffixes for e in (s, s.upper()))
     return source != path.stem and any(path.with_name(source + e).exists() for e in endings)
 
 

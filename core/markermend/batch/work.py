@@ -14,10 +14,11 @@ from markermend.artifact import repair_in_words
 from markermend.artifact_json import to_dict
 from markermend.batch.recipe import NAME, Recipe
 from markermend.batch.sources import Source
-from markermend.errors import DataError, MarkermendError
+from markermend.errors import DataError, ExportError, MarkermendError
 from markermend.files.atomic import write_contents
 from markermend.outcome import Outcome, cleaned_document, outcomes
 from markermend.patch import patched
+from markermend.plugins.formats import writable, writable_in_words
 from markermend.progress import Progress, part
 from markermend.repairs import repair_all
 from markermend.report import quality, take_report
@@ -93,6 +94,7 @@ def clean_one(job: Job, progress: Progress) -> bool:
     if take.read_only:
         # Without an operator to look at it, half a take must not pass for a cleaned one.
         raise DataError(" ".join((f"{job.source.path.name} is damaged.", *take.warnings[:1])))
+    _check_output(job, take)
     mesh = mm.infer_mesh(take)
     recipe = job.recipe
     found = mm.detect(
@@ -125,6 +127,16 @@ def clean_one(job: Job, progress: Progress) -> bool:
     _describe(job, source, take, clean, outcomes(found, pairs, recipe.min_confidence))
     progress(1.0, "Done")
     return True
+
+
+def _check_output(job: Job, take: Take) -> None:
+    """Refuse, before any work is done, a take that cannot be written as it is to be."""
+    if job.output.suffix.lower() not in writable(skeleton=take.skeleton):
+        endings = writable_in_words().replace(".", "")
+        raise ExportError(
+            f"{job.source.path.name} cannot be written in the format it came in; let the recipe's"
+            f" output format be {endings}."
+        )
 
 
 def is_done(job: Job, source: str) -> bool:

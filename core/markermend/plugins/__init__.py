@@ -12,8 +12,9 @@ where ``hold`` is a :class:`markermend.repairs.registry.Method`; likewise
 window, on the command line and in ``markermend methods``, with their parameters.
 
 Nobody is harmed by a plugin that fails: one that cannot be loaded is left out, see :func:`faults`;
-the work of the others runs in a process of its own, which ends when the work is cancelled, and what
-comes back is checked.
+the work of the others runs in a process of its own, which ends when the work is cancelled or who
+started it ends, and what comes back is checked. Scripts need no ``if __name__ == "__main__":``
+for that.
 """
 
 from markermend.plugins.discover import Fault, faults, loaded

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from functools import lru_cache
+from dataclasses import dataclass, replace
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any
 
 from markermend.errors import FileFormatError
 from markermend.plugins.discover import FORMATS, loaded
 from markermend.plugins.worker import Worker
-from markermend.take import Take
+from markermend.take import Source, Take
 
 OURS = ("c3d", "trc", "csv")
 SKELETONS = (".amc", ".bvh", ".asf")
@@ -46,18 +46,28 @@ def formats() -> Mapping[str, Format]:
 
 def contents(chosen: Format, take: Take) -> bytes:
     """What a file of a take holds, made by a plugin in another process."""
-    return bytes(Worker(FORMATS, chosen.name).call(take, member="write"))
+    return bytes(_worker(chosen.name).call(take, member="write"))
+
+
+@cache
+def _worker(name: str) -> Worker:
+    """The process of a plugin, one for all that is read and written."""
+    return Worker(FORMATS, name)
 
 
 def _guard(chosen: Format) -> Callable[[Path], Take]:
-    """Read in another process."""
-    worker = Worker(FORMATS, chosen.name)
+    """Read in another process; takes know the file they came from, as those of our formats do."""
+    worker = _worker(chosen.name)
 
     def read(path: Path, *, progress: Any = None) -> Take:
+        status = path.stat()
         take = worker.call(path)
         if not isinstance(take, Take):
             raise FileFormatError(f"The plugin for .{chosen.name} files did not return a take.")
-        return take
+        if take.source is not None:
+            return take
+        source = Source(path.absolute(), chosen.name, status.st_size, status.st_mtime_ns)
+        return replace(take, source=source)
 
     return read
 
