@@ -261,10 +261,13 @@ def test_a_replaced_source_is_opened_anew_and_its_original_kept(
     proposed(qtbot, reviewed)
     key(qtbot, reviewed, Qt.Key.Key_F)
     repaired = document.session
+    left = {a.id for a in repaired.artifacts if a.status is not Status.REPAIRED}
+    assert left
     monkeypatch.setattr(dialogs, "ask_replace_source", lambda *_: True)
     export(reviewed, qtbot, monkeypatch, take_path)
     qtbot.waitUntil(lambda: document.session not in (None, repaired), timeout=WAIT)
     qtbot.waitUntil(lambda: not reviewed.lane.busy, timeout=WAIT)
+    assert {a.id for a in document.session.artifacts} == left
     assert take_path.read_bytes() != original
     assert take_path.with_name("box.c3d.bak").read_bytes() == original
     # What was opened anew can be exported again.
