@@ -12,7 +12,7 @@ from typing import Any
 
 from markermend.batch.recipe import Recipe, read_recipe
 from markermend.errors import MethodError
-from markermend.files.atomic import write_contents
+from markermend.files.atomic import write_text
 
 _NAME = re.compile(r"[\w][\w .+-]{0,59}")
 
@@ -50,7 +50,7 @@ def save_preset(name: str, method: str, params: Any) -> Path:
     text = Recipe(detector=method, detector_params=params).to_toml()
     path = _path(name)
     path.parent.mkdir(parents=True, exist_ok=True)
-    write_contents(path, text.encode())
+    write_text(path, text)
     return path
 
 

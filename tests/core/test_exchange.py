@@ -174,3 +174,10 @@ def test_what_is_printed_says_what_it_is(take: Take) -> None:
     session.mark(flaw)
     assert repr(session) == f"<Session of {take!r}: 1 pending, 1 steps>"
     assert repr(mm.infer_mesh(take)).startswith("<Mesh of 5 markers in ")
+
+
+@pytest.mark.parametrize("layout", ["movement", "pyomeca"])
+@pytest.mark.parametrize("labels", [("A", "B"), ("Ann:A", "Bob:A"), ()])
+def test_takes_without_frames_or_markers(layout: str, labels: tuple[str, ...]) -> None:
+    empty = Take(np.empty((0, len(labels), 3)), labels, 100.0, 7)
+    same(from_xarray(empty.to_xarray(layout)), empty)

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 import markermend as mm
-from markermend.cli.diff import render
+from markermend.cli.diff import render, to_dict
+from markermend.files import diff
 from markermend.files.diff import compare
 from markermend.files.info import describe_file
 from markermend.files.restructure import relabel
@@ -114,3 +115,26 @@ def test_describe_every_file(shared_data: Path) -> None:
             except mm.FileFormatError:
                 continue
             json.dumps(describe_file(take))
+
+
+def test_a_cut_list_of_bytes_says_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    positions = np.random.default_rng(5).normal(0, 100, (400, 6, 3))
+    for name, shift in (("a", 0.0), ("b", 3.0)):
+        mm.write(Take(positions + shift, tuple("ABCDEF"), 100.0), tmp_path / f"{name}.c3d")
+    whole = compare(tmp_path / "a.c3d", tmp_path / "b.c3d")
+    assert not whole.bytes_cut
+    assert not to_dict(whole)["bytes_cut"]
+    runs = len(whole.bytes)
+    # Runs that lie across the parts of a file count as often as they are listed.
+    monkeypatch.setattr(diff, "_borders", lambda _: ((0, "a"), (2000, "b"), (2001, "c")))
+    for most in (100, runs - 1, runs + 2):
+        monkeypatch.setattr(diff, "_MOST_RUNS", most)
+        found = compare(tmp_path / "a.c3d", tmp_path / "b.c3d")
+        assert found.differing_bytes == whole.differing_bytes
+        assert len(found.bytes) <= most
+        assert found.bytes_cut is to_dict(found)["bytes_cut"] is (most < runs)
+        assert ("only the first" in render(found)) is (most < runs)
+    monkeypatch.setattr(diff, "_MOST_RUNS", 100)
+    text = render(compare(tmp_path / "a.c3d", tmp_path / "b.c3d"))
+    assert f"Bytes: {whole.differing_bytes:,} differ in all; only the first 100 runs" in text
+    assert text.endswith("… and more than 80 more")

@@ -252,3 +252,10 @@ def test_real_gaps_stay(shared_data: Path) -> None:
     change = np.abs(result.positions - take.positions)
     assert np.nanmedian(change) < 0.3
     assert np.isfinite(result.positions[take.present]).all()
+
+
+@pytest.mark.parametrize("method", SMOOTHERS)
+def test_a_take_without_frames_stays_as_it_is(method: str) -> None:
+    empty = Take(np.empty((0, 2, 3)), ("A", "B"), RATE)
+    assert smooth(empty, method).positions.shape == (0, 2, 3)
+    assert derivatives(empty).velocity.shape == (0, 2, 3)

@@ -55,14 +55,14 @@ class Reporting(QObject):
         code = languages.language()
 
         def work(progress: Progress) -> None:
-            from markermend.files.atomic import write_contents
+            from markermend.files.atomic import write_text
 
             progress(0.0, title)
             page = review_report(review, name=title)
             if code != "en":
                 page = told_report(page, {title, *review.before.labels}, code)
             progress(0.9, target.name)
-            write_contents(target, page.encode())
+            write_text(target, page)
 
         def written(_: None) -> None:
             self.said.emit(self.tr("Report written to {0}.").format(target))

@@ -12,6 +12,7 @@ from typing import Any
 
 import markermend as mm
 from markermend.detectors import DEFAULT, find_detector
+from markermend.encoding import utf8
 from markermend.errors import FileFormatError, MethodError
 from markermend.files.opening import not_opened
 from markermend.parameters import read_params
@@ -104,7 +105,7 @@ class Recipe:
     @property
     def hash(self) -> str:
         """SHA-256 of the text, the version included: what was done by another is done again."""
-        return hashlib.sha256(self.to_toml().encode()).hexdigest()
+        return hashlib.sha256(utf8(self.to_toml())).hexdigest()
 
 
 def read_recipe(path: str | Path) -> Recipe:

@@ -20,12 +20,13 @@ from markermend.batch.work import (
     Job,
     clean_one,
     json_text,
+    json_with_paths,
     read_note,
     sha256,
-    write_text,
 )
+from markermend.encoding import utf8
 from markermend.errors import ExportError
-from markermend.files.atomic import write_whole
+from markermend.files.atomic import write_text, write_whole
 from markermend.report import Quality, batch_parts
 
 if TYPE_CHECKING:
@@ -192,7 +193,8 @@ def _sum_up(
     about: dict[str, Any] = {"version": mm.__version__, "recipe_sha256": sha256(folder / RECIPE)}
     write_text(folder / INDEX, json_text(about | {"takes": index, "failed": failed}))
     least = plan[0].recipe.min_confidence
-    write_text(folder / REVIEW, json_text(about | {"min_confidence": least, "takes": review}))
+    waiting = about | {"min_confidence": least, "takes": review}
+    write_text(folder / REVIEW, json_with_paths(waiting))
     pages = (job.report.read_text(encoding="utf-8") for job in done)
     _write_parts(folder / REPORT, batch_parts(list(takes.values()), failures, pages))
     return BatchResult(takes, failures, skipped, sum(q.review for q in takes.values()))
@@ -200,4 +202,4 @@ def _sum_up(
 
 def _write_parts(path: Path, parts: Iterable[str] | Iterator[str]) -> None:
     """Write text part by part, whole or not at all."""
-    write_whole(path, lambda file: file.writelines(p.encode() for p in parts), backup=False)
+    write_whole(path, lambda file: file.writelines(utf8(p) for p in parts), backup=False)

@@ -14,8 +14,9 @@ from markermend.artifact import repair_in_words
 from markermend.artifact_json import to_dict
 from markermend.batch.recipe import NAME, Recipe
 from markermend.batch.sources import Source
+from markermend.encoding import json_kept
 from markermend.errors import DataError, ExportError, MarkermendError
-from markermend.files.atomic import write_contents
+from markermend.files.atomic import write_text
 from markermend.outcome import Outcome, cleaned_document, outcomes
 from markermend.patch import patched
 from markermend.plugins.formats import writable, writable_in_words
@@ -171,14 +172,14 @@ def sha256(path: Path) -> str:
         return hashlib.file_digest(file, "sha256").hexdigest()
 
 
-def write_text(path: Path, text: str) -> None:
-    """Write a text file whole or not at all."""
-    write_contents(path, text.encode())
-
-
 def json_text(values: Mapping[str, Any]) -> str:
     """Write values as JSON."""
     return json.dumps(values, ensure_ascii=False, indent=1, allow_nan=False) + "\n"
+
+
+def json_with_paths(values: Mapping[str, Any]) -> str:
+    """Write values as JSON that is read back to find the files it names, whatever their names."""
+    return json_kept(json_text(values))
 
 
 def why(error: Exception) -> str:
@@ -206,4 +207,4 @@ def _describe(job: Job, source: str, take: Take, clean: Take, done: Sequence[Out
         "quality": quality(name, take, clean, done).to_dict(),
         "review": [{**to_dict(o.artifact), "reason": o.reason} for o in done if waits(o)],
     }
-    write_text(job.state, json_text(note))
+    write_text(job.state, json_with_paths(note))

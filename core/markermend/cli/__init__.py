@@ -14,6 +14,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from markermend.cli.parser import COMMANDS, make_parser
+from markermend.encoding import printable
 from markermend.errors import Cancelled, MarkermendError, RangeError
 from markermend.memory import keep_memory
 
@@ -90,7 +91,7 @@ def _with_command(words: list[str]) -> list[str]:
 
 def _fail(sentence: str) -> int:
     """Say why on standard error."""
-    sys.stderr.write(sentence.rstrip() + "\n")
+    sys.stderr.write(printable(sentence).rstrip() + "\n")
     return FAILED
 
 

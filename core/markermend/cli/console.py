@@ -13,6 +13,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
+from markermend.encoding import printable
 from markermend.errors import DataError, ExportError, MarkermendError
 
 if TYPE_CHECKING:
@@ -27,12 +28,12 @@ _REDRAW_S = 0.1
 
 def say(text: str = "") -> None:
     """Write a line to standard output."""
-    sys.stdout.write(text + "\n")
+    sys.stdout.write(printable(text) + "\n")
 
 
 def warn(text: str) -> None:
     """Write a line to standard error."""
-    sys.stderr.write(text + "\n")
+    sys.stderr.write(printable(text) + "\n")
 
 
 class Bar:
@@ -248,11 +249,11 @@ def write_text(path: str, text: str) -> None:
     if path == STDOUT:
         if hasattr(sys.stdout, "reconfigure"):
             sys.stdout.reconfigure(encoding="utf-8")
-        sys.stdout.write(text)
+        sys.stdout.write(printable(text))
         return
-    from markermend.files.atomic import write_contents
+    from markermend.files.atomic import write_text as write_whole_text
 
-    write_contents(Path(path), text.encode())
+    write_whole_text(Path(path), text)
 
 
 def write_json(path: str, document: dict[str, Any]) -> None:

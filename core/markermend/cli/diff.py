@@ -53,6 +53,7 @@ def to_dict(comparison: Comparison) -> dict[str, Any]:
         "bytes": [
             {"start": int(b.start), "stop": int(b.stop), "part": b.part} for b in comparison.bytes
         ],
+        "bytes_cut": comparison.bytes_cut,
     }
 
 
@@ -87,11 +88,20 @@ def render(comparison: Comparison, *, most: int = 20) -> str:
         if entries is found and not found and comparison.differing_bytes:
             lines.append("Bytes: not listed, since the files are of different formats")
             continue
-        lines.append(f"{title}: {len(entries) or 'none'}")
+        cut = entries is found and comparison.bytes_cut
+        lines.append(_cut_title(comparison) if cut else f"{title}: {len(entries) or 'none'}")
         lines += [f"  {entry}" for entry in entries[:most]]
         if len(entries) > most:
-            lines.append(f"  … and {len(entries) - most} more")
+            lines.append(f"  … and {'more than ' * cut}{len(entries) - most} more")
     return "\n".join(lines)
+
+
+def _cut_title(comparison: Comparison) -> str:
+    """What stands over runs of bytes that are not all there."""
+    return (
+        f"Bytes: {comparison.differing_bytes:,} differ in all; only the first"
+        f" {len(comparison.bytes):,} runs of them are listed"
+    )
 
 
 def _sample_line(sample: SampleDifference) -> str:

@@ -151,7 +151,9 @@ def _from_movement(data: Any) -> Take:
     if values.shape[3] != len(AXES):
         raise DataError("A take needs positions in three dimensions; this array has other ones.")
     frames = len(values)
-    flat = values.reshape(frames, -1, len(AXES)).astype(np.float64)
+    # Not -1, which numpy cannot work out where there is no frame.
+    markers = values.shape[1] * values.shape[2]
+    flat = values.reshape(frames, markers, len(AXES)).astype(np.float64)
     people = [str(v) for v in data["individuals"].values]
     alone = people == [NOBODY] or people == ["id_0"]
     labels = [
@@ -161,10 +163,9 @@ def _from_movement(data: Any) -> Take:
     ]
     origin = None
     if "origin" in data:
-        origin = (
-            data["origin"].transpose("time", "individuals", "keypoints").values.reshape(frames, -1)
-        )
-    if len(people) > 1:
+        origins = data["origin"].transpose("time", "individuals", "keypoints").values
+        origin = origins.reshape(frames, markers)
+    if len(people) > 1 and frames:
         seen = ~np.isnan(flat).all(axis=(0, 2))
         flat, labels = flat[:, seen], [s for s, ok in zip(labels, seen, strict=True) if ok]
         origin = None if origin is None else origin[:, seen]

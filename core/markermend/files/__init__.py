@@ -159,7 +159,8 @@ def write(
     ------
     ExportError
         when the target is the source and ``overwrite`` is not set, the source has changed since it
-        was read, a value does not fit the file's numbers, or the disk does not take the file
+        was read, the take has no frame, a value or a name does not fit the format, or the disk does
+        not take the file
     DataError
         when the frames to keep are none, or not all in the take
     """
@@ -176,6 +177,9 @@ def write(
         )
     if onto_source and take.read_only:
         raise ExportError(f"{target.name} is damaged and was opened only to look at it.")
+    if not take.frames:
+        # No reader, ours neither, makes anything of such a file.
+        raise ExportError(f"The take has no frame, so there is nothing to write to {target.name}.")
     report = progress or quiet
     # Also the check that all of the frames are there.
     part = take if frames is None else crop(take, *frames)

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import IO
 
+from markermend.encoding import utf8
 from markermend.errors import ExportError
 
 
@@ -69,6 +70,11 @@ def write_contents(target: Path, contents: bytes) -> None:
         file.write(contents)
 
     write_whole(target, fill, backup=False)
+
+
+def write_text(target: Path, text: str) -> None:
+    """Write a text in UTF-8, as :func:`write_whole` does, whatever file names are in it."""
+    write_contents(target, utf8(text))
 
 
 def _keep(target: Path) -> Path:

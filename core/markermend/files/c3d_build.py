@@ -7,13 +7,15 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from markermend.encoding import utf8
 from markermend.errors import ExportError
 from markermend.files.c3d_layout import MAGIC
 from markermend.files.c3d_numbers import Processor, encode_floats
-from markermend.files.c3d_records import BLOCK
+from markermend.files.c3d_records import BLOCK, text_of
+from markermend.files.labels import shown
 from markermend.take import Event
 
-MOST_ROWS = 255
+MOST_ROWS = MOST_LETTERS = 255
 # Name of our own group, where what was done to a file is recorded on request.
 GROUP = "MARKERMEND"
 TEXT, BYTE, INTEGER, FLOAT = -1, 1, 2, 4
@@ -64,8 +66,14 @@ def _record(
 def text_records(
     number: int, name: str, texts: Sequence[str], processor: Processor, length: int = 0
 ) -> list[bytes]:
-    """Encode texts, in as many parameters as it takes (``LABELS``, ``LABELS2``…), and pad them."""
-    rows = [t.encode("utf-8")[:255] for t in texts]
+    """Encode texts, in as many parameters as it takes (``LABELS``, ``LABELS2``…), and pad them.
+
+    Raises
+    ------
+    ExportError
+        when one is longer than a C3D file holds
+    """
+    rows = [text_row(t) for t in texts]
     width = max([length, *(len(r) for r in rows)])
     records = []
     for i in range(0, max(len(rows), 1), MOST_ROWS):
@@ -74,6 +82,55 @@ def text_records(
         dims = (width, len(part))
         records.append(parameter_record(number, _continued(name, i), TEXT, dims, data, processor))
     return records
+
+
+def text_row(text: str) -> bytes:
+    """Encode one text.
+
+    Raises
+    ------
+    ExportError
+        when it is longer than a C3D file holds: names that were cut would be others, or the same
+    """
+    row = utf8(text)
+    if len(row) > MOST_LETTERS:
+        raise ExportError(
+            f"“{shown(text)}” is {len(row)} bytes long and a C3D file holds {MOST_LETTERS}; give it"
+            " a shorter name."
+        )
+    return row
+
+
+def cut_text(text: str) -> str:
+    """As much of a sentence as a C3D file holds, no letter by half."""
+    return utf8(text)[:MOST_LETTERS].decode("utf-8", "ignore")
+
+
+def check_names(labels: Sequence[str]) -> None:
+    """Refuse names of points that would be others when they are read.
+
+    Parameters
+    ----------
+    labels : of all points; blanks at either end, which pad names in a C3D file, may go
+
+    Raises
+    ------
+    ExportError
+        when one is too long or has a character that ends it, or two differ in such blanks only
+    """
+    seen: dict[str, str] = {}
+    for label in labels:
+        name = text_of(text_row(label))
+        if name != label.strip():
+            raise ExportError(
+                f"A C3D file cannot hold a point called “{shown(label)}”; rename it first."
+            )
+        other = seen.setdefault(name, label) if name else label
+        if other != label:
+            raise ExportError(
+                f"“{shown(other)}” and “{shown(label)}” would have one name in a C3D file, which"
+                " keeps no blanks at either end; rename one first."
+            )
 
 
 def number_records(

@@ -8,12 +8,14 @@ from typing import IO
 import numpy as np
 
 import markermend
-from markermend.arrays import BoolArray, Float32Array
+from markermend.arrays import BoolArray, Float32Array, FloatArray
 from markermend.errors import ExportError
 from markermend.files.c3d_build import (
     FLOAT,
     GROUP,
     INTEGER,
+    check_names,
+    cut_text,
     event_records,
     group_record,
     header_bytes,
@@ -24,12 +26,16 @@ from markermend.files.c3d_build import (
 )
 from markermend.files.c3d_numbers import Processor
 from markermend.files.c3d_records import BLOCK
+from markermend.files.c3d_samples import far_away, too_far
 from markermend.progress import Progress
 from markermend.take import Take
 
 _INTEL = Processor.INTEL
 _BLOCK_FRAMES = 2048
 _MOST = 0xFFFF
+# Numbers of frames are pairs of 16-bit words.
+_LAST_FRAME = 0xFFFFFFFF
+_LARGEST = float(np.finfo(np.float32).max)
 _LISTS = {
     "angle": "ANGLES",
     "force": "FORCES",
@@ -55,12 +61,18 @@ def write_new(
     Raises
     ------
     ExportError
-        when the take has more points or samples a frame than a C3D file can hold, or frames below 0
+        when the take has more points or samples a frame than a C3D file can hold, frame numbers or
+        names that it cannot, or coordinates that would be read as missing
     """
     if take.first_frame < 0:
         raise ExportError(
             f"A C3D counts frames from 0, and this take begins with frame {take.first_frame};"
             " write a TRC or CSV."
+        )
+    if take.frame_number(take.frames - 1) > _LAST_FRAME:
+        raise ExportError(
+            f"A C3D counts frames up to {_LAST_FRAME:,}, and this take begins with frame"
+            f" {take.first_frame:,}; write a TRC or CSV."
         )
     others = take.points.labels if take.points else ()
     points = take.markers + len(others)
@@ -70,6 +82,7 @@ def write_new(
             f"{points} points and {channels * each} analog samples a frame are more than a C3D"
             " file can hold (65,535); drop some first."
         )
+    check_names((*take.labels, *others))
     residual_scale = _residual_scale(take)
     records = _records(take, (*take.labels, *others), channels, each, residual_scale, 0, notes)
     section = section_bytes(records, _INTEL, "The take")
@@ -107,6 +120,7 @@ def _frames(take: Take, start: int, stop: int, residual_scale: float, analog: in
     values = take.positions[start:stop]
     if others is not None:
         values = np.concatenate([values, others], axis=1)
+    _check_near(take, values, start)
     missing: BoolArray = np.asarray(np.isnan(values).any(axis=2))
     quads[..., :3] = np.where(missing[..., None], 0.0, values)
     own = quads[:, : take.markers, 3]
@@ -122,6 +136,24 @@ def _frames(take: Take, start: int, stop: int, residual_scale: float, analog: in
         block = take.analog.values[start * each : stop * each]
         words[:, 4 * points :] = block.reshape(rows, analog)
     return words
+
+
+def _check_near(take: Take, values: FloatArray, start: int) -> None:
+    """Refuse coordinates that would be read as missing; other points may be of any size."""
+    far = too_far(values)
+    if take.points is not None:
+        far[:, take.markers :] = np.abs(values[:, take.markers :]) > _LARGEST
+    if not far.any():
+        return
+    frame, point, axis = (int(i) for i in np.argwhere(far)[0])
+    number, value = take.frame_number(start + frame), float(values[frame, point, axis])
+    if point < take.markers or take.points is None:
+        raise far_away(take.labels[point], number, value)
+    label = take.points.labels[point - take.markers]
+    raise ExportError(
+        f"{label} at frame {number} is {value:.3g}, more than the floats of a C3D file can hold;"
+        " drop it first."
+    )
 
 
 def _analog_shape(take: Take) -> tuple[int, int]:
@@ -175,7 +207,7 @@ def _records(
     if notes:
         records.append(group_record(7, GROUP, "", _INTEL))
         for name, lines in notes.items():
-            records += _texts(7, name, tuple(lines))
+            records += _texts(7, name, tuple(map(cut_text, lines)))
     return records
 
 

@@ -6,16 +6,20 @@ import struct
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Protocol
 
+from markermend.encoding import utf8
 from markermend.files.c3d_build import (
     FLOAT,
     GROUP,
     INTEGER,
     MOST_ROWS,
     TEXT,
+    check_names,
+    cut_text,
     event_records,
     group_record,
     pack_numbers,
     parameter_record,
+    text_row,
 )
 from markermend.files.c3d_events import read_events
 from markermend.files.c3d_layout import C3dLayout
@@ -71,7 +75,7 @@ def rewrite_parameters(
     for name, lines in notes.items():
         # A list of changes grows with every export; which version wrote last is one line.
         earlier = [] if name == "VERSION" else sheet.rows(GROUP, name)
-        rows = [*earlier, *(line.encode("utf-8")[:MOST_ROWS] for line in lines)]
+        rows = [*earlier, *(utf8(cut_text(line)) for line in lines)]
         sheet.set_rows(GROUP, name, rows)
     return sheet.finish()
 
@@ -106,6 +110,7 @@ def _set_labels(sheet: _Sheet, take: Take, selection: Selection) -> None:
     wanted = [read[column] for column in selection.kept] + list(selection.added)
     for place, label in zip(selection.places, take.labels, strict=True):
         wanted[place] = label
+    check_names(wanted)
     stated = sheet.rows("POINT", "LABELS")
     columns = [*selection.kept, *(-1 for _ in selection.added)]
     rows = []
@@ -113,12 +118,12 @@ def _set_labels(sheet: _Sheet, take: Take, selection: Selection) -> None:
         own = stated[column] if 0 <= column < len(stated) else b""
         # A nameless point is called after its place, so it needs a name where that changes.
         same = column >= 0 and label == read[column] and (own.strip(b" \0") or place == column)
-        rows.append(own if same else label.encode("utf-8")[:MOST_ROWS])
+        rows.append(own if same else text_row(label))
     # Where names repeat, the numbers that reading gives them may have shifted.
     again, _ = unique_labels([text_of(row) for row in rows], len(rows))
     for place, (got, label) in enumerate(zip(again, wanted, strict=True)):
         if got != label:
-            rows[place] = label.encode("utf-8")[:MOST_ROWS]
+            rows[place] = text_row(label)
     whole = columns == list(range(layout.points))
     if whole:
         rows += stated[layout.points :]

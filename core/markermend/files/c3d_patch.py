@@ -20,7 +20,15 @@ from markermend.files.c3d import name_points
 from markermend.files.c3d_events import read_events
 from markermend.files.c3d_layout import C3dLayout, Storage
 from markermend.files.c3d_numbers import encode_floats
-from markermend.files.c3d_samples import Plan, blocks, decode_positions, quads_of, words_of
+from markermend.files.c3d_samples import (
+    Plan,
+    blocks,
+    decode_positions,
+    far_away,
+    quads_of,
+    too_far,
+    words_of,
+)
 from markermend.progress import Progress
 from markermend.take import Source, Take
 
@@ -222,6 +230,14 @@ def _check_fits(
     scale_mm: float,
 ) -> None:
     """Refuse values that the file's numbers cannot hold."""
+    far = too_far(words * scale_mm)
+    if far.any():
+        at = int(np.argmax(far))
+        raise far_away(
+            take.labels[markers[at]],
+            take.frame_number(int(frames[at])),
+            float(words[at] * scale_mm),
+        )
     if layout.storage is Storage.INTEGER:
         bad = ~(np.abs(np.rint(words)) <= _LARGEST_STEP)
         limit = f"16-bit integers of {scale_mm:.3g} mm, ±{_LARGEST_STEP * scale_mm:.0f} mm"

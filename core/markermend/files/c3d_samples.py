@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from markermend.arrays import BoolArray, ByteArray, FloatArray
-from markermend.errors import FileFormatError
+from markermend.errors import ExportError, FileFormatError
 from markermend.files.c3d_layout import C3dLayout, Storage
 from markermend.files.c3d_numbers import decode_floats
 
@@ -145,6 +145,31 @@ def invalid(residual_words: NDArray[Any]) -> BoolArray:
         if large.any():
             negative |= large & (residual_words <= _UNSIGNED_WORD)
     return negative
+
+
+def too_far(positions: FloatArray) -> BoolArray:
+    """Tell which coordinates would be read as missing once they are written.
+
+    Parameters
+    ----------
+    positions : mm, of any shape; NaN is not too far
+
+    Returns
+    -------
+    bool, of the same shape
+    """
+    with np.errstate(over="ignore", invalid="ignore"):
+        # As the file's floats hold them: just below the limit rounding reaches it.
+        far: BoolArray = np.abs(positions.astype(np.float32)) >= FARTHEST_MM
+    return far
+
+
+def far_away(label: str, frame: int, at_mm: float) -> ExportError:
+    """Why a sample that is :func:`too_far` is not written."""
+    return ExportError(
+        f"{label} at frame {frame} is at {at_mm:.3g} mm, and what is beyond"
+        f" {FARTHEST_MM / 1e6:.0f} km counts as missing in a C3D file; correct or erase it first."
+    )
 
 
 def decode_residuals(stored: NDArray[Any], scale_mm: float) -> tuple[FloatArray, ByteArray]:

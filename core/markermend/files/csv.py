@@ -12,6 +12,7 @@ import csv
 import os
 import re
 from collections import Counter
+from collections.abc import Sequence
 from pathlib import Path
 from types import MappingProxyType
 from typing import IO
@@ -19,11 +20,13 @@ from typing import IO
 import numpy as np
 
 from markermend.arrays import FloatArray, IntArray
-from markermend.errors import FileFormatError
-from markermend.files.labels import unique_labels
+from markermend.encoding import utf8
+from markermend.errors import ExportError, FileFormatError
+from markermend.files.labels import check_kept, unique_labels
 from markermend.files.text import (
     check_width,
     frames_of_rows,
+    lines_of,
     mark_missing,
     numbers,
     read_lines,
@@ -63,8 +66,7 @@ def read_csv(path: Path, *, progress: Progress | None = None) -> Take:
     lines = [line for line in read_lines(path) if line.strip() and not line.startswith("#")]
     if not lines:
         raise FileFormatError(f"{path.name} is empty.")
-    delimiter = max(",;\t", key=lines[0].count)
-    names = [cell.strip() for cell in next(csv.reader([lines[0]], delimiter=delimiter))]
+    names, delimiter = _names_in(lines[0])
     stated, columns, unit = _markers(names, path.name)
     labels, repeated = unique_labels(stated, len(stated))
     report, warnings = progress or quiet, []
@@ -122,10 +124,16 @@ def write_csv(take: Take, file: IO[bytes], progress: Progress, *, before: int = 
     file : written from its beginning
     progress : told the share of frames written
     before : frames between time 0 and the first one
+
+    Raises
+    ------
+    ExportError
+        when there are no markers, or the name of one would not come back when the file is read
     """
-    quoted = (f"{label}.{axis} (mm)" for label in take.labels for axis in AXES)
-    names = ["frame", "time", *(_quoted(name) for name in quoted)]
-    file.write((",".join(names) + "\n").encode("utf-8"))
+    if not take.markers:
+        raise ExportError("A CSV holds nothing but markers, and this take has none.")
+    check_kept(take.labels, _names_read, "CSV")
+    file.write(utf8(_names_line(take.labels) + "\n"))
     for frame in range(take.frames):
         if frame % _ROWS_A_REPORT == 0:
             progress(frame / take.frames, "Writing rows")
@@ -133,6 +141,27 @@ def write_csv(take: Take, file: IO[bytes], progress: Progress, *, before: int = 
         cells = ",".join("" if v != v else f"{v:.6f}" for v in row)
         time = f"{(before + frame) / take.rate:.9f}"
         file.write(f"{take.frame_number(frame)},{time},{cells}\n".encode())
+
+
+def _names_line(labels: Sequence[str]) -> str:
+    """The first line: the name of every column."""
+    quoted = (_quoted(f"{label}.{axis} (mm)") for label in labels for axis in AXES)
+    return ",".join(["frame", "time", *quoted])
+
+
+def _names_read(labels: Sequence[str]) -> list[str]:
+    """Names that are read from the line written for these."""
+    return _markers(_names_in(lines_of(utf8(_names_line(labels)), "")[0])[0], "")[0]
+
+
+def _names_in(line: str) -> tuple[list[str], str]:
+    """Names of the columns in a table's first line, and what separates them."""
+    delimiter = max(",;\t", key=line.count)
+    try:
+        cells = next(csv.reader([line], delimiter=delimiter))
+    except csv.Error as error:
+        raise FileFormatError(f"The first line is no list of columns: {error}.") from error
+    return [cell.strip() for cell in cells], delimiter
 
 
 def _quoted(name: str) -> str:

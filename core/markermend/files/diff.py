@@ -81,10 +81,11 @@ class Comparison:
     ----------
     a, b : the files
     renamed : labels in the first and in the second file, of markers that are the same but for it
-    samples, parameters, bytes : what differs; byte runs are listed up to 10,000, and not at all
+    samples, parameters, bytes : what differs; of byte runs the first 10,000 are listed, and none
         between files of different formats
     differing_bytes : how many bytes differ in the length that both have
     sizes : of the two files
+    bytes_cut : whether there are more runs of bytes than are listed
     """
 
     a: Path
@@ -95,6 +96,7 @@ class Comparison:
     bytes: tuple[ByteDifference, ...]
     differing_bytes: int
     sizes: tuple[int, int]
+    bytes_cut: bool = False
 
     @property
     def identical(self) -> bool:
@@ -134,13 +136,21 @@ def compare(
         parameters += _parameters(layouts[0], layouts[1])
     report = part(progress, 0.8, 1.0)
     report(0.0, "Comparing bytes")
-    differing, found = _bytes(first, second, layouts[0])
+    differing, found, cut = _bytes(first, second, layouts[0])
     if _format(one) != _format(two):
-        found = ()
+        found, cut = (), False
     sizes = (first.stat().st_size, second.stat().st_size)
     samples = tuple(_samples(one, two, renamed))
     return Comparison(
-        first, second, tuple(renamed.items()), samples, tuple(parameters), found, differing, sizes
+        first,
+        second,
+        tuple(renamed.items()),
+        samples,
+        tuple(parameters),
+        found,
+        differing,
+        sizes,
+        cut,
     )
 
 
@@ -287,8 +297,13 @@ def _text(record: Record, layout: C3dLayout) -> str:
     return shown + (f"… ({len(values)})" if len(values) > _MOST_VALUES else "")
 
 
-def _bytes(a: Path, b: Path, layout: object) -> tuple[int, tuple[ByteDifference, ...]]:
-    """Count the bytes that differ in the length both have, and list their runs."""
+def _bytes(a: Path, b: Path, layout: object) -> tuple[int, tuple[ByteDifference, ...], bool]:
+    """Count the bytes that differ in the length both have, and list their first runs.
+
+    Returns
+    -------
+    how many bytes, their runs, and whether there are more of these
+    """
     found: list[ByteDifference] = []
     total = at = 0
     borders = _borders(layout)
@@ -303,13 +318,14 @@ def _bytes(a: Path, b: Path, layout: object) -> tuple[int, tuple[ByteDifference,
                     right, np.uint8, length
                 )
                 total += int(np.count_nonzero(differs))
-                if len(found) < _MOST_RUNS:
-                    for start, stop in runs(differs)[: _MOST_RUNS - len(found)].tolist():
+                # One more than are listed tells that the list is not whole.
+                if len(found) <= _MOST_RUNS:
+                    for start, stop in runs(differs)[: _MOST_RUNS + 1 - len(found)].tolist():
                         found += _split(at + start, at + stop, borders)
                 at += length
     except OSError as error:
         raise FileFormatError(f"The files could not be compared: {error.strerror}.") from error
-    return total, tuple(found)
+    return total, tuple(found[:_MOST_RUNS]), len(found) > _MOST_RUNS
 
 
 def _borders(layout: object) -> tuple[tuple[int, str], ...]:

@@ -24,9 +24,19 @@ def read_lines(path: Path) -> list[str]:
     FileFormatError
         when the file is not text
     """
-    raw = path.read_bytes()
+    return lines_of(path.read_bytes(), path.name)
+
+
+def lines_of(raw: bytes, name: str) -> list[str]:
+    """Lines of the contents of a text file, as :func:`read_lines` has them.
+
+    Raises
+    ------
+    FileFormatError
+        when they are not text
+    """
     if b"\0" in raw:
-        raise FileFormatError(f"{path.name} is not a text file.")
+        raise FileFormatError(f"{name} is not a text file.")
     try:
         text = raw.decode("utf-8-sig")
     except UnicodeDecodeError:

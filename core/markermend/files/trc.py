@@ -8,17 +8,21 @@ spaces around numbers and in line endings; all are read.
 from __future__ import annotations
 
 import os
+import re
+from collections.abc import Sequence
 from pathlib import Path
 from types import MappingProxyType
 from typing import IO
 
 import numpy as np
 
+from markermend.encoding import utf8
 from markermend.errors import ExportError, FileFormatError
-from markermend.files.labels import unique_labels
+from markermend.files.labels import check_kept, unique_labels
 from markermend.files.text import (
     check_width,
     frames_of_rows,
+    lines_of,
     mark_missing,
     number,
     numbers,
@@ -119,10 +123,11 @@ def write_trc(
     Raises
     ------
     ExportError
-        when there are no markers
+        when there are no markers, or the name of one would not come back when the file is read
     """
     if not take.markers:
         raise ExportError("A TRC holds nothing but markers, and this take has none.")
+    check_kept(take.labels, _names_read, "TRC")
     source = take.source
     kept = source is not None and source.format == "trc"
     unit = take.info.get("units", "") if kept and unit_mm(take.info.get("units", "")) else "mm"
@@ -131,16 +136,17 @@ def write_trc(
     digits = 6 + round(float(np.log10(scale)))
     rate, count = f"{take.rate:.10g}", take.markers
     head = [
-        f"PathFileType\t4\t(X/Y/Z)\t{name}",
+        # A file's name may hold what separates lines and cells here.
+        "PathFileType\t4\t(X/Y/Z)\t" + re.sub(r"[\t\r\n]", " ", name),
         "DataRate\tCameraRate\tNumFrames\tNumMarkers\tUnits\tOrigDataRate\tOrigDataStartFrame"
         "\tOrigNumFrames",
         f"{rate}\t{rate}\t{take.frames}\t{count}\t{unit}\t{rate}\t{take.first_frame}\t{take.frames}",
-        "Frame#\tTime\t" + "\t\t\t".join(take.labels) + "\t\t",
+        _names_line(take.labels),
         "\t\t" + "\t".join(f"{axis}{i}" for i in range(1, count + 1) for axis in "XYZ"),
         "",
         "",
     ]
-    file.write("\n".join(head).encode("utf-8"))
+    file.write(utf8("\n".join(head)))
     for frame in range(take.frames):
         if frame % _ROWS_A_REPORT == 0:
             progress(frame / take.frames, "Writing frames")
@@ -148,6 +154,17 @@ def write_trc(
         cells = "\t".join("" if v != v else f"{v:.{digits}f}" for v in row)
         time = f"{(before + frame) / take.rate:.9g}"
         file.write(f"{take.frame_number(frame)}\t{time}\t{cells}\n".encode())
+
+
+def _names_line(labels: Sequence[str]) -> str:
+    """The header's fourth line: each name stands over the first of its three columns."""
+    return "Frame#\tTime\t" + "\t\t\t".join(labels) + "\t\t"
+
+
+def _names_read(labels: Sequence[str]) -> tuple[str, ...]:
+    """Names that are read from the line written for these."""
+    line = lines_of(utf8(_names_line(labels)), "")[0]
+    return _labels(line, {"NumMarkers": str(len(labels))}, "")[0]
 
 
 def _header(lines: list[str], name: str) -> dict[str, str]:

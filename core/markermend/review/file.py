@@ -131,7 +131,7 @@ class SessionFile:
         self._start_journal()
         # Without it a moved take would only lose the way to its old review.
         with contextlib.suppress(OSError):
-            index_entry(self.hash).write_text(str(self.path), encoding="utf-8")
+            index_entry(self.hash).write_bytes(os.fsencode(self.path))
         return True
 
     def close(self) -> None:
@@ -374,7 +374,7 @@ def _moved(digest: str, path: Path, beside: Path) -> tuple[dict[str, Any] | None
     """
     places = [beside]
     with contextlib.suppress(OSError):
-        places.append(Path(index_entry(digest).read_text(encoding="utf-8")))
+        places.append(Path(os.fsdecode(index_entry(digest).read_bytes())))
     for where in places:
         if where != path:
             with contextlib.suppress(FileFormatError):

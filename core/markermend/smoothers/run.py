@@ -221,7 +221,8 @@ def _portions(
     """Markers in portions that fit into memory."""
     report = progress or quiet
     size = max(1, _TOGETHER // max(take.frames, 1))
-    for at in range(0, len(columns), size):
+    # Of a take without a frame there is nothing to look at.
+    for at in range(0, len(columns) if take.frames else 0, size):
         report(at / len(columns), doing)
         yield columns[at : at + size]
     report(1.0, "Smoothed")
