@@ -14,6 +14,7 @@ from markermend.poses.pose import Pose
 from markermend.poses.quaternion import inverse, turn
 
 VANISHED, FROZEN, MISPLACED, SWAPPED = "vanished", "frozen", "misplaced", "swapped"
+FAULTS = (VANISHED, FROZEN, MISPLACED, SWAPPED)
 
 # Frames in a row that must be the same to the last digit, and how far the body moves meanwhile.
 _FROZEN_FRAMES, _SAME_MM, _MOVED_MM = 4, 1e-6, 2.0

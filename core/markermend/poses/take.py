@@ -1,28 +1,37 @@
 """A skeleton recording under review: a take whose markers are joints, and back.
 
 The take carries the recording as its source's layout. What a review changes are positions; how
-joints are turned follows when the recording is written.
+joints are turned follows when the recording is written: with the bones that were moved a little,
+and as restoring has it where a joint was not seen or was put elsewhere.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import replace
 from pathlib import Path
 from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from markermend.arrays import BoolArray
+from markermend.arrays import BoolArray, FloatArray, runs
 from markermend.errors import DataError
 from markermend.mesh.model import Group, Mesh
-from markermend.poses.faults import SWAPPED
+from markermend.poses.faults import FAULTS, SWAPPED
+from markermend.poses.normal import bone_lengths
 from markermend.poses.pose import Pose
 from markermend.poses.prior import shipped_prior
 from markermend.poses.restore import INFERRED, Restored, restore
 from markermend.poses.skeleton import Movement
+from markermend.poses.swinging import swung
 from markermend.progress import Progress
 from markermend.take import SKELETON, Source, Take
+
+# A stretch that was moved by less than this share of the mean bone, in the middle, was not put
+# anywhere else; it was put where restoring has it, if it differs from that by so much less.
+_LITTLE, _AGREES = 0.25, 0.1
+# So many stretches are asked about one by one; each takes as long as restoring the recording.
+_MOST_TRIED = 12
 
 _RESTORED: WeakKeyDictionary[Pose, Restored] = WeakKeyDictionary()
 
@@ -73,29 +82,130 @@ def as_pose(take: Take, *, progress: Progress | None = None) -> Pose:
     Returns
     -------
     Pose
-        as it was read but for samples that were changed. There a joint has the rotation that
-        restoring gives it, and so has its parent, which no sensor can know without it; what was
-        filled has confidence :data:`~markermend.poses.restore.INFERRED`.
+        as it was read but for samples that were changed. Where a joint was seen and only moved a
+        little, as by smoothing, joints keep their rotations but for the least turn that lets their
+        bones point where these do now. Elsewhere a joint has the rotation that restoring gives it,
+        and so has its parent, which no sensor can know without it; what was filled has confidence
+        :data:`~markermend.poses.restore.INFERRED`.
+
+    Raises
+    ------
+    DataError
+        when joints have to be restored and nothing can be made of the recording
     """
     pose = pose_of(take)
     changed = changed_joints(take)
     if not changed.any():
         return replace(pose, joints=take.labels)
-    told = restored(pose, progress)
-    # Samples that come from elsewhere say where a joint is, but not how it is turned.
-    elsewhere = changed & (take.positions != told.pose.positions).any(axis=2)
-    if elsewhere.any():
-        told = restore(_hidden(pose, elsewhere), prior=shipped_prior(), progress=progress)
-    turned = changed.copy()
+    told, moved = told_and_moved(take, changed, progress)
+    anew = changed & ~moved
+    turned = anew.copy()
     for joint, parent in enumerate(pose.parents):
         if parent >= 0:
-            turned[:, parent] |= changed[:, joint]
-    rotations = np.where(turned[..., None], told.pose.rotations, pose.rotations)
-    filled = changed & (~pose.seen | mended(told))
-    confidence = np.where(filled, INFERRED, pose.confidence)
+            turned[:, parent] |= anew[:, joint]
+    rotations = swung(pose, take.positions, moved, turned) if moved.any() else pose.rotations
+    confidence = pose.confidence.copy()
+    if told is not None:
+        rotations = np.where(turned[..., None], told.pose.rotations, rotations)
+        confidence[anew & (~pose.seen | mended(told))] = INFERRED
     confidence[~take.present] = 0.0
     done = pose.with_samples(take.positions, rotations, confidence)
     return replace(done, joints=take.labels)
+
+
+def told_and_moved(
+    take: Take, changed: BoolArray, progress: Progress | None = None
+) -> tuple[Restored | None, BoolArray]:
+    """What restoring gives where a take was changed, and where it is not asked.
+
+    Parameters
+    ----------
+    take : one that :func:`as_take` made
+    changed : (frames, joints) bool, where it is not as it was read
+    progress : told the share done; may raise to stop
+
+    Returns
+    -------
+    told : the recording restored, as if samples that come from elsewhere had not been seen, since
+        they say where a joint is but not how it is turned; None where nothing needs it
+    moved : (frames, joints) bool, seen samples that were only moved a little, or of joints that
+        restoring could not tell anything about
+
+    Raises
+    ------
+    DataError
+        when restoring is needed and nothing can be made of the recording
+    """
+    pose = pose_of(take)
+    seen = changed & pose.seen & take.present
+    try:
+        told = restored(pose, progress)
+    except DataError:
+        if (changed & ~seen).any():
+            raise
+        return None, seen
+    elsewhere = changed & (take.positions != told.pose.positions).any(axis=2)
+    # What was put right is not asked how it had been turned, if it was smoothed afterwards too.
+    far, missed = (_apart(take.positions, p.positions) for p in (pose, told.pose))
+    seen &= elsewhere & ~(_wrong(told) & (missed < far))
+    # A joint that is never as it was read leaves restoring nothing to go by.
+    sure = seen & (elsewhere | ~pose.seen).all(axis=0)
+    hidden = elsewhere & ~sure
+    if not hidden.any():
+        return told, sure
+    prior = shipped_prior()
+    try:
+        tried = restore(_hidden(pose, hidden), prior=prior, progress=progress)
+    except DataError:
+        moved = sure | (seen & hidden)
+    else:
+        moved = sure | _little(take, tried, seen & hidden, progress)
+        if not (moved & hidden).any():
+            return tried, moved
+    hidden &= ~moved
+    if not hidden.any():
+        return told, moved
+    return restore(_hidden(pose, hidden), prior=prior, progress=progress), moved
+
+
+def _little(take: Take, tried: Restored, some: BoolArray, tell: Progress | None) -> BoolArray:
+    """(frames, joints) bool, those of some samples that were moved a little, stretch by stretch.
+
+    What restoring itself put there, as in an interval that was marked by hand, is none of them,
+    however near it is to where the joint was seen.
+    """
+    pose = pose_of(take)
+    lengths = bone_lengths(pose.positions, pose.parents)
+    most = _LITTLE * float(np.nanmean(lengths[np.asarray(pose.parents) >= 0]))
+    moved, together = np.zeros(some.shape, dtype=bool), dict[tuple[int, int], list[int]]()
+    for joint in np.flatnonzero(some.any(axis=0)).tolist():
+        for start, stop in runs(some[:, joint]).tolist():
+            rows = slice(start, stop)
+            far = np.median(_apart(take.positions[rows, joint], pose.positions[rows, joint]))
+            if far <= most and not _put_by(tried, take, joint, rows):
+                moved[rows, joint] = True
+                together.setdefault((start, stop), []).append(joint)
+    # Beside other intervals restoring puts a joint otherwise than by itself, when it was proposed.
+    for (start, stop), joints in list(together.items())[:_MOST_TRIED]:
+        rows = slice(start, stop)
+        try:
+            alone = restored_without(pose, joints, rows, tell)
+        except DataError:
+            continue
+        moved[rows, [joint for joint in joints if _put_by(alone, take, joint, rows)]] = False
+    return moved
+
+
+def _put_by(told: Restored, take: Take, joint: int, rows: slice) -> bool:
+    """Whether restoring put a joint where it is, rather than where it was seen."""
+    now, told_there = take.positions[rows, joint], told.pose.positions[rows, joint]
+    far = np.median(_apart(now, pose_of(take).positions[rows, joint]))
+    return bool(np.median(_apart(now, told_there)) <= _AGREES * far)
+
+
+def _apart(a: FloatArray, b: FloatArray) -> FloatArray:
+    """(...) mm between positions (..., 3); NaN where either is not known."""
+    return np.asarray(np.sqrt(np.sum((a - b) ** 2, axis=-1)))
 
 
 def changed_joints(take: Take) -> BoolArray:
@@ -136,11 +246,7 @@ def restored_without(
 
 def mended(told: Restored) -> BoolArray:
     """(frames, joints) bool: left and right were swapped, and are swapped back."""
-    mask = np.zeros(told.filled.shape, dtype=bool)
-    for fault in told.faults:
-        if fault.kind == SWAPPED:
-            mask[fault.start : fault.stop, fault.joint] = True
-    return mask
+    return _wrong(told, (SWAPPED,))
 
 
 def skeleton_mesh(take: Take) -> Mesh:
@@ -160,6 +266,15 @@ def skeleton_mesh(take: Take) -> Mesh:
     )
     links = tuple((min(j, p), max(j, p)) for j, p in enumerate(pose.parents) if p >= 0)
     return Mesh(take.labels, groups, links)
+
+
+def _wrong(told: Restored, kinds: Collection[str] = FAULTS) -> BoolArray:
+    """(frames, joints) bool: the recording was wrong there, in one of these ways."""
+    mask = np.zeros(told.filled.shape, dtype=bool)
+    for fault in told.faults:
+        if fault.kind in kinds:
+            mask[fault.start : fault.stop, fault.joint] = True
+    return mask
 
 
 def _hidden(pose: Pose, wrong: BoolArray) -> Pose:
