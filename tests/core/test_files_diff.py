@@ -138,3 +138,11 @@ def test_a_cut_list_of_bytes_says_so(tmp_path: Path, monkeypatch: pytest.MonkeyP
     text = render(compare(tmp_path / "a.c3d", tmp_path / "b.c3d"))
     assert f"Bytes: {whole.differing_bytes:,} differ in all; only the first 100 runs" in text
     assert text.endswith("… and more than 80 more")
+
+
+def test_joints_are_compared_frame_by_frame_whatever_they_count_from(
+    shared_data: Path, tmp_path: Path
+) -> None:
+    mm.write(mm.read(shared_data / "poses" / "02_03.amc"), tmp_path / "joints.csv")
+    found = compare(shared_data / "poses" / "02_03.amc", tmp_path / "joints.csv")
+    assert all(s.change == "moved" and s.largest_mm < 0.001 for s in found.samples)

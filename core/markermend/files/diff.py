@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from os import PathLike
 from pathlib import Path
 
@@ -117,7 +117,8 @@ def compare(
     Returns
     -------
     Comparison
-        samples are compared for markers and frame numbers that both files have; a marker whose
+        samples are compared for markers and frame numbers that both files have, of two skeleton
+        recordings that are as long frame by frame whatever they count from; a marker whose
         name only one file has is taken for one of the other file if they are at the same place in
         most of the frames in which either is seen
 
@@ -130,7 +131,11 @@ def compare(
     one = read(first, progress=part(progress, 0.0, 0.4))
     two = read(second, progress=part(progress, 0.4, 0.8))
     layouts = [take.source.layout if take.source is not None else None for take in (one, two)]
-    renamed = _renamed(one, two)
+    paired = two
+    if one.skeleton and two.skeleton and one.frames == two.frames:
+        # An AMC counts its frames from 1, tables of joints and BVH from 0.
+        paired = replace(two, first_frame=one.first_frame)
+    renamed = _renamed(one, paired)
     parameters = list(_facts(one, two, renamed))
     if isinstance(layouts[0], C3dLayout) and isinstance(layouts[1], C3dLayout):
         parameters += _parameters(layouts[0], layouts[1])
@@ -140,7 +145,7 @@ def compare(
     if _format(one) != _format(two):
         found, cut = (), False
     sizes = (first.stat().st_size, second.stat().st_size)
-    samples = tuple(_samples(one, two, renamed))
+    samples = tuple(_samples(one, paired, renamed))
     return Comparison(
         first,
         second,
