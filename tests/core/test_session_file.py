@@ -75,6 +75,7 @@ def test_second_opening_is_read_only(tmp_path):
     second = open_session(make_take(), folder=tmp_path)
     assert second.read_only
     assert not first.read_only
+    assert second.session.artifacts == first.session.artifacts
     second.save()
     assert not second.path.exists()
     first.close()

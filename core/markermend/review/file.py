@@ -21,29 +21,27 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO, Any
 
-from markermend.errors import DataError, FileFormatError, MarkermendError
+from markermend.errors import DataError, MarkermendError
 from markermend.review.carry import carry_over, go_on, marker_hashes
 from markermend.review.edits import samples_in
 from markermend.review.lock import open_locked
 from markermend.review.on_disk import OnDisk
 from markermend.review.place import (
-    JOURNAL_SUFFIX,
     SUFFIX,
     index_entry,
     journal_path,
     own_path,
-    session_of,
     session_path,
     source_hash,
 )
-from markermend.review.replay import replay_document, replay_journal, starts_journal
+from markermend.review.replay import replay_document, replay_journal
 from markermend.review.saving import Snapshot
 from markermend.review.session import Session
 from markermend.review.step import Step
 from markermend.review.steps_json import step_to_dict
+from markermend.review.stored import VERSION, load, moved, unreadable
 from markermend.take import Take
 
-VERSION = 3
 LONG = 50_000
 """Samples in a step that take some 10 ms to be written."""
 
@@ -256,6 +254,8 @@ def open_session(take: Take, *, folder: Path | None = None) -> SessionFile:
             else:
                 result._start_journal()
             session.on_step = result._on_step
+        elif not changed:
+            _replay_living(result)
     except BaseException:
         if handle is not None:
             handle.close()
@@ -287,18 +287,23 @@ def read_review(take: Take, *, folder: Path | None = None) -> Session:
     path = beside if kept or not own.exists() else own
     result = SessionFile(Session(take), path, digest, read_only=True)
     if not _restore(result, beside):
-        with contextlib.suppress(FileNotFoundError):
-            text = journal_path(path).read_bytes()
-            replay_journal(result.session, text, result.generation, digest)
+        _replay_living(result)
     return result.session
+
+
+def _replay_living(result: SessionFile) -> None:
+    """Do again what a journal adds, which another window may be writing on."""
+    with contextlib.suppress(OSError):
+        text = journal_path(result.path).read_bytes()
+        replay_journal(result.session, text, result.generation, result.hash)
 
 
 def _restore(result: SessionFile, beside: Path) -> bool:
     """Do again what is saved of a review; whether it is of another version of the take."""
     session, path = result.session, result.path
-    stored, where = _load(path), path
+    stored, where = load(path), path
     if stored is None:
-        stored, where = _moved(result.hash, path, beside)
+        stored, where = moved(result.hash, path, beside)
         if stored is not None:
             place = stored["source"]["path"]
             result.warning = f"The review made of this take at “{place}” goes on here."
@@ -311,7 +316,7 @@ def _restore(result: SessionFile, beside: Path) -> bool:
             result.generation = int(stored["generation"])
             replay_document(session, stored)
     except (KeyError, TypeError, ValueError, AttributeError, DataError) as error:
-        raise _unreadable(path) from error
+        raise unreadable(path) from error
     if where != path:
         _replay_elsewhere(result, where)
     return False
@@ -328,65 +333,9 @@ def _replay_elsewhere(result: SessionFile, where: Path) -> None:
         result.warning = f"The review made of this take at “{place}” goes on here."
 
 
-def _load(path: Path) -> dict[str, Any] | None:
-    """Read a session file, or None when there is none."""
-    try:
-        with path.open(encoding="utf-8") as file:
-            document = json.load(file)
-        version = int(document["version"])
-        if document["format"] != "markermend session":
-            raise KeyError
-        if version <= VERSION and not _has_its_parts(document):
-            raise TypeError
-    except FileNotFoundError:
-        return None
-    except (ValueError, KeyError, TypeError, OSError) as error:
-        raise _unreadable(path) from error
-    if version > VERSION:
-        raise FileFormatError(
-            f"“{path}” was written by a newer Markermend; update, or move it away to start anew."
-        )
-    return document  # type: ignore[no-any-return]
-
-
-def _has_its_parts(document: Mapping[str, Any]) -> bool:
-    """Whether a session file holds a source and lists of steps."""
-    lists = isinstance(document["done"], list) and isinstance(document["undone"], list)
-    return lists and isinstance(document["source"]["sha256"], str)
-
-
-def _unreadable(path: Path) -> FileFormatError:
-    """Say that a session file is not one."""
-    return FileFormatError(
-        f"“{path}” is not a readable Markermend review; move it away to start a new one."
-    )
-
-
 def _source_path(take: Take) -> str:
     """Where the take lay, or empty."""
     return str(take.source.path) if take.source else ""
-
-
-def _moved(digest: str, path: Path, beside: Path) -> tuple[dict[str, Any] | None, Path]:
-    """The review of the same take at another place, beside it before anywhere else, and where.
-
-    Without a session file of one it may be that there is a journal; else the place is ``path``.
-    """
-    places = [beside]
-    with contextlib.suppress(OSError):
-        places.append(Path(os.fsdecode(index_entry(digest).read_bytes())))
-    for where in places:
-        if where != path:
-            with contextlib.suppress(FileFormatError):
-                stored = _load(where)
-                if stored is not None and stored["source"]["sha256"] == digest:
-                    return stored, where
-    own = journal_path(path)
-    if not own.exists() or own.stat().st_size == 0:
-        for journal in sorted(beside.parent.glob(f"*{JOURNAL_SUFFIX}")):
-            if journal != own and starts_journal(journal, digest):
-                return None, session_of(journal)
-    return None, path
 
 
 def _lines(journal: IO[bytes]) -> int:

@@ -4136,6 +4136,10 @@
         <translation>Noch nichts gefunden. {0} sucht nach Artefakten.</translation>
     </message>
     <message>
+        <source>Nothing has been found in it yet.</source>
+        <translation>Noch wurde nichts darin gefunden.</translation>
+    </message>
+    <message>
         <source>Every artifact lies outside the region of interest.</source>
         <translation>Alle Artefakte liegen außerhalb des Ausschnitts.</translation>
     </message>

@@ -338,10 +338,12 @@ class ReviewQueue(QWidget):
                 text = f"{self._doing}…"
             elif any(step.startswith("Detect") for step in session.history):
                 text = self.tr("Nothing was found. Sweep over a curve with Shift to mark by hand.")
-            else:
+            elif self._document.editable:
                 text = self.tr("Nothing found yet. {0} looks for artifacts.").format(
                     shortcuts.way_to("detect")
                 )
+            else:
+                text = self.tr("Nothing has been found in it yet.")
         elif not session.listed:
             text = self.tr("Every artifact lies outside the region of interest.")
             if self._document.editable:
