@@ -7,7 +7,8 @@ import time
 import numpy as np
 import pytest
 from driving import settled
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QRect, Qt
+from PySide6.QtWidgets import QStyleOptionViewItem
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend.mesh import Mesh
@@ -334,3 +335,22 @@ def test_a_copy_of_a_review_is_walked_like_its_original(queue, document, damaged
     document.open(copy, Mesh(take.labels, ()))
     document.step(1)
     assert document.current is not None
+
+
+def test_names_of_a_mix_up_are_cut_each_by_itself_and_whole_where_there_is_room(qtbot, tmp_path):
+    labels = ("Subject:LASIS_left", "Subject:RASIS_right")
+    take = Take(np.random.default_rng(0).normal(0, 100, (100, 2, 3)), labels, 100.0)
+    swap = Artifact(labels[0], "xyz", 10, 20, Kind.STEP, counterpart=labels[1])
+    document, queue = listed(qtbot, tmp_path, take, [swap])
+    view = queue.view
+    view.resizeColumnToContents(MARKER)
+    name, metrics = queue.model.index(0, MARKER).data(), view.fontMetrics()
+    assert view.columnWidth(MARKER) >= metrics.horizontalAdvance(name)
+    delegate, option = view.itemDelegateForColumn(MARKER), QStyleOptionViewItem()
+    option.initFrom(view)
+    for width in (1000, 130):
+        option.rect = QRect(0, 0, width, 26)
+        delegate.initStyleOption(option, queue.model.index(0, MARKER))
+        assert " ↔ " in option.text
+        assert ("…" in option.text) is (width == 130)
+    document.proposals.close()

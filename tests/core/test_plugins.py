@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 import tomllib
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -359,7 +360,10 @@ def test_nothing_outlives_a_batch_that_ends_early(
     (tmp_path / "shoot").mkdir()
     mm.write(mm.read(gappy), tmp_path / "shoot" / "take.trc")
     words = batch(tmp_path, "paper", "dawdling", "same")
-    with started(*words, paths=harmful, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+    # Tests that run in the background were told not to heed Ctrl-C.
+    heeds = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
+    with started(*words, paths=harmful, preexec_fn=heeds, **pipes) as running:
         end = time.monotonic() + 60
         while not (tmp_path / "bad" / "begun").exists() and time.monotonic() < end:
             time.sleep(0.05)

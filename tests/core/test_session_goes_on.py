@@ -11,9 +11,10 @@ from markermend.artifact import Artifact, Kind, Status
 from markermend.files import read, write
 from markermend.repairs.registry import Repair
 from markermend.review import hand
-from markermend.review.file import open_session
+from markermend.review.file import open_session, read_review
 from markermend.review.place import file_hash
 from markermend.review.session import Session
+from markermend.review.step import stretch
 from markermend.take import Take
 
 
@@ -32,7 +33,22 @@ def test_a_take_renamed_after_a_crash_finds_its_journal(tmp_path):
     assert [a.status for a in again.session.artifacts] == [Status.ACCEPTED]
     assert again.recovered == 2
     assert "a.c3d" in again.warning
-    again.close()
+    # What is forgotten does not come back.
+    again.discard()
+    third = open_session(read(tmp_path / "b.c3d"))
+    assert third.session.artifacts == ()
+    third.close()
+
+
+def test_a_copy_does_not_take_over_what_is_reviewed_beside_it(tmp_path):
+    kept = open_session(written(tmp_path))
+    kept.session.mark(artifact())
+    shutil.copy(tmp_path / "a.c3d", tmp_path / "b.c3d")
+    assert not read_review(read(tmp_path / "b.c3d")).begun
+    other = open_session(read(tmp_path / "b.c3d"))
+    assert other.session.artifacts == ()
+    other.close()
+    kept.close()
 
 
 def test_a_moved_take_takes_along_what_only_the_journal_holds(tmp_path):
@@ -67,7 +83,26 @@ def test_an_export_over_the_original_keeps_what_is_open(tmp_path):
     assert found == {("A", 45): Status.PENDING, ("C", 30): Status.REJECTED}
     assert again.session.region == (10, 58)
     assert "goes on here" in again.warning
+    assert again.session.exported
+    # The detector's own flags may be found anew; what was decided stays.
+    again.session.add_detected([], "paper")
+    assert {a.marker for a in again.session.artifacts} == {"C"}
     assert (tmp_path / "a.c3d.markermend.json.old").exists()
+    again.close()
+
+
+def test_an_export_over_the_original_of_which_nothing_is_open_begins_anew(tmp_path):
+    kept = open_session(written(tmp_path))
+    only = artifact()
+    kept.session.add_detected([only], "paper")
+    kept.session.repair([(only.id, proposal(only))])
+    write(kept.session.take, tmp_path / "a.c3d", overwrite=True)
+    kept.wrote = file_hash(tmp_path / "a.c3d")
+    kept.save()
+    kept.close()
+    again = open_session(read(tmp_path / "a.c3d"))
+    assert not again.session.begun
+    assert again.session.exported
     again.close()
 
 
@@ -81,13 +116,37 @@ def test_a_mix_up_repaired_on_one_marker_leaves_the_others_open():
     session.repair([(swap.id, alone)])
     found = {a.marker: (a.status, a.counterpart) for a in session.artifacts}
     assert found == {
-        "A": (Status.REPAIRED, None),
+        "A": (Status.REPAIRED, "B"),
         "B": (Status.PENDING, None),
         "C": (Status.PENDING, None),
     }
     assert all("mix-up with A" in a.why for a in session.artifacts if a.marker != "A")
-    session.undo()
+    assert stretch(session.steps[0][-1]) == (30, 40)
+    session.set_status([swap.id], Status.PENDING)
     assert [a.markers for a in session.artifacts] == [("A", "B", "C")]
+    assert session.positions.tobytes() == session.original.positions.tobytes()
+    session.undo()
+    decided = next(a for a in session.artifacts if a.marker == "B")
+    session.set_status([decided.id], Status.ACCEPTED)
+    session.repair([(swap.id, alone)])
+    assert {a.marker: a.status for a in session.artifacts} == {
+        "A": Status.REPAIRED,
+        "B": Status.ACCEPTED,
+        "C": Status.PENDING,
+    }
+
+
+def test_what_was_marked_on_the_other_marker_of_a_mix_up_stays():
+    session = Session(make_take())
+    swap = Artifact("A", "xyz", 30, 40, Kind.STEP, counterpart="B")
+    own = Artifact("B", "xyz", 30, 40, Kind.STEP, note="mine")
+    session.add_detected([swap, own], "joint")
+    session.repair([(own.id, proposal(own))])
+    session.repair([(swap.id, proposal(replace_partners(swap)))])
+    assert [a.status for a in session.artifacts] == [Status.REPAIRED] * 2
+    assert session.artifact(own.id).note == "mine"
+    session.set_status([own.id], Status.REJECTED)
+    assert session.positions[30:40, 1].tolist() == session.original.positions[30:40, 1].tolist()
 
 
 def replace_partners(swap: Artifact) -> Artifact:

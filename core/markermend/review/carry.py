@@ -21,7 +21,7 @@ from markermend.review.edits import (
     SetSamples,
 )
 from markermend.review.session import Session
-from markermend.review.step import parts
+from markermend.review.step import FOUND_BEFORE, Step, parts, touched_by_hand
 from markermend.review.steps_json import step_from_dict
 from markermend.take import Take
 
@@ -77,11 +77,16 @@ def go_on(session: Session, document: Mapping[str, Any], path: Path) -> str:
     One sentence that tells what was kept
     """
     labels = set(session.original.labels)
+    edits = [step_from_dict(entry)[:2] for entry in document["done"]]
+    touched = touched_by_hand(Step(label, edit, edit) for label, edit in edits)
     left = [a for a in map(from_dict, document["artifacts"]) if a.status is not Status.REPAIRED]
-    edits: list[Edit] = [SetArtifacts({a.id: a for a in left if set(a.markers) <= labels})]
-    for entry in document["done"]:
-        edits += parts(step_from_dict(entry)[1], SetRegion)
-    session.perform("Go on after the export", Group(tuple(edits)))
+    for name, own in ((FOUND_BEFORE, False), ("Decided before the export", True)):
+        some = [a for a in left if (a.id in touched) is own and set(a.markers) <= labels]
+        if some:
+            session.perform(name, SetArtifacts({a.id: a for a in some}))
+    for region in [r for _, edit in edits for r in parts(edit, SetRegion)][-1:]:
+        session.perform("Review the same frames", region)
+    session.mark_exported()
     return (
         "The take was exported over its original. What was not repaired of its review goes on "
         f"here; the review so far stays in “{path.name}.old”."

@@ -61,6 +61,7 @@ class SessionFile:
     warning : one sentence when the stored review could not be used as it is, or empty
     generation : how often the session file was written; a journal continues one generation
     wrote : hash of what was exported over the take's file, by which it is known again; or empty
+    taken_over : journal of a take that was renamed, which goes once this review is saved, or None
     """
 
     session: Session
@@ -71,6 +72,7 @@ class SessionFile:
     warning: str = ""
     generation: int = 0
     wrote: str = ""
+    taken_over: Path | None = None
     _journal: IO[bytes] | None = None
     _torn: bool = False
     _on_disk: OnDisk = field(default_factory=OnDisk)
@@ -160,6 +162,16 @@ class SessionFile:
             self._start_journal()
         self.close()
         self.path.unlink(missing_ok=True)
+
+    def drop_taken_over(self) -> None:
+        """Delete the journal that was taken over, unless another window has it open."""
+        journal, self.taken_over = self.taken_over, None
+        if journal is not None:
+            with contextlib.suppress(OSError):
+                handle = open_locked(journal)
+                if handle is not None:
+                    handle.close()
+                    journal.unlink()
 
     def _start_journal(self) -> None:
         """Empty the journal and head it with the generation it continues."""
@@ -251,6 +263,7 @@ def open_session(take: Take, *, folder: Path | None = None) -> SessionFile:
             if result.recovered or result.warning:
                 # What came from elsewhere is nowhere at this place yet.
                 result.save()
+                result.drop_taken_over()
             else:
                 result._start_journal()
             session.on_step = result._on_step
@@ -319,6 +332,7 @@ def _restore(result: SessionFile, beside: Path) -> bool:
         raise unreadable(path) from error
     if where != path:
         _replay_elsewhere(result, where)
+        result.taken_over = None if stored is not None else journal_path(where)
     return False
 
 

@@ -77,7 +77,7 @@ def repair(session: Session, artifact: Artifact, proposal: Repair) -> Change:
         when the proposal has no patches, or reaches outside
     """
     artifact = session.placed(artifact)
-    edits = repairing(artifact, proposal)
+    edits = repairing(artifact, proposal, session.artifacts)
     swap = proposal.method == "swap"
     kinds = (Kind.STEP, Kind.GAP) if swap else tuple(Kind)
     open_ = {a.id for a in session.with_status(Status.PENDING, Status.ACCEPTED) if a.kind in kinds}

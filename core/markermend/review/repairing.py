@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -16,16 +16,19 @@ if TYPE_CHECKING:
     from markermend.repairs.registry import Repair
 
 
-def repairing(artifact: Artifact, proposal: Repair) -> tuple[Edit, ...]:
+def repairing(
+    artifact: Artifact, proposal: Repair, known: Iterable[Artifact] = ()
+) -> tuple[Edit, ...]:
     """Edits that repair an artifact as proposed.
 
     Where a mix-up is repaired on some of its markers only, the others become artifacts of their
-    own, which are open.
+    own, which are open; they go when that repair is taken back.
 
     Parameters
     ----------
     artifact : of the review
     proposal : its patches may reach no further than the artifact and its axes
+    known : the others of the review; what they tell of a marker is not told once more
 
     Raises
     ------
@@ -42,12 +45,11 @@ def repairing(artifact: Artifact, proposal: Repair) -> tuple[Edit, ...]:
     note = RepairNote(proposal.method, proposal.error_mm, in_words(proposal.leaves or ()), band)
     mended = {p.marker for p in proposal.patches}
     left = [m for m in artifact.markers if m not in mended]
-    done = replace(artifact, counterpart=None, further_counterparts=()) if left else artifact
-    others = [_on_its_own(artifact, marker) for marker in left]
+    others = _parted(artifact, left, known) if left else []
     return (
         SetSamples(proposal.patches),
         SetNotes({artifact.id: note}),
-        SetArtifacts({a.id: a for a in (done.with_status(Status.REPAIRED), *others)}),
+        SetArtifacts({a.id: a for a in (artifact.with_status(Status.REPAIRED), *others)}),
     )
 
 
@@ -77,9 +79,25 @@ def describe(artifacts: Sequence[Artifact]) -> str:
     return f"{len(artifacts)} artifacts"
 
 
+def _parted(artifact: Artifact, left: Sequence[str], known: Iterable[Artifact]) -> list[Artifact]:
+    """An artifact for each marker of a mix-up that is left, but where the review tells of it."""
+    others = [a for a in known if a.id != artifact.id]
+    anew = {a.id for a in left_by(artifact, others)}
+    told = {a.marker for a in others if a.id not in anew and _mostly_covers(a, artifact)}
+    return [_on_its_own(artifact, marker) for marker in left if marker not in told]
+
+
+def left_by(artifact: Artifact, known: Iterable[Artifact]) -> list[Artifact]:
+    """Artifacts that :func:`repairing` made of a mix-up's other markers, and nobody decided."""
+    mine = {_on_its_own(artifact, marker).id for marker in artifact.markers[1:]}
+    if not mine:
+        return []
+    return [a for a in known if a.id in mine and a.status is Status.PENDING]
+
+
 def _on_its_own(artifact: Artifact, marker: str) -> Artifact:
     """What is wrong on one marker of a mix-up once another one was repaired by itself."""
-    return replace(
+    alone = replace(
         artifact,
         marker=marker,
         counterpart=None,
@@ -89,6 +107,13 @@ def _on_its_own(artifact: Artifact, marker: str) -> Artifact:
         why=f"was taken for a mix-up with {artifact.marker}, which was repaired by itself",
         id="",
     )
+    # A name that nothing else has: what was marked there by hand may be the same otherwise.
+    return replace(alone, id=f"{alone.id}-{artifact.id}")
+
+
+def _mostly_covers(one: Artifact, other: Artifact) -> bool:
+    """Whether an artifact has half of another one's frames."""
+    return 2 * (min(one.stop, other.stop) - max(one.start, other.start)) >= other.length
 
 
 def _check_within(artifact: Artifact, proposal: Repair) -> None:

@@ -10,7 +10,8 @@ import numpy as np
 from markermend.arrays import runs
 from markermend.artifact import Artifact, Status, axis_columns
 from markermend.patch import Patch
-from markermend.review.edits import Edit, RepairNote, SetNotes, SetSamples, State
+from markermend.review.edits import Edit, RepairNote, SetArtifacts, SetNotes, SetSamples, State
+from markermend.review.repairing import left_by
 from markermend.take import AXES
 
 OVERWRITTEN = "Edited by hand since; how far off it may be is not known any more."
@@ -28,8 +29,8 @@ def taking_back(state: State, artifacts: Sequence[Artifact]) -> tuple[Edit, ...]
     Returns
     -------
     Samples go back to what they were before any repair, but for those that the repair of
-    another artifact still covers; the notes of how they were repaired go. Empty when none of
-    the artifacts is repaired.
+    another artifact still covers; the notes of how they were repaired go, and what a mix-up that
+    was repaired on one marker left of the others. Empty when none of the artifacts is repaired.
     """
     repaired = [a for a in artifacts if a.status is Status.REPAIRED]
     if not repaired:
@@ -49,7 +50,11 @@ def taking_back(state: State, artifacts: Sequence[Artifact]) -> tuple[Edit, ...]
                     free[max(0, other.start - a.start) : max(0, other.stop - a.start)] = False
             for start, stop in runs(free).tolist():
                 patches.append(_restoring(state, name, a.axes, a.start + start, a.start + stop))
-    return SetSamples(tuple(patches)), SetNotes(dict.fromkeys(leaving))
+    edits: list[Edit] = [SetSamples(tuple(patches)), SetNotes(dict.fromkeys(leaving))]
+    parted = [b.id for a in repaired for b in left_by(a, state.artifacts.values())]
+    if parted:
+        edits.append(SetArtifacts(dict.fromkeys(parted)))
+    return tuple(edits)
 
 
 def overwritten(

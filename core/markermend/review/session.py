@@ -249,8 +249,9 @@ class Session:
         """
         chosen = [self.artifact(i) for i, _ in repairs]
         edits: list[Edit] = [*taking_back(self._state, chosen)]
+        known = self.artifacts
         for artifact, (_, proposal) in zip(chosen, repairs, strict=True):
-            edits.extend(repairing(artifact, proposal))
+            edits.extend(repairing(artifact, proposal, known))
         return self.perform(label or f"Repair {describe(chosen)}", Group(tuple(edits)))
 
     def mark(self, artifact: Artifact) -> Change:

@@ -27,9 +27,14 @@ class Step:
     spent_s: float = 0.0
 
 
+FOUND_BEFORE = "Found before the export"
+"""Label of what a detector had found when the take was exported over its original."""
+
+
 def decides(step: Step) -> bool:
-    """Whether a step holds a decision, not just a detection run or the frames that matter."""
-    return not step.label.startswith("Detect (") and not isinstance(step.edit, SetRegion)
+    """Whether a step holds a decision, not just what was found or the frames that matter."""
+    found = step.label == FOUND_BEFORE or step.label.startswith("Detect (")
+    return not found and not isinstance(step.edit, SetRegion)
 
 
 def parts(edit: Edit, *kinds: type) -> list[Edit]:
@@ -55,7 +60,7 @@ def stretch(step: Step) -> tuple[int, int] | None:
     Where an artifact's edges are moved these are its frames afterwards.
     """
     several = len(artifacts_of(step)) > 1
-    one_place = step.label.startswith(("Split ", "Join "))
+    one_place = step.label.startswith(("Split ", "Join ")) or len(_places(step)) == 1
     if not decides(step) or parts(step.edit, SetNames) or (several and not one_place):
         return None
     if not (several or parts(step.edit, SetSamples)):
@@ -73,6 +78,18 @@ def stretch(step: Step) -> tuple[int, int] | None:
     if not found:
         return None
     return min(x.start for x in found), max(x.stop for x in found)
+
+
+def _places(step: Step) -> set[tuple[int, int]]:
+    """Intervals of the artifacts that a step leaves, or takes away."""
+    return {
+        (a.start, a.stop)
+        for edit in (step.edit, step.inverse)
+        for part in parts(edit, SetArtifacts)
+        if isinstance(part, SetArtifacts)
+        for a in part.changes.values()
+        if a is not None
+    }
 
 
 def touched_by_hand(steps: Iterable[Step]) -> set[str]:

@@ -67,6 +67,8 @@ def moved(digest: str, path: Path, beside: Path) -> tuple[dict[str, Any] | None,
     own = journal_path(path)
     if not own.exists() or own.stat().st_size == 0:
         for journal in sorted(beside.parent.glob(f"*{JOURNAL_SUFFIX}")):
-            if journal != own and starts_journal(journal, digest):
+            # What is still there, or open in another window, has a review of its own.
+            take = journal.with_name(journal.name.removesuffix(JOURNAL_SUFFIX))
+            if journal != own and not take.exists() and starts_journal(journal, digest):
                 return None, session_of(journal)
     return None, path

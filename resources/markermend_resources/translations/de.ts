@@ -1980,10 +1980,6 @@
         <translation>Nur Frames {0}–{1} durchsehen</translation>
     </message>
     <message>
-        <source>Go on after the export</source>
-        <translation>Nach dem Export weiter</translation>
-    </message>
-    <message>
         <source>{0} artifacts</source>
         <translation>{0} Artefakte</translation>
     </message>
@@ -2410,6 +2406,18 @@
     <message>
         <source>Rows are out of order, or very many are missing (after row {0}, for one); those that are there were read one after the other.</source>
         <translation>Zeilen stehen nicht in ihrer Reihenfolge, oder sehr viele fehlen (etwa nach Zeile {0}); die vorhandenen wurden eine nach der anderen gelesen.</translation>
+    </message>
+    <message>
+        <source>Found before the export</source>
+        <translation>Vor dem Export gefunden</translation>
+    </message>
+    <message>
+        <source>Decided before the export</source>
+        <translation>Vor dem Export entschieden</translation>
+    </message>
+    <message>
+        <source>Review the same frames</source>
+        <translation>Dieselben Frames durchsehen</translation>
     </message>
     <message>
         <source>Worked out from other repairs; look at it closely. Without them: {0}</source>

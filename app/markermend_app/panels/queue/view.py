@@ -106,7 +106,8 @@ class _MarkerDelegate(QStyledItemDelegate):
         super().initStyleOption(option, index)
         option.textElideMode = Qt.TextElideMode.ElideMiddle
         names = option.text.split(PAIRED)
-        if len(names) == 1:
+        # Asked how wide it would be, all of it counts.
+        if len(names) == 1 or option.rect.width() <= 0:
             return
         metrics, middle = option.fontMetrics, Qt.TextElideMode.ElideMiddle
         edge = 2 * (QApplication.style().pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin) + 1)
