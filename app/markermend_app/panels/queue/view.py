@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from PySide6.QtCore import (
@@ -31,6 +32,8 @@ from markermend_app.panels.queue.model import ARTIFACT, AXES, CONFIDENCE, KIND, 
 from markermend_app.style import theme
 
 Index = QModelIndex | QPersistentModelIndex
+PADDING_PX = 4
+"""Of a cell, as the style sheet has it, on either side."""
 VERBS = ("accept", "reject", "repair", "reopen", "remove")
 
 
@@ -109,12 +112,19 @@ class _MarkerDelegate(QStyledItemDelegate):
         # Asked how wide it would be, all of it counts.
         if len(names) == 1 or option.rect.width() <= 0:
             return
-        metrics, middle = option.fontMetrics, Qt.TextElideMode.ElideMiddle
-        edge = 2 * (QApplication.style().pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin) + 1)
-        room = option.rect.width() - edge - (len(names) - 1) * metrics.horizontalAdvance(PAIRED)
-        if room < sum(metrics.horizontalAdvance(name) for name in names):
-            each = max(room // len(names), 0)
-            option.text = PAIRED.join(metrics.elidedText(name, middle, each) for name in names)
+        style = option.widget.style() if option.widget else QApplication.style()
+        edge = 2 * (style.pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin) + 1 + PADDING_PX)
+        option.text = _joined(names, option.fontMetrics, option.rect.width() - edge)
+
+
+def _joined(names: Sequence[str], metrics: QFontMetrics, room: int) -> str:
+    """Names of markers that change places, whole if they can be, else each without its middle."""
+    for between in (PAIRED, PAIRED.strip()):
+        if metrics.horizontalAdvance(between.join(names)) <= room:
+            return between.join(names)
+    each = (room - (len(names) - 1) * metrics.horizontalAdvance(between)) // len(names)
+    middle = Qt.TextElideMode.ElideMiddle
+    return between.join(metrics.elidedText(name, middle, max(each, 0)) for name in names)
 
 
 class PlainDelegate(QStyledItemDelegate):
