@@ -42,6 +42,12 @@ class Outcome:
         return known.label if known else self.method or ""
 
     @property
+    def who(self) -> str:
+        """The marker; of a mix-up that was not repaired on one of them alone, all of them."""
+        alone = self.method not in (None, "", "swap")
+        return self.artifact.marker if alone else " ↔ ".join(self.artifact.markers)
+
+    @property
     def unmeasured(self) -> bool:
         """Whether it was repaired and nobody knows how far off; what invents nothing never is."""
         return self.error_mm is None and self.method not in (None, "swap", "leave_empty")

@@ -147,8 +147,8 @@ class Take:
     Raises
     ------
     DataError
-        when shapes, labels or rate do not fit together, and for positions that are infinite or no
-        numbers
+        when shapes, labels, rate or first frame do not fit together, also those of origin,
+        residuals and cameras, and for positions that are infinite or no numbers
     """
 
     positions: FloatArray

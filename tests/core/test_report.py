@@ -286,3 +286,9 @@ def test_a_take_without_a_review_is_not_reported(
     assert main(["report", str(tmp_path / "walk.c3d"), "-o", str(tmp_path / "r.html")]) == 1
     assert "no review of “walk.c3d”" in capsys.readouterr().err
     assert not (tmp_path / "r.html").exists()
+
+
+@pytest.mark.parametrize(("method", "who"), [("swap", "A ↔ B"), (None, "A ↔ B"), ("spline", "A")])
+def test_a_mix_up_is_named_by_the_markers_that_its_repair_changed(method, who):
+    mixed = Artifact("A", "xyz", 1, 5, Kind.STEP, counterpart="B")
+    assert Outcome(mixed, method, None, "").who == who

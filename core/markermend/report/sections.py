@@ -216,7 +216,7 @@ def _where(take: Take, o: Outcome) -> list[str]:
     return [
         page.number(first, frames),
         page.number(a.start / take.rate, f"{a.start / take.rate:.2f}–{a.stop / take.rate:.2f}"),
-        escape(" ↔ ".join(a.markers)),
+        escape(o.who),
         a.axes,
         a.kind.value,
     ]

@@ -225,4 +225,4 @@ def _caption(take: Take, o: Outcome) -> str:
     # A swap, which invents nothing, has none.
     error = f", expected error {o.error_mm:.2f} mm" if o.error_mm else ""
     error = ", expected error not measured" if o.unmeasured else error
-    return f"{' ↔ '.join(a.markers)} {a.axes}, {a.kind.value}, {frames}: {done}{error}"
+    return f"{o.who} {a.axes}, {a.kind.value}, {frames}: {done}{error}"
