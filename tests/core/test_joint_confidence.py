@@ -8,7 +8,7 @@ import pytest
 from markermend.artifact import Kind
 from markermend.detectors.joint.confidence import Curve, confidences, shipped_curves
 from markermend.detectors.joint.sudden import Sudden
-from markermend.detectors.joint.training import RARER, collect, fit_curve, fit_curves
+from markermend.detectors.joint.training import PENALTY, RARER, collect, fit_curve, fit_curves
 from markermend.errors import DataError
 from markermend.simulation import contaminate, simulate_clean
 
@@ -30,7 +30,7 @@ def test_curves_agree_with_scikit_learn():
     measured = rng.standard_normal((400, 4))
     real = measured[:, 0] + 0.5 * rng.standard_normal(400) > 0
     curve = fit_curve(measured, real)
-    model = LogisticRegression(C=10.0, max_iter=1000).fit(measured, real)
+    model = LogisticRegression(C=1 / PENALTY, max_iter=1000).fit(measured, real)
     ours = curve.bias + measured @ np.array(curve.weights) + np.log(RARER)
     assert np.allclose(ours, model.decision_function(measured))
     with pytest.raises(DataError):

@@ -61,15 +61,15 @@ def _add_sudden(p: argparse.ArgumentParser) -> None:
         "--performers",
         metavar="N",
         type=from_zero,
-        default=6,
-        help="simulated performers beside them (default: 6)",
+        default=12,
+        help="simulated performers beside them (default: 12)",
     )
     p.add_argument(
         "--rounds",
         metavar="N",
         type=from_one,
-        default=4,
-        help="contaminations of each take and amplitude (default: 4)",
+        default=10,
+        help="contaminations of each take and amplitude (default: 10)",
     )
     add_model_output(p)
 

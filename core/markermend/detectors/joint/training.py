@@ -15,6 +15,7 @@ from markermend.artifact import Artifact, Kind, damage_mask
 from markermend.detectors.channels import channels
 from markermend.detectors.joint.confidence import FEATURES, Curve, features
 from markermend.detectors.joint.neighbours import nearest_markers
+from markermend.detectors.joint.params import JointParams
 from markermend.detectors.joint.sudden import Sudden, find_sudden
 from markermend.errors import DataError
 from markermend.progress import Progress, quiet
@@ -23,9 +24,13 @@ from markermend.take import Take, is_unlabelled
 
 AMPLITUDES_MM = (2.0, 5.0, 10.0, 30.0)
 SHARE = 0.03
-RARER = 3.0
+RARER = 10.0
 """Training has several artifacts a second, so that all sorts are seen; takes as they come have
 far fewer. Odds are divided by this."""
+LEAST_MM = JointParams().least_mm
+"""Smaller ones are left out, as they are when takes are looked at."""
+PENALTY = 1 / 3
+"""Of squared weights; with less a take that was left out had half of its false steps believed."""
 LONGEST_PEAK_S = 0.05
 KINDS = (Kind.PEAK, Kind.NOISE, Kind.STEP)
 RATES_HZ = (60.0, 100.0, 120.0, 200.0, 240.0)
@@ -67,7 +72,7 @@ def performers(count: int, seed: int) -> list[Take]:
 def collect(
     takes: Sequence[tuple[Take, Sequence[Artifact]]],
     *,
-    rounds: int = 4,
+    rounds: int = 10,
     seed: int = 0,
     progress: Progress | None = None,
 ) -> list[dict[Kind, Examples]]:
@@ -133,7 +138,7 @@ def fit_curve(measured: FloatArray, real: BoolArray) -> Curve:
 
     if real.all() or not real.any():
         raise DataError("Real and false flags are both needed to learn confidence from.")
-    model: Any = LogisticRegression(C=10.0, max_iter=1000).fit(measured, real)
+    model: Any = LogisticRegression(C=1 / PENALTY, max_iter=1000).fit(measured, real)
     bias = float(model.intercept_[0]) - math.log(RARER)
     return Curve(bias, tuple(float(w) for w in model.coef_[0]))
 
@@ -172,7 +177,11 @@ def _examples(
             )
             signal, seen = channels(damaged, markers)
             peak = max(1, round(LONGEST_PEAK_S * take.rate))
-            found = find_sudden(signal, seen, neighbours, take.rate, peak)
+            found = [
+                s
+                for s in find_sudden(signal, seen, neighbours, take.rate, peak)
+                if s.size_mm >= LEAST_MM
+            ]
             hurt = damage_mask(damaged, truth)[:, markers].reshape(take.frames, -1)
             ours = [s for s in found if not known[s.start : s.stop, s.channel].any()]
             hit = [hurt[s.start : s.stop, s.channel].mean() >= 0.5 for s in ours]
