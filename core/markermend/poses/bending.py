@@ -10,7 +10,14 @@ from scipy.spatial.transform import Rotation
 
 from markermend.arrays import Float32Array, FloatArray, IntArray
 from markermend.poses.normal import FEATURES
-from markermend.poses.quaternion import inverse, multiply, rotation_vector, turn
+from markermend.poses.quaternion import (
+    by_turning,
+    cross_matrices,
+    inverse,
+    multiply,
+    rotation_vector,
+    turn,
+)
 
 # Of each joint: three numbers say how it is turned in its parent's axes, three where it is.
 _LOCAL = 6
@@ -153,8 +160,10 @@ def _linear(
     own = np.stack([Rotation.from_quat(middle[j]).as_matrix() for j in joints])
     hung = np.array([parents[parent] < 0 for parent in above])[:, None, None]
     jacobian = _left_jacobian(local.reshape(-1, _LOCAL)[:, :3]).reshape(shape)
-    bone = _cross((poses[:, joints, :3] - poses[:, above, :3]).reshape(-1, 3)).reshape(shape)
-    turned = _by_turning(poses[:, joints, 3:].reshape(-1, 4)).reshape(frames, count, 4, 3)
+    bone = cross_matrices((poses[:, joints, :3] - poses[:, above, :3]).reshape(-1, 3)).reshape(
+        shape
+    )
+    turned = by_turning(poses[:, joints, 3:].reshape(-1, 4)).reshape(frames, count, 4, 3)
     bends, axes, across, turns = (
         np.asarray(m, dtype=np.float32)
         for m in (np.where(hung, own, frame @ own) @ jacobian, frame, bone, turned)
@@ -178,26 +187,12 @@ def _linear(
         yield slopes.reshape(size, -1, columns)
 
 
-def _cross(v: FloatArray) -> FloatArray:
-    """(n, 3, 3) matrices that multiply as the vectors' cross product."""
-    x, y, z = v.T
-    zero = np.zeros_like(x)
-    return np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=1).reshape(-1, 3, 3)
-
-
 def _left_jacobian(v: FloatArray) -> FloatArray:
     """(n, 3, 3) how the rotation turns as its rotation vector changes."""
     angle = np.maximum(np.sqrt(np.sum(v**2, axis=1)), 1e-4)[:, None, None]
-    across = _cross(v)
+    across = cross_matrices(v)
     return np.asarray(
         np.eye(3)
         + (1.0 - np.cos(angle)) / angle**2 * across
         + (angle - np.sin(angle)) / angle**3 * (across @ across)
     )
-
-
-def _by_turning(q: FloatArray) -> FloatArray:
-    """(n, 4, 3) how quaternions change as they are turned about x, y and z."""
-    x, y, z, w = q.T
-    rows = [w, z, -y, -z, w, x, y, -x, w, -x, -y, -z]
-    return 0.5 * np.stack(rows, axis=1).reshape(-1, 4, 3)

@@ -10,6 +10,7 @@ from threadpoolctl import ThreadpoolController
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.errors import DataError
+from markermend.poses.articulation import Articulation
 from markermend.poses.levels import Levels
 from markermend.poses.normal import FEATURES, bone_lengths, normalise
 from markermend.poses.nuitrack import mirrored, twins, usual_name
@@ -27,6 +28,8 @@ _RIDGE, _FEW = 1e-4, 0.1
 _OTHER_SIDE = 0.2
 # A joint that goes keeps a speed of its own for about this long; speeds are averaged over this.
 _COASTS_S, _AVERAGED_S = 0.042, 0.024
+# In this time what was filled follows what it settles to.
+_SETTLES_S = 0.08
 _ROUNDS = 2
 # Of x, y, z and of a rotation's x, y, z, w, as in nuitrack.mirrored.
 _MIRROR = np.array([-1.0, 1.0, 1.0, 1.0, -1.0, -1.0, 1.0])
@@ -77,6 +80,9 @@ class Live:
                 1.0 - _OTHER_SIDE
             ) * moved + _OTHER_SIDE * mirrored_too * self._signs
             self._weight = others.weight
+        at = {joint: n for n, joint in enumerate(self._others)}
+        above = [at.get(first.parents[joint], -1) for joint in self._others]
+        self._articulation = Articulation(self._values, above, self._rate)
         self._levels = Levels(self._values, others, self._rate)
         self._speed, self._coasting = np.zeros(channels), np.zeros(channels)
         self._known = np.ones(channels, dtype=bool)
@@ -106,8 +112,12 @@ class Live:
         values, known = self._relative(positions, rotations, seen)
         # Matrices as small as these take twice as long where two threads share one.
         with self._threads.limit(limits=1):
-            values = self._filled(values, known)
-            self._learn(values)
+            filled = self._filled(values, known)
+            values = self._articulation.follow(filled, known)
+            # As whole steps each, they would draw a joint to its mean.
+            share = 1.0 - np.exp(-1.0 / (_SETTLES_S * self._rate))
+            self._values = filled + share * (values - filled)
+            self._learn(self._values)
         where, turned = self._absolute(values)
         where = self._with_bones(where, seen)
         free = np.ones(len(seen), dtype=bool)
@@ -170,7 +180,8 @@ class Live:
             self._coasting *= np.exp(-1.0 / (_COASTS_S * self._rate))
         share = 1.0 - np.exp(-1.0 / (_AVERAGED_S * self._rate))
         self._speed += share * (now - self._values - self._speed)
-        self._values, self._known = now, known
+        now.reshape(-1, FEATURES)[:, 3:] = unit(now.reshape(-1, FEATURES)[:, 3:])
+        self._known = known
         return now
 
     def _learn(self, values: FloatArray) -> None:

@@ -9,17 +9,16 @@ from markermend.arrays import BoolArray, FloatArray
 
 def multiply(a: FloatArray, b: FloatArray) -> FloatArray:
     """Return the rotation that applies b first, then a."""
-    ax, ay, az, aw = (a[..., i] for i in range(4))
-    bx, by, bz, bw = (b[..., i] for i in range(4))
-    return np.stack(
-        [
-            aw * bx + ax * bw + ay * bz - az * by,
-            aw * by - ax * bz + ay * bw + az * bx,
-            aw * bz + ax * by - ay * bx + az * bw,
-            aw * bw - ax * bx - ay * by - az * bz,
-        ],
-        axis=-1,
-    )
+    ax, ay, az, aw = a[..., 0], a[..., 1], a[..., 2], a[..., 3]
+    bx, by, bz, bw = b[..., 0], b[..., 1], b[..., 2], b[..., 3]
+    w = aw * bw - ax * bx - ay * by - az * bz
+    # To stack them takes half as long again.
+    out = np.empty((*w.shape, 4), dtype=w.dtype)
+    out[..., 0] = aw * bx + ax * bw + ay * bz - az * by
+    out[..., 1] = aw * by - ax * bz + ay * bw + az * bx
+    out[..., 2] = aw * bz + ax * by - ay * bx + az * bw
+    out[..., 3] = w
+    return out
 
 
 def inverse(q: FloatArray) -> FloatArray:
@@ -36,9 +35,34 @@ def turn(q: FloatArray, vectors: FloatArray) -> FloatArray:
 
 def cross(a: FloatArray, b: FloatArray) -> FloatArray:
     """Cross product, in a fraction of the time that numpy's takes for short arrays."""
-    ax, ay, az = (a[..., i] for i in range(3))
-    bx, by, bz = (b[..., i] for i in range(3))
-    return np.stack([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx], axis=-1)
+    ax, ay, az = a[..., 0], a[..., 1], a[..., 2]
+    bx, by, bz = b[..., 0], b[..., 1], b[..., 2]
+    x = ay * bz - az * by
+    out = np.empty((*x.shape, 3), dtype=x.dtype)
+    out[..., 0] = x
+    out[..., 1] = az * bx - ax * bz
+    out[..., 2] = ax * by - ay * bx
+    return out
+
+
+def cross_matrices(v: FloatArray) -> FloatArray:
+    """(n, 3, 3) matrices that multiply as the cross product of vectors ``(n, 3)`` does."""
+    x, y, z = v.T
+    zero = np.zeros_like(x)
+    return np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=1).reshape(-1, 3, 3)
+
+
+def matrices(q: FloatArray) -> FloatArray:
+    """(n, 3, 3) matrices that rotate as unit quaternions ``(n, 4)`` do."""
+    across = cross_matrices(q[:, :3])
+    return np.asarray(np.eye(3) + 2.0 * (q[:, 3, None, None] * across + across @ across))
+
+
+def by_turning(q: FloatArray) -> FloatArray:
+    """(n, 4, 3) how quaternions ``(n, 4)`` change as they are turned about x, y and z."""
+    x, y, z, w = q.T
+    rows = [w, z, -y, -z, w, x, y, -x, w, -x, -y, -z]
+    return 0.5 * np.stack(rows, axis=1).reshape(-1, 4, 3)
 
 
 def upright(q: FloatArray) -> FloatArray:
