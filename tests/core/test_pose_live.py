@@ -55,6 +55,7 @@ def test_hidden_joints_follow_the_body(walk, prior):
 def test_one_side_of_a_body_tells_of_the_other(walk, monkeypatch):
     # Were both sides to count alike, a body seen in a mirror would be filled alike.
     monkeypatch.setattr("markermend.poses.live._OTHER_SIDE", 0.5)
+    monkeypatch.setattr("markermend.poses.articulation._OTHER_SIDE", 0.5)
     monkeypatch.setattr("markermend.poses.levels._DRAWN_S", 1e9)
     damaged = corrupt_pose(walk, Noise(displacement=0.0, burst=30), seed=3)
     sides = twins(walk.joints)

@@ -8,6 +8,7 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.poses.normal import FEATURES
+from markermend.poses.nuitrack import MIRROR
 from markermend.poses.quaternion import (
     by_turning,
     cross_matrices,
@@ -24,6 +25,8 @@ _MEMORY, _FIRST = 3000.0, 20.0
 _BONE, _TURN = 1e-3, 0.1
 # Added to variances.
 _RIDGE = 1e-5
+# How much a joint's ways count for the other side of the body.
+_OTHER_SIDE = 0.2
 # Poses for which what was learnt is used before it is looked at anew.
 _KEPT = 16
 # How far off a filled feature is at first, how much that grows in a second, and where it ends.
@@ -46,9 +49,16 @@ class Articulation:
     first : (joints · 7,) features of a whole pose, without the root
     parents : of each joint, -1 for the root
     rate : poses per second
+    twins : (joints · 7,) each column's counterpart on the other side of the body, where known
     """
 
-    def __init__(self, first: FloatArray, parents: Sequence[int], rate: float) -> None:
+    def __init__(
+        self,
+        first: FloatArray,
+        parents: Sequence[int],
+        rate: float,
+        twins: IntArray | None = None,
+    ) -> None:
         self._parents: IntArray = np.array(parents)
         joints = len(parents)
         self._mean = np.zeros((joints, FEATURES))
@@ -58,6 +68,7 @@ class Articulation:
         self._granted = np.tile(np.where(np.arange(FEATURES) < _PLACE, _BONE, _TURN), joints)
         self._precision: FloatArray = np.empty_like(self._covariance)
         self._age = _KEPT
+        self._twins = twins
         self._gone, self._frame_s = np.zeros((joints, 2)), 1.0 / rate
 
     def follow(self, values: FloatArray, known: BoolArray) -> FloatArray:
@@ -109,10 +120,7 @@ class Articulation:
         if not hidden.any():
             return poses
         if self._age >= _KEPT:
-            share = _FIRST / (_FIRST + self._weight)
-            covariance = (1.0 - share) * self._covariance
-            covariance[np.diag_indices(len(covariance))] += share * self._granted + _RIDGE
-            self._precision, self._age = np.asarray(np.linalg.inv(covariance)), 0
+            self._precision, self._age = self._looked_at(), 0
         free = np.repeat(np.vstack([hidden, [False, False]]), _PLACE, axis=1)
         rows, slopes = self._slopes(poses, local, free)
         weighed = self._precision[:, rows] @ slopes
@@ -128,6 +136,21 @@ class Articulation:
                 multiply(unit(turned), poses[:, _PLACE:]),
             ]
         )
+
+    def _looked_at(self) -> FloatArray:
+        """(joints · 7, joints · 7) inverse covariance: what was learnt, beside what is granted."""
+        learnt, share = self._covariance, _FIRST / (_FIRST + self._weight)
+        if self._twins is not None:
+            signs = np.tile(MIRROR, (len(self._mean), 1))
+            other = self._mean.ravel()[self._twins].reshape(signs.shape) * signs
+            there = np.sum(self._mean[:, _PLACE:] * other[:, _PLACE:], axis=1) < 0
+            signs[there, _PLACE:] *= -1.0
+            both = signs.ravel()[:, None] * signs.ravel()
+            across = both * learnt[np.ix_(self._twins, self._twins)]
+            learnt = (1.0 - _OTHER_SIDE) * learnt + _OTHER_SIDE * across
+        covariance = (1.0 - share) * learnt
+        covariance[np.diag_indices(len(covariance))] += share * self._granted + _RIDGE
+        return np.asarray(np.linalg.inv(covariance))
 
     def _slopes(
         self, poses: FloatArray, local: FloatArray, free: BoolArray

@@ -13,7 +13,7 @@ from markermend.errors import DataError
 from markermend.poses.articulation import Articulation
 from markermend.poses.levels import Levels
 from markermend.poses.normal import FEATURES, bone_lengths, normalise
-from markermend.poses.nuitrack import mirrored, twins, usual_name
+from markermend.poses.nuitrack import MIRROR, mirrored, twins, usual_name
 from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior, fitting
 from markermend.poses.quaternion import inverse, multiply, turn, unit
@@ -31,8 +31,6 @@ _COASTS_S, _AVERAGED_S = 0.042, 0.024
 # In this time what was filled follows what it settles to.
 _SETTLES_S = 0.08
 _ROUNDS = 2
-# Of x, y, z and of a rotation's x, y, z, w, as in nuitrack.mirrored.
-_MIRROR = np.array([-1.0, 1.0, 1.0, 1.0, -1.0, -1.0, 1.0])
 
 
 class Live:
@@ -82,7 +80,7 @@ class Live:
             self._weight = others.weight
         at = {joint: n for n, joint in enumerate(self._others)}
         above = [at.get(first.parents[joint], -1) for joint in self._others]
-        self._articulation = Articulation(self._values, above, self._rate)
+        self._articulation = Articulation(self._values, above, self._rate, self._twins)
         self._levels = Levels(self._values, others, self._rate)
         self._speed, self._coasting = np.zeros(channels), np.zeros(channels)
         self._known = np.ones(channels, dtype=bool)
@@ -106,7 +104,7 @@ class Live:
         positions and rotations, whole
         """
         if self._left_handed:
-            positions, rotations = positions * _MIRROR[:3], rotations * _MIRROR[3:]
+            positions, rotations = positions * MIRROR[:3], rotations * MIRROR[3:]
         if seen[self._root]:
             self._root_pose = positions[self._root], rotations[self._root]
         values, known = self._relative(positions, rotations, seen)
@@ -126,14 +124,14 @@ class Live:
         out_rotations[self._root] = self._root_pose[1]
         out = np.where(seen[:, None], positions, where)
         if self._left_handed:
-            return out * _MIRROR[:3], out_rotations * _MIRROR[3:]
+            return out * MIRROR[:3], out_rotations * MIRROR[3:]
         return out, out_rotations
 
     def _other_side(self, joints: Sequence[str]) -> tuple[IntArray, FloatArray]:
         """Each column's counterpart on the other side of the body, and its sign there."""
         at = np.array(twins([usual_name(joints[j]) for j in self._others]))
         columns = (at[:, None] * FEATURES + np.arange(FEATURES)).ravel()
-        signs = np.tile(_MIRROR, (len(at), 1))
+        signs = np.tile(MIRROR, (len(at), 1))
         # Of q and -q the one that is nearer to this side's.
         own = self._values.reshape(-1, FEATURES)[:, 3:]
         there = np.sum(own * own[at] * signs[:, 3:], axis=1) < 0

@@ -11,6 +11,9 @@ import numpy as np
 from markermend.errors import DataError
 from markermend.poses.pose import Pose
 
+MIRROR = np.array([-1.0, 1.0, 1.0, 1.0, -1.0, -1.0, 1.0])
+"""Signs of x, y, z and of a rotation's x, y, z, w in a mirror of x."""
+
 _SIDES = ("left", "right")
 _ARM, _LEG = ("shoulder", "elbow", "wrist"), ("hip", "knee", "ankle")
 WAIST = "waist"
@@ -175,7 +178,7 @@ def mirrored(pose: Pose) -> Pose:
     goncalves2024 (3.2.1) describes is a mirror of x.
     """
     return pose.with_samples(
-        pose.positions * [-1.0, 1.0, 1.0],
-        pose.rotations * [1.0, -1.0, -1.0, 1.0],
+        pose.positions * MIRROR[:3],
+        pose.rotations * MIRROR[3:],
         pose.confidence,
     )
