@@ -188,3 +188,42 @@ def test_command_line(walk, tmp_path, monkeypatch, capsys):
     ):
         assert main(["denoise", *words]) == 1
         assert said in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("length", [1.0, 0.99, 1.05, 2.0])
+def test_lengths_of_rotations_say_nothing(walk, length):
+    damaged = corrupt_pose(walk, Noise(displacement=0.0, burst=30), seed=3)
+    places, _ = run(Live(first_of(walk), shipped_prior()), damaged)
+    live = Live(first_of(walk), shipped_prior())
+    again = [
+        live(damaged.positions[t], damaged.rotations[t] * length, damaged.seen[t])[0]
+        for t in range(1, walk.frames)
+    ]
+    np.testing.assert_allclose(again, places, atol=1e-6)
+
+
+@pytest.mark.parametrize("rate", [30.0, 188.0, 240.0, 1000.0])
+def test_any_rate_is_filled(walk, rate):
+    faster = Pose(walk.positions, walk.rotations, walk.joints, walk.parents, rate)
+    damaged = corrupt_pose(faster, Noise(displacement=0.0, burst=5), seed=3)
+    places, _ = run(Live(first_of(faster), shipped_prior()), damaged)
+    hidden = ~damaged.seen[1:]
+    assert np.linalg.norm(places - walk.positions[1:], axis=2)[hidden].mean() < 20.0
+
+
+def test_what_is_no_body_spoils_nothing(walk):
+    live = Live(first_of(walk), shipped_prior())
+    everything, nothing = np.ones(17, dtype=bool), np.zeros(17, dtype=bool)
+    for t in range(1, 40):
+        live(walk.positions[t], walk.rotations[t], everything)
+    odd = walk.positions[40].copy()
+    odd[3], odd[9] = 1e200, 1e12
+    live(odd, walk.rotations[40] * np.nan, everything)
+    for seen in (nothing, nothing, everything):
+        places, turns = live(walk.positions[41], walk.rotations[41], seen)
+        assert np.isfinite(places).all()
+        assert np.isfinite(turns).all()
+    hidden = everything.copy()
+    hidden[7] = False
+    places, _ = live(walk.positions[42], walk.rotations[42], hidden)
+    assert np.linalg.norm(places[7] - walk.positions[42, 7]) < 20.0

@@ -18,6 +18,10 @@ from markermend.poses.quaternion import (
     turn,
     unit,
 )
+from markermend.poses.solving import inverted, solved
+
+FAR = 1e3
+"""Mean bone lengths; further out no joint is a body's."""
 
 # Poses that count at all, and poses that what is taken for granted at first counts for.
 _MEMORY, _FIRST = 3000.0, 20.0
@@ -28,9 +32,11 @@ _RIDGE = 1e-5
 # How much a joint's ways count for the other side of the body.
 _OTHER_SIDE = 0.2
 # Poses for which what was learnt is used before it is looked at anew.
-_KEPT = 16
-# How far off a filled feature is at first, how much that grows in a second, and where it ends.
-_AT_FIRST, _GROWS, _MOST = 0.007, 0.4, 0.3
+_KEPT = 8
+# How far off a filled feature is, as a share of how far it usually strays: at first, in a second
+# more, and at most; and what it strays at least.
+_AT_FIRST, _MORE_IN_1_S, _MOST = 0.02, 1.0, 1.2
+_STRAYS = 0.003
 # A small turn changes a quaternion by half of it.
 _HALF = 0.5
 _PLACE, _MOVES = 3, 6
@@ -42,7 +48,8 @@ class Articulation:
     In its parent's axes a joint keeps its place and turns about few axes, an elbow about one. The
     mean and covariance of places and rotations there, all joints together, is what poses have told
     so far; a hidden joint's place and rotation are as filled, but for an error that grows with
-    time. One least-squares step, linear about what was filled, finds the most probable pose.
+    time, faster where it strays far. One least-squares step, linear about what was filled, finds
+    the most probable pose.
 
     Parameters
     ----------
@@ -65,14 +72,16 @@ class Articulation:
         self._mean[:] = self._local(first)
         self._weight = 1.0
         self._covariance = np.zeros((joints * FEATURES, joints * FEATURES))
-        self._granted = np.tile(np.where(np.arange(FEATURES) < _PLACE, _BONE, _TURN), joints)
+        self._at_first = np.tile(np.where(np.arange(FEATURES) < _PLACE, _BONE, _TURN), joints)
         self._precision: FloatArray = np.empty_like(self._covariance)
-        self._age = _KEPT
+        self._age = 2 * _KEPT
         self._twins = twins
         self._gone, self._frame_s = np.zeros((joints, 2)), 1.0 / rate
+        self._usual = first.reshape(-1, FEATURES).copy()
+        self._variance = np.full(self._usual.shape, _TURN)
 
     def follow(self, values: FloatArray, known: BoolArray) -> FloatArray:
-        """Learn from the next pose, and let settle what is hidden in it.
+        """Let settle what is hidden in the next pose, and learn from what comes out.
 
         Parameters
         ----------
@@ -81,14 +90,23 @@ class Articulation:
 
         Returns
         -------
-        (joints · 7,) known features as they were
+        (joints · 7,) known features as they were; all of them where it is no body's pose
         """
         local = self._local(values)
         hidden = ~known.reshape(-1, FEATURES)[:, [0, _PLACE]]
+        # Whoever fills has more to do where other joints are hidden than before.
+        busy = bool((hidden != (self._gone > 0)).any())
         self._gone = np.where(hidden, self._gone + self._frame_s, 0.0)
-        settled = self._settled(values.reshape(-1, FEATURES), local, hidden)
-        self._learn(local)
-        return np.where(known, values, settled.ravel())
+        if not (np.abs(local) < FAR).all():
+            return values
+        if hidden.any():
+            if self._age >= (2 * _KEPT if busy else _KEPT):
+                self._precision, self._age = self._inverse_covariance(), 0
+            settled = self._settled(values.reshape(-1, FEATURES), local, hidden)
+            values = np.where(known, values, settled.ravel())
+            local = self._local(values)
+        self._learn(values, local)
+        return values
 
     def _local(self, values: FloatArray) -> FloatArray:
         """(joints, 7) places and rotations in parents' axes, signs as in the mean."""
@@ -106,38 +124,42 @@ class Articulation:
         root[-1] = 1.0
         return poses, np.vstack([poses, root])[self._parents]
 
-    def _learn(self, local: FloatArray) -> None:
-        """Add a pose to mean and covariance."""
+    def _learn(self, values: FloatArray, local: FloatArray) -> None:
+        """Add a pose to means, covariance and how far features stray."""
         self._weight = min(self._weight + 1.0, _MEMORY)
         away = local - self._mean
         self._mean += away / self._weight
         self._covariance *= 1.0 - 1.0 / self._weight
         self._covariance += np.outer(away.ravel(), away.ravel() / self._weight)
+        strays = values.reshape(-1, FEATURES) - self._usual
+        self._usual += strays / self._weight
+        self._variance += (strays**2 - self._variance) / (_FIRST + self._weight)
         self._age += 1
 
     def _settled(self, poses: FloatArray, local: FloatArray, hidden: BoolArray) -> FloatArray:
         """(joints, 7) poses after one step."""
-        if not hidden.any():
-            return poses
-        if self._age >= _KEPT:
-            self._precision, self._age = self._looked_at(), 0
         free = np.repeat(np.vstack([hidden, [False, False]]), _PLACE, axis=1)
         rows, slopes = self._slopes(poses, local, free)
         weighed = self._precision[:, rows] @ slopes
         among = slopes.T @ weighed[rows]
-        off = np.minimum(_AT_FIRST + _GROWS * self._gone, _MOST) * [1.0, 1.0 / _HALF]
-        among[np.diag_indices(len(among))] += np.repeat(off**-2.0, _PLACE, axis=1)[free[:-1]]
+        sure = np.repeat(self._off() ** -2.0, _PLACE, axis=1)
+        among[np.diag_indices(len(among))] += sure[free[:-1]]
         step = np.zeros(free.shape)
-        step[free] = np.linalg.solve(among, weighed.T @ (self._mean - local).ravel())
+        step[free] = solved(among, weighed.T @ (self._mean - local).ravel()[:, None])[:, 0]
         turned = np.hstack([_HALF * step[:-1, _PLACE:], np.ones((len(poses), 1))])
-        return np.hstack(
-            [
-                poses[:, :_PLACE] + step[:-1, :_PLACE],
-                multiply(unit(turned), poses[:, _PLACE:]),
-            ]
-        )
+        places = poses[:, :_PLACE] + step[:-1, :_PLACE]
+        return np.hstack([places, multiply(unit(turned), poses[:, _PLACE:])])
 
-    def _looked_at(self) -> FloatArray:
+    def _off(self) -> FloatArray:
+        """(joints, 2) how far off filled places and turns are expected to be."""
+        strays = np.stack(
+            [self._variance[:, :_PLACE].mean(axis=1), self._variance[:, _PLACE:].mean(axis=1)],
+            axis=1,
+        )
+        share = np.minimum(_AT_FIRST + _MORE_IN_1_S * self._gone, _MOST)
+        return np.asarray(share * np.maximum(np.sqrt(strays), _STRAYS) * [1.0, 1.0 / _HALF])
+
+    def _inverse_covariance(self) -> FloatArray:
         """(joints · 7, joints · 7) inverse covariance: what was learnt, beside what is granted."""
         learnt, share = self._covariance, _FIRST / (_FIRST + self._weight)
         if self._twins is not None:
@@ -149,8 +171,8 @@ class Articulation:
             across = both * learnt[np.ix_(self._twins, self._twins)]
             learnt = (1.0 - _OTHER_SIDE) * learnt + _OTHER_SIDE * across
         covariance = (1.0 - share) * learnt
-        covariance[np.diag_indices(len(covariance))] += share * self._granted + _RIDGE
-        return np.asarray(np.linalg.inv(covariance))
+        covariance[np.diag_indices(len(covariance))] += share * self._at_first + _RIDGE
+        return inverted(covariance)
 
     def _slopes(
         self, poses: FloatArray, local: FloatArray, free: BoolArray

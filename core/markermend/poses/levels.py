@@ -6,6 +6,7 @@ import numpy as np
 
 from markermend.arrays import FloatArray, IntArray
 from markermend.poses.covariance import Moments
+from markermend.poses.solving import solved
 
 # Poses that others' recordings count for, and most that count at all.
 _OTHERS, _MEMORY = 100.0, 3000.0
@@ -58,7 +59,7 @@ class Levels:
         self._hidden, self._visible = hidden, visible
         among = self._covariance[np.ix_(visible, visible)]
         among[np.diag_indices(len(visible))] += _RIDGE
-        self._weights = np.linalg.solve(among, self._covariance[np.ix_(visible, hidden)])
+        self._weights = solved(among, self._covariance[np.ix_(visible, hidden)])
         self._away = before[hidden] - self._expected(before)
 
     def draw(self, values: FloatArray) -> None:

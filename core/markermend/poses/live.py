@@ -10,13 +10,14 @@ from threadpoolctl import ThreadpoolController
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.errors import DataError
-from markermend.poses.articulation import Articulation
+from markermend.poses.articulation import FAR, Articulation
 from markermend.poses.levels import Levels
 from markermend.poses.normal import FEATURES, bone_lengths, normalise
 from markermend.poses.nuitrack import MIRROR, mirrored, twins, usual_name
 from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior, fitting
 from markermend.poses.quaternion import inverse, multiply, turn, unit
+from markermend.poses.solving import solved
 
 # How long a movement is taken from the prior, how long one's own are, and how many they count for.
 _PRIOR_S, _LAGS_S, _MEMORY = 1.0, (0.008, 0.03, 0.125, 0.5, 2.0), 3000.0
@@ -37,7 +38,8 @@ class Live:
     """Fills joints that are not seen, from those that are and from how bodies move.
 
     A joint that goes follows what the visible ones do from then on, as they have moved together so
-    far, in this body and in others; bones keep their length. What is seen goes through as it is.
+    far, in this body and in others; it settles where this body can have it, and bones keep their
+    length. What is seen goes through as it is.
 
     Parameters
     ----------
@@ -105,9 +107,12 @@ class Live:
         """
         if self._left_handed:
             positions, rotations = positions * MIRROR[:3], rotations * MIRROR[3:]
-        if seen[self._root]:
-            self._root_pose = positions[self._root], rotations[self._root]
-        values, known = self._relative(positions, rotations, seen)
+        # Streams round them, and what is not of unit length would count as movement.
+        turns = unit(rotations)
+        root = positions[self._root], turns[self._root]
+        if seen[self._root] and all(np.isfinite(part).all() for part in root):
+            self._root_pose = root
+        values, known = self._relative(positions, turns, seen)
         # Matrices as small as these take twice as long where two threads share one.
         with self._threads.limit(limits=1):
             filled = self._filled(values, known)
@@ -156,7 +161,8 @@ class Live:
                 turned[parent] = False
         known = np.empty(values.shape, dtype=bool)
         known[:, :3], known[:, 3:] = seen[others, None], turned[others, None]
-        return values.ravel(), known.ravel() & ~np.isnan(values.ravel())
+        # So far out no joint is a body's; NaN is not known either.
+        return values.ravel(), known.ravel() & (np.abs(values.ravel()) < FAR)
 
     def _filled(self, values: FloatArray, known: BoolArray) -> FloatArray:
         """What is not known moves and is where what is known tells, and coasts a little."""
@@ -167,7 +173,7 @@ class Live:
                 among = self._covariance[np.ix_(visible, visible)]
                 among[np.diag_indices(len(visible))] += _RIDGE + _FEW / (1.0 + self._weight)
                 across = self._covariance[np.ix_(visible, hidden)]
-                self._weights = np.asarray(np.linalg.solve(among, across))
+                self._weights = solved(among, across)
                 left = self._speed[hidden] - self._speed[visible] @ self._weights
                 self._levels.begin(hidden, visible, self._values)
                 gone = self._known[hidden]
@@ -191,7 +197,9 @@ class Live:
         past = self._past
         lags = [n for n in self._lags if n <= len(past)]
         usual_lag = _USUAL_S * self._rate
-        moved = np.array([(values - past[-n]) * np.sqrt(usual_lag / n) for n in lags])
+        moved = np.empty((len(lags), len(values)))
+        for row, n in enumerate(lags):
+            moved[row] = (values - past[-n]) * np.sqrt(usual_lag / n)
         if self._twins is not None:
             other = moved[:, self._twins] * self._signs
             moved = np.vstack([np.sqrt(1.0 - _OTHER_SIDE) * moved, np.sqrt(_OTHER_SIDE) * other])
@@ -210,7 +218,7 @@ class Live:
         columns = values.reshape(-1, FEATURES)
         positions[self._others] += turn(forth, columns[:, :3] * self._scale)
         back = inverse(self._offset[self._others])
-        rotations[self._others] = multiply(multiply(forth, unit(columns[:, 3:])), back)
+        rotations[self._others] = multiply(multiply(forth, columns[:, 3:]), back)
         return positions, rotations
 
     def _with_bones(self, positions: FloatArray, seen: BoolArray) -> FloatArray:

@@ -13,6 +13,7 @@ from markermend.poses.pose import Pose
 
 MIRROR = np.array([-1.0, 1.0, 1.0, 1.0, -1.0, -1.0, 1.0])
 """Signs of x, y, z and of a rotation's x, y, z, w in a mirror of x."""
+MIRROR.flags.writeable = False
 
 _SIDES = ("left", "right")
 _ARM, _LEG = ("shoulder", "elbow", "wrist"), ("hip", "knee", "ankle")
