@@ -30,7 +30,8 @@ far fewer. Odds are divided by this."""
 LEAST_MM = JointParams().least_mm
 """Smaller ones are left out, as they are when takes are looked at."""
 PENALTY = 1 / 3
-"""Of squared weights; with less a take that was left out had half of its false steps believed."""
+"""Half the squared weights count as this much loss (the inverse of scikit-learn's C). With a third
+of it a step was flagged that was none in a take that was left out."""
 LONGEST_PEAK_S = 0.05
 KINDS = (Kind.PEAK, Kind.NOISE, Kind.STEP)
 RATES_HZ = (60.0, 100.0, 120.0, 200.0, 240.0)
