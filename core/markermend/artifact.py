@@ -16,6 +16,9 @@ from markermend.arrays import BoolArray
 from markermend.errors import DataError
 from markermend.take import AXES, Take
 
+PAIRED = " ↔ "
+"""Between the names of markers that change places."""
+
 
 class Kind(StrEnum):
     """Class of an artifact, named as in skurowski2022, section 2.1."""
@@ -207,3 +210,14 @@ def trusted_samples(take: Take, artifacts: Iterable[Artifact]) -> BoolArray:
         if a.status is not Status.REJECTED:
             trusted[a.start : a.stop, take.index(a.marker)] = False
     return trusted
+
+
+def changed_markers(artifact: Artifact, method: str | None) -> tuple[str, ...]:
+    """Name the markers a repair is about: of a mix-up all, unless it was repaired on one alone.
+
+    Parameters
+    ----------
+    artifact : of any class
+    method : that repaired it, None or empty where nothing did
+    """
+    return (artifact.marker,) if method not in (None, "", "swap") else artifact.markers

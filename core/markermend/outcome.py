@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from markermend.arrays import FloatArray
-from markermend.artifact import Artifact, Status
+from markermend.artifact import PAIRED, Artifact, Status, changed_markers
 from markermend.artifact_json import document, rounded, to_dict
 from markermend.repairs import REPAIRS, Repair
 from markermend.repairs.look_again import in_words
@@ -43,9 +43,8 @@ class Outcome:
 
     @property
     def who(self) -> str:
-        """The marker; of a mix-up that was not repaired on one of them alone, all of them."""
-        alone = self.method not in (None, "", "swap")
-        return self.artifact.marker if alone else " ↔ ".join(self.artifact.markers)
+        """Names of :func:`changed_markers`."""
+        return PAIRED.join(changed_markers(self.artifact, self.method))
 
     @property
     def unmeasured(self) -> bool:

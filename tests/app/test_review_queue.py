@@ -12,11 +12,21 @@ from PySide6.QtWidgets import QStyleOptionViewItem
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend.mesh import Mesh
+from markermend.repairs.proposing import propose
 from markermend.review.file import open_session
 from markermend.review.priority import badness
 from markermend.take import Take
 from markermend_app.document import Document
-from markermend_app.panels.queue.model import FRAMES, KIND, MARKER, REPAIR, STATUS, WHY
+from markermend_app.panels.inspector.inspector import Inspector
+from markermend_app.panels.queue.model import (
+    FRAMES,
+    KIND,
+    MARKER,
+    REPAIR,
+    STATUS,
+    WHY,
+    Wanted,
+)
 from markermend_app.panels.queue.review_queue import ReviewQueue
 
 
@@ -354,3 +364,23 @@ def test_names_of_a_mix_up_are_cut_each_by_itself_and_whole_where_there_is_room(
         assert "↔" in option.text
         assert ("…" in option.text) is (width == 130)
     document.proposals.close()
+
+
+def test_a_mix_up_is_named_by_the_markers_that_its_repair_changed(qtbot, tmp_path):
+    take = Take(np.random.default_rng(0).normal(0, 100, (100, 2, 3)), ("A", "B"), 100.0)
+    swap = Artifact("A", "xyz", 10, 20, Kind.STEP, counterpart="B")
+    for method, names in (("swap", "A ↔ B"), ("spline", "A")):
+        folder = tmp_path / method
+        folder.mkdir()
+        document, queue = listed(qtbot, folder, take, [swap])
+        inspector = Inspector(document)
+        qtbot.addWidget(inspector)
+        assert queue.model.index(0, MARKER).data() == "A ↔ B"
+        proposal = propose(take, swap, method=method)
+        document.do(lambda s, p=proposal: s.repair([(swap.id, p)]))
+        document.select(swap.id)
+        queue.model.set_wanted(Wanted())
+        row = [a.id for a in queue.model.rows].index(swap.id)
+        assert queue.model.index(row, MARKER).data() == names
+        assert inspector.artifact.title.text() == names
+        document.proposals.close()

@@ -33,8 +33,8 @@ def run(live, pose):
     return np.array([places for places, _ in out]), np.array([turns for _, turns in out])
 
 
-@pytest.mark.parametrize("prior", [None, shipped_prior()])
-def test_hidden_joints_follow_the_body(walk, prior):
+@pytest.mark.parametrize(("prior", "most"), [(None, 0.32), (shipped_prior(), 0.29)])
+def test_hidden_joints_follow_the_body(walk, prior, most):
     damaged = corrupt_pose(walk, Noise(displacement=0.0, burst=30), seed=3)
     places, turns = run(Live(first_of(walk), prior), damaged)
     truth, hidden = walk.positions[1:], ~damaged.seen[1:]
@@ -46,7 +46,7 @@ def test_hidden_joints_follow_the_body(walk, prior):
         held[t, gone] = held[t - 1, gone] + (offset[t] - offset[t - 1])
     error = np.sqrt(np.sum((places - truth) ** 2, axis=2))
     without = np.sqrt(np.sum((held[1:] - truth) ** 2, axis=2))
-    assert error[hidden].mean() < 0.36 * without[hidden].mean()
+    assert error[hidden].mean() < most * without[hidden].mean()
     assert error[~hidden].max() < 1e-6
     assert not np.isnan(turns).any()
     np.testing.assert_allclose(np.sum(turns**2, axis=2), 1.0, atol=1e-6)
@@ -54,8 +54,7 @@ def test_hidden_joints_follow_the_body(walk, prior):
 
 def test_one_side_of_a_body_tells_of_the_other(walk, monkeypatch):
     # Were both sides to count alike, a body seen in a mirror would be filled alike.
-    monkeypatch.setattr("markermend.poses.live._OTHER_SIDE", 0.5)
-    monkeypatch.setattr("markermend.poses.articulation._OTHER_SIDE", 0.5)
+    monkeypatch.setattr("markermend.poses.sides.OTHER_SIDE", 0.5)
     monkeypatch.setattr("markermend.poses.levels._DRAWN_S", 1e9)
     damaged = corrupt_pose(walk, Noise(displacement=0.0, burst=30), seed=3)
     sides = twins(walk.joints)
@@ -195,11 +194,12 @@ def test_lengths_of_rotations_say_nothing(walk, length):
     damaged = corrupt_pose(walk, Noise(displacement=0.0, burst=30), seed=3)
     places, _ = run(Live(first_of(walk), shipped_prior()), damaged)
     live = Live(first_of(walk), shipped_prior())
-    again = [
-        live(damaged.positions[t], damaged.rotations[t] * length, damaged.seen[t])[0]
-        for t in range(1, walk.frames)
-    ]
-    np.testing.assert_allclose(again, places, atol=1e-6)
+    turned = damaged.rotations * length
+    longer = [live(damaged.positions[t], turned[t], damaged.seen[t]) for t in range(1, walk.frames)]
+    np.testing.assert_allclose([again for again, _ in longer], places, atol=1e-6)
+    # What is seen goes through as it is, the root too.
+    root = np.array([turns[0] for _, turns in longer])
+    np.testing.assert_array_equal(root[damaged.seen[1:, 0]], turned[1:, 0][damaged.seen[1:, 0]])
 
 
 @pytest.mark.parametrize("rate", [30.0, 188.0, 240.0, 1000.0])

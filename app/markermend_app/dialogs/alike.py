@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from markermend.artifact import Artifact
+from markermend.artifact import PAIRED, Artifact
 from markermend.review.alike import alike
 from markermend_app.actions import shortcuts
 from markermend_app.dialogs.help_key import help_in
@@ -183,7 +183,7 @@ class AlikeDialog(QDialog):
             for row, a in enumerate(self._listed):
                 first, last = take.frame_number(a.start), take.frame_number(a.stop - 1)
                 for column, text in (
-                    (MARKER, " ↔ ".join(a.markers)),
+                    (MARKER, PAIRED.join(a.markers)),
                     (FRAMES, f"{first}–{last}"),
                     (SURE, f"{100 * a.confidence:.0f} %"),
                     (OUTCOME, self._outcome(a)),

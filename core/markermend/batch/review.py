@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from markermend.artifact import Artifact, Status, axis_columns
+from markermend.artifact import Artifact, Status, axis_columns, changed_markers
 from markermend.artifact_json import artifacts_of, from_dict
 from markermend.batch.run import REVIEW
 from markermend.batch.sources import find_takes
@@ -154,7 +154,7 @@ def _json(path: Path) -> Any:
 
 def _patches(artifact: Artifact, method: str, clean: Take) -> tuple[Patch, ...]:
     """What the repair of an artifact wrote, as it stands in the cleaned take."""
-    names = artifact.markers if method == "swap" else (artifact.marker,)
+    names = changed_markers(artifact, method)
     rows, axes = slice(artifact.start, artifact.stop), axis_columns(artifact.axes)
     return tuple(
         Patch(

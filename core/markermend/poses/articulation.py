@@ -8,7 +8,6 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.poses.normal import FEATURES
-from markermend.poses.nuitrack import MIRROR
 from markermend.poses.quaternion import (
     by_turning,
     cross_matrices,
@@ -18,10 +17,11 @@ from markermend.poses.quaternion import (
     turn,
     unit,
 )
+from markermend.poses.sides import both_sides, mirror_signs
 from markermend.poses.solving import inverted, solved
 
 FAR = 1e3
-"""Mean bone lengths; further out no joint is a body's."""
+"""Mean bone lengths; no joint of a body is further from another."""
 
 # Poses that count at all, and poses that what is taken for granted at first counts for.
 _MEMORY, _FIRST = 3000.0, 20.0
@@ -29,8 +29,6 @@ _MEMORY, _FIRST = 3000.0, 20.0
 _BONE, _TURN = 1e-3, 0.1
 # Added to variances.
 _RIDGE = 1e-5
-# How much a joint's ways count for the other side of the body.
-_OTHER_SIDE = 0.2
 # Poses for which what was learnt is used before it is looked at anew.
 _KEPT = 8
 # How far off a filled feature is, as a share of how far it usually strays: at first, in a second
@@ -85,12 +83,13 @@ class Articulation:
 
         Parameters
         ----------
-        values : (joints · 7,) hidden features filled, rotations of unit length
+        values : (joints · 7,) without NaN, hidden features filled, rotations of unit length
         known : (joints · 7,) bool
 
         Returns
         -------
-        (joints · 7,) known features as they were; all of them where it is no body's pose
+        (joints · 7,) known features as they were; all of them, and nothing is learnt, where bones
+        are :data:`FAR` longer than a body's
         """
         local = self._local(values)
         hidden = ~known.reshape(-1, FEATURES)[:, [0, _PLACE]]
@@ -163,13 +162,8 @@ class Articulation:
         """(joints · 7, joints · 7) inverse covariance: what was learnt, beside what is granted."""
         learnt, share = self._covariance, _FIRST / (_FIRST + self._weight)
         if self._twins is not None:
-            signs = np.tile(MIRROR, (len(self._mean), 1))
-            other = self._mean.ravel()[self._twins].reshape(signs.shape) * signs
-            there = np.sum(self._mean[:, _PLACE:] * other[:, _PLACE:], axis=1) < 0
-            signs[there, _PLACE:] *= -1.0
-            both = signs.ravel()[:, None] * signs.ravel()
-            across = both * learnt[np.ix_(self._twins, self._twins)]
-            learnt = (1.0 - _OTHER_SIDE) * learnt + _OTHER_SIDE * across
+            signs = mirror_signs(self._mean.ravel(), self._twins)
+            learnt = both_sides(learnt, self._twins, signs)
         covariance = (1.0 - share) * learnt
         covariance[np.diag_indices(len(covariance))] += share * self._at_first + _RIDGE
         return inverted(covariance)

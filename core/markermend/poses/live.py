@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Sequence
 
 import numpy as np
 from threadpoolctl import ThreadpoolController
@@ -17,6 +16,7 @@ from markermend.poses.nuitrack import MIRROR, mirrored, twins, usual_name
 from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior, fitting
 from markermend.poses.quaternion import inverse, multiply, turn, unit
+from markermend.poses.sides import both_sides, both_sides_moved, mirror_signs
 from markermend.poses.solving import solved
 
 # How long a movement is taken from the prior, how long one's own are, and how many they count for.
@@ -25,8 +25,6 @@ _PRIOR_S, _LAGS_S, _MEMORY = 1.0, (0.008, 0.03, 0.125, 0.5, 2.0), 3000.0
 _USUAL_S = 0.125
 # Added to variances, the second over the poses learnt from: of few, less is made.
 _RIDGE, _FEW = 1e-4, 0.1
-# How much movement counts for the other side of the body.
-_OTHER_SIDE = 0.2
 # A joint that goes keeps a speed of its own for about this long; speeds are averaged over this.
 _COASTS_S, _AVERAGED_S = 0.042, 0.024
 # In this time what was filled follows what it settles to.
@@ -73,12 +71,11 @@ class Live:
         self._twins: IntArray | None = None
         self._covariance, self._weight = np.zeros((channels, channels)), 0.0
         if others is not None:
-            self._twins, self._signs = self._other_side(first.joints)
+            at_other = np.array(twins([usual_name(first.joints[j]) for j in self._others]))
+            self._twins = (at_other[:, None] * FEATURES + np.arange(FEATURES)).ravel()
+            self._signs = mirror_signs(self._values, self._twins)
             moved = others.within_s(_PRIOR_S)
-            mirrored_too = self._signs[:, None] * moved[np.ix_(self._twins, self._twins)]
-            self._covariance = (
-                1.0 - _OTHER_SIDE
-            ) * moved + _OTHER_SIDE * mirrored_too * self._signs
+            self._covariance = both_sides(moved, self._twins, self._signs)
             self._weight = others.weight
         at = {joint: n for n, joint in enumerate(self._others)}
         above = [at.get(first.parents[joint], -1) for joint in self._others]
@@ -110,7 +107,8 @@ class Live:
         # Streams round them, and what is not of unit length would count as movement.
         turns = unit(rotations)
         root = positions[self._root], turns[self._root]
-        if seen[self._root] and all(np.isfinite(part).all() for part in root):
+        root_known = seen[self._root] and all(np.isfinite(part).all() for part in root)
+        if root_known:
             self._root_pose = root
         values, known = self._relative(positions, turns, seen)
         # Matrices as small as these take twice as long where two threads share one.
@@ -125,23 +123,12 @@ class Live:
         where = self._with_bones(where, seen)
         free = np.ones(len(seen), dtype=bool)
         free[self._others] = known[FEATURES - 1 :: FEATURES]
+        free[self._root] = root_known
         out_rotations = np.where(free[:, None], rotations, turned)
-        out_rotations[self._root] = self._root_pose[1]
         out = np.where(seen[:, None], positions, where)
         if self._left_handed:
             return out * MIRROR[:3], out_rotations * MIRROR[3:]
         return out, out_rotations
-
-    def _other_side(self, joints: Sequence[str]) -> tuple[IntArray, FloatArray]:
-        """Each column's counterpart on the other side of the body, and its sign there."""
-        at = np.array(twins([usual_name(joints[j]) for j in self._others]))
-        columns = (at[:, None] * FEATURES + np.arange(FEATURES)).ravel()
-        signs = np.tile(MIRROR, (len(at), 1))
-        # Of q and -q the one that is nearer to this side's.
-        own = self._values.reshape(-1, FEATURES)[:, 3:]
-        there = np.sum(own * own[at] * signs[:, 3:], axis=1) < 0
-        signs[there, 3:] *= -1.0
-        return columns, signs.ravel()
 
     def _relative(
         self, positions: FloatArray, rotations: FloatArray, seen: BoolArray
@@ -201,8 +188,7 @@ class Live:
         for row, n in enumerate(lags):
             moved[row] = (values - past[-n]) * np.sqrt(usual_lag / n)
         if self._twins is not None:
-            other = moved[:, self._twins] * self._signs
-            moved = np.vstack([np.sqrt(1.0 - _OTHER_SIDE) * moved, np.sqrt(_OTHER_SIDE) * other])
+            moved = both_sides_moved(moved, self._twins, self._signs)
         self._levels.learn(values)
         self._weight = min(self._weight + 1.0, _MEMORY)
         self._covariance *= 1.0 - 1.0 / self._weight

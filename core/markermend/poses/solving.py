@@ -41,7 +41,15 @@ def solved(system: NDArray[Precision], right: NDArray[Precision]) -> NDArray[Pre
 
 
 def inverted(matrix: FloatArray) -> FloatArray:
-    """Invert a symmetric, positive definite matrix (n, n), in a third of the usual time.
+    """Invert a symmetric, positive definite matrix, in a third of the usual time.
+
+    Parameters
+    ----------
+    matrix : (n, n), left as it is
+
+    Returns
+    -------
+    (n, n)
 
     Raises
     ------

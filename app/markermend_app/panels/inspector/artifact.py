@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from markermend.artifact import Artifact, Kind, Status
+from markermend.artifact import PAIRED, Artifact, Kind, Status, changed_markers
 from markermend_app import units
 from markermend_app.actions.shortcuts import KeyTip
 from markermend_app.document import Document
@@ -128,7 +128,8 @@ class ArtifactPage(QWidget):
         if a is None or session is None:
             return
         take = session.original
-        self.title.setText(" ↔ ".join(a.markers))
+        note = session.notes.get(a.id)
+        self.title.setText(PAIRED.join(changed_markers(a, note.method if note else None)))
         session, status = self._document.session, self._status_text(a)
         if session is not None and a not in session.listed:
             status += " · " + self.tr("outside the region of interest")

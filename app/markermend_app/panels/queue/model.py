@@ -16,7 +16,7 @@ from PySide6.QtCore import (
     Signal,
 )
 
-from markermend.artifact import Artifact, Kind, Status
+from markermend.artifact import PAIRED, Artifact, Kind, Status, changed_markers
 from markermend.review.edits import RepairNote
 from markermend.review.priority import badness
 from markermend.take import Take
@@ -32,8 +32,6 @@ STATUS, KIND, MARKER, AXES, FRAMES, TIME, LENGTH, SIZE, CONFIDENCE, REPAIR, WHY 
 COLUMNS = 11
 RIGHT = (FRAMES, TIME, LENGTH, SIZE)
 ARTIFACT = Qt.ItemDataRole.UserRole
-PAIRED = " ↔ "
-"""Between the names of markers that change places."""
 
 _ORDER = {Status.PENDING: 0, Status.ACCEPTED: 1, Status.REPAIRED: 2, Status.REJECTED: 3}
 STATUS_ICON = {Status.ACCEPTED: "accept", Status.REJECTED: "reject", Status.REPAIRED: "repair"}
@@ -261,8 +259,10 @@ class QueueModel(QAbstractTableModel):
         return "\n".join([*lines, *filter(None, [a.note])])
 
     def _marker_text(self, a: Artifact) -> str:
-        """The marker, and those it changes places with."""
-        return PAIRED.join(self._names.get(m, m) for m in a.markers)
+        """The marker, and those it changes places with, unless it was repaired by itself."""
+        note = self._notes.get(a.id)
+        markers = changed_markers(a, note.method if note else None)
+        return PAIRED.join(self._names.get(m, m) for m in markers)
 
     def _repair_text(self, a: Artifact) -> str:
         """How a repaired artifact was repaired."""

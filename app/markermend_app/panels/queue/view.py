@@ -25,10 +25,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from markermend.artifact import Artifact
+from markermend.artifact import PAIRED, Artifact
 from markermend_app.actions import shortcuts
 from markermend_app.panels.markers.badge import badge_font, paint_badge, paint_share
-from markermend_app.panels.queue.model import ARTIFACT, AXES, CONFIDENCE, KIND, MARKER, PAIRED
+from markermend_app.panels.queue.model import ARTIFACT, AXES, CONFIDENCE, KIND, MARKER
 from markermend_app.style import theme
 
 Index = QModelIndex | QPersistentModelIndex
