@@ -5,7 +5,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from markermend.poses.quaternion import rotation_vector
-from markermend.poses.solving import solved
+from markermend.poses.solving import inverted, solved
 
 
 @pytest.mark.parametrize(("kind", "off"), [(np.float32, 1e-3), (np.float64, 1e-10)])
@@ -29,3 +29,17 @@ def test_rotation_vectors_are_those_of_half_a_turn_at_most() -> None:
     told = rotation_vector(turns)
     assert_allclose(told[:, 0], [0.0, 0.6, 3.0, 3.4 - 2 * np.pi], atol=1e-12)
     assert (told[:, 1:] == 0).all()
+
+
+def test_an_inverse_is_whole_and_leaves_what_it_is_of():
+    random = np.random.default_rng(1).normal(size=(20, 30))
+    matrix = random @ random.T
+    before = matrix.copy()
+    np.testing.assert_allclose(inverted(matrix) @ matrix, np.eye(20), atol=1e-9)
+    np.testing.assert_array_equal(matrix, before)
+    with pytest.raises(np.linalg.LinAlgError, match="positive definite"):
+        inverted(-matrix)
+
+
+def test_nothing_known_tells_nothing():
+    assert solved(np.empty((0, 0)), np.empty((0, 4))).shape == (0, 4)
