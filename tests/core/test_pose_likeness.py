@@ -3,7 +3,13 @@
 import numpy as np
 import pytest
 
-from markermend.poses.likeness import by_likeness, moments_to_compare, moving
+from markermend.poses.likeness import (
+    Alike,
+    by_likeness,
+    mirrored_moments,
+    moments_to_compare,
+    moving,
+)
 
 RATE, START, STOP = 30.0, 300, 330
 
@@ -37,9 +43,15 @@ def filled(
     hidden: np.ndarray,
     frames: np.ndarray,
     noise: float = 0.0,
+    mirrored: Alike | None = None,
 ) -> tuple[np.ndarray, np.ndarray]:
-    given = (np.float32(x) for x in (trust, weights, hidden[frames]))
-    return by_likeness(moving(np.float32(poses), RATE), *given, frames, START, STOP, RATE, noise)
+    inside, own = (alike(poses, hidden, some) for some in (np.arange(START, STOP), frames))
+    given = (np.float32(x) for x in (trust, weights))
+    return by_likeness(inside, own, *given, RATE, noise, mirrored)
+
+
+def alike(poses: np.ndarray, hidden: np.ndarray, frames: np.ndarray) -> Alike:
+    return Alike(moving(np.float32(poses), RATE)[frames], np.float32(hidden[frames]), frames)
 
 
 def test_movement_that_recurs_is_followed_where_it_bends() -> None:
@@ -97,6 +109,33 @@ def test_channels_without_trust_have_no_part() -> None:
     weights = trust[:, None] * np.ones((12, 2))
     results = [filled(body, trust, weights, hidden, frames)[0] for body in (poses, spoilt)]
     assert results[1] == pytest.approx(results[0])
+
+
+def test_the_other_side_tells_of_movement_that_this_side_did_not_show() -> None:
+    poses, hidden = movement()
+    frames, elsewhere = np.r_[START - 15 : START, STOP : STOP + 15], np.arange(0, 250, 3)
+    off = {}
+    for name, mirrored in (
+        ("alone", None),
+        ("both", alike(poses, hidden, elsewhere)),
+        ("aslant", alike(poses, hidden + np.array([0.8, -0.5]), elsewhere)),
+    ):
+        found, variance = filled(
+            poses, np.ones(12), np.zeros((12, 2)), hidden, frames, mirrored=mirrored
+        )
+        off[name] = float(np.abs(found - hidden[START:STOP]).mean())
+        assert np.all(variance > 0)
+    assert off["both"] < 0.7 * off["alone"]
+    # That it is carried a little differently does not matter.
+    assert off["aslant"] < 1.3 * off["both"]
+
+
+def test_the_other_side_tells_where_it_was_seen() -> None:
+    known = np.arange(900) % 3 > 0
+    frames = mirrored_moments(known)
+    assert known[frames].all()
+    assert 50 < len(frames) <= 100
+    assert not len(mirrored_moments(np.zeros(900, dtype=bool)))
 
 
 def test_moments_are_known_ones_and_enough() -> None:

@@ -15,10 +15,13 @@ from markermend.poses.covariance import Moments, learn, pooled
 from markermend.poses.likeness import (
     FEW_MOMENTS,
     MOMENTS,
+    Alike,
     by_likeness,
+    mirrored_moments,
     moments_to_compare,
     moving,
 )
+from markermend.poses.sides import Mirror
 from markermend.poses.solving import solved
 
 # Gaps up to this long are many and alike, and are crossed all at once; a rough result crosses gaps
@@ -92,6 +95,7 @@ class _Look:
     covariances : length of a gap to those that levels and deviations are regressed with
     rate, cross, noise : as :func:`fill` has them
     compared : moments that are asked besides those beside a gap
+    mirror : of all channels, where there is one
     """
 
     estimate: Float32Array
@@ -103,6 +107,7 @@ class _Look:
     cross: Callable[[int], FloatArray]
     noise: float
     compared: int
+    mirror: Mirror | None
 
 
 def fill(
@@ -112,6 +117,7 @@ def fill(
     prior: Moments | None = None,
     *,
     beside: FloatArray | None = None,
+    mirror: Mirror | None = None,
     noise: float = 0.0,
     rough: bool = False,
     near: Filled | None = None,
@@ -126,6 +132,7 @@ def fill(
     prior : moments of the same channels from other recordings
     beside : (frames, n) what else tells of them, known in every frame, of which the prior knows
         nothing
+    mirror : of a body whose other side tells of gaps that last, and of what stands beside it
     noise : standard deviation of what is left of noise in the known values
     rough : to look for noise: once, and short gaps by time alone
     near : what was made of an earlier result, to fill lasting gaps once more from it
@@ -147,6 +154,7 @@ def fill(
             np.hstack([known, there]),
             rate,
             prior.and_more(more) if prior is not None else None,
+            mirror=mirror,
             noise=noise,
             rough=rough,
             near=near and near.and_more(beside),
@@ -181,6 +189,7 @@ def fill(
             cross,
             noise,
             FEW_MOMENTS if near is None else MOMENTS,
+            mirror,
         )
         estimate = estimate.copy()
         for gap in some:
@@ -283,10 +292,14 @@ def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
             trust[others] = 1 - hidden[others]
             by = np.zeros((len(hidden), len(gap.channels)), dtype=np.float32)
             by[others] = weights
-            levels = look.estimate[chosen] @ by
-            targets = look.estimate[chosen[:, None], gap.channels] - levels
             strays, variance = by_likeness(
-                look.moved, trust, by, targets, chosen, start, stop, rate, look.noise
+                _alike(np.arange(start, stop), look.moved, look, gap, by),
+                _alike(chosen, look.moved, look, gap, by),
+                trust,
+                by,
+                rate,
+                look.noise,
+                _mirrored(look.moved, look, gap, by),
             )
             return look.estimate[start:stop] @ by + strays, variance
     seen = look.estimate[start:stop, others]
@@ -309,6 +322,29 @@ def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
         share * (bridges[:, gap.channels] + told) + (1.0 - share) * levels,
         shape * left,
     )
+
+
+def _alike(
+    frames: IntArray,
+    moved: Float32Array,
+    look: _Look,
+    gap: Gap,
+    by: Float32Array,
+    mirror: Mirror | None = None,
+) -> Alike:
+    """Moments, and what a regression leaves of a gap's channels then."""
+    poses, moved = look.estimate[frames], moved[frames]
+    if mirror is not None:
+        poses, moved = mirror.image(poses), mirror.image(moved)
+    return Alike(moved, poses[:, gap.channels] - poses @ by, frames)
+
+
+def _mirrored(moved: Float32Array, look: _Look, gap: Gap, by: Float32Array) -> Alike | None:
+    """Moments in which the other side of the body was seen, mirrored."""
+    if look.mirror is None:
+        return None
+    there = np.asarray(look.known[look.mirror.twins[gap.channels]].all(axis=0))
+    return _alike(mirrored_moments(there), moved, look, gap, by, look.mirror)
 
 
 def _regress(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from markermend.arrays import BoolArray, Float32Array, IntArray
@@ -10,13 +12,18 @@ from markermend.poses.solving import solved
 MOMENTS, FEW_MOMENTS = 150, 75
 """Of a whole recording compared with a gap; the few are enough for what is filled again."""
 
+_MIRRORED = 100
+
 # Moments compared beside a gap: seconds each side, and how many of a second.
 _BESIDE_S, _BESIDE_HZ = 0.5, 60.0
 # Poses are alike when they move alike, too: what changes within this time counts as much.
 _MOVES_S = 0.1
 # What is particular to a time lasts this long; its share, and that of chance.
-_LASTS_S, _PASSING, _CHANCE = 0.6, 0.2, 0.001
+_LASTS_S, _PASSING, _CHANCE = 0.6, np.float32(0.2), 0.001
 _LEAST_MOMENTS = 30
+# The other side of the body: how much alike it moves, what its chance has more, and how sure it is
+# that it moves about where this one does.
+_SAME_WAY, _MIRRORED_CHANCE, _ASKEW = np.float32(0.85), 0.02, np.float32(2.0)
 # What is divided by is at least so much.
 _TINY = 1e-30
 # What it never saw, the process does not expect: squared errors are larger by about this.
@@ -48,6 +55,17 @@ def moments_to_compare(
     return chosen if len(chosen) >= _LEAST_MOMENTS else chosen[:0]
 
 
+def mirrored_moments(known: BoolArray) -> IntArray:
+    """Frames in which the other side of the body tells of a gap.
+
+    Parameters
+    ----------
+    known : (frames,) bool, everything there that is unknown here within the gap
+    """
+    there = np.flatnonzero(known)
+    return there[:: max(-(-len(there) // _MIRRORED), 1)]
+
+
 def moving(poses: Float32Array, rate: float) -> Float32Array:
     """(frames, 2 · channels) poses, and how they change, which count alike in comparing them."""
     frames = np.arange(len(poses))
@@ -56,29 +74,42 @@ def moving(poses: Float32Array, rate: float) -> Float32Array:
     return np.hstack([poses, change])
 
 
+@dataclass(frozen=True, eq=False)
+class Alike:
+    """Moments that tell of a gap.
+
+    Attributes
+    ----------
+    moved : (moments, 2 · channels) rows of :func:`moving`, without NaN
+    targets : (moments, n) what is to be predicted, as it was then
+    frames : (moments,) when that was
+    """
+
+    moved: Float32Array
+    targets: Float32Array
+    frames: IntArray
+
+
 def by_likeness(
-    moved: Float32Array,
+    inside: Alike,
+    own: Alike,
     trust: Float32Array,
     weights: Float32Array,
-    targets: Float32Array,
-    chosen: IntArray,
-    start: int,
-    stop: int,
     rate: float,
     noise: float = 0.0,
+    mirrored: Alike | None = None,
 ) -> tuple[Float32Array, Float32Array]:
     """Predict what was not seen by a Gaussian process over poses and time.
 
     Parameters
     ----------
-    moved : (frames, 2 · channels) without NaN, of :func:`moving`
+    inside : the gap, whose targets do not matter
+    own : moments in which the same was seen
     trust : (channels,) how much each is to be relied on; 0 for those to be predicted
     weights : (channels, n) regression of what is to be predicted on poses; 0 as in ``trust``
-    targets : (moments, n) what is to be predicted as it was at the chosen frames
-    chosen : (moments,) frames that tell
-    start, stop : the gap
     rate : frames per second
     noise : standard deviation of what targets stray by chance
+    mirrored : moments in which the other side of the body was seen, as a mirror shows them
 
     Returns
     -------
@@ -90,41 +121,55 @@ def by_likeness(
     Matérn's of order 3/2, and one that falls with time, of order 5/2. So a movement that the
     recording has elsewhere is followed, and the sides of the gap are met at the speed they have.
     Half of a difference is of all that is seen, half of what the regression makes of it, which
-    leaves out what a limb has no part in.
+    leaves out what a limb has no part in. The other side of the body moves much the same way, but
+    for a constant and for what is particular to a time.
     """
-    count = len(chosen)
-    frames = np.append(chosen, np.arange(start, stop))
-    rows = moved[frames]
-    told = (rows.reshape(-1, len(trust)) @ weights).reshape(len(frames), -1)
-    # The chosen with each other, and below those inside with the chosen.
-    gone = np.abs(frames[:, None] - chosen).astype(np.float32)
-    system = _likeness(_apart([rows * np.tile(trust, 2), told], count))
-    system += np.float32(_PASSING) * _nearness(gone / np.float32(_LASTS_S * rate))
+    moments, other = len(own.frames), mirrored or _nothing(own)
+    count = moments + len(other.frames)
+    rows = np.vstack([own.moved, other.moved, inside.moved])
+    told = (rows.reshape(-1, len(trust)) @ weights).reshape(len(rows), -1)
+    # Those that tell with each other, and below them those inside with those that tell.
+    system = _likeness(_apart([rows * np.tile(trust, 2), told], count, moments))
+    mine, its = slice(0, moments), slice(moments, count)
+    system[mine, its] *= _SAME_WAY
+    system[its, mine] *= _SAME_WAY
+    system[count:, its] *= _SAME_WAY
+    lasts = _LASTS_S * rate
+    system[mine, mine] += _PASSING * _nearness(own.frames, own.frames, lasts)
+    system[count:, mine] += _PASSING * _nearness(inside.frames, own.frames, lasts)
+    system[its, its] += _PASSING * _nearness(other.frames, other.frames, lasts) + _ASKEW
     system, across = system[:count], system[count:]
-    usual = targets.mean(axis=0)
-    left = targets - usual
-    spread = max(float(np.mean(left**2)), noise**2, _TINY)
-    system[np.diag_indices(count)] += _CHANCE + noise**2 / spread
-    found = solved(system, np.hstack([left, across.T]))
+    usual = own.targets.mean(axis=0)
+    left = own.targets - usual
+    variance = np.mean(left**2, axis=0)
+    spread = max(float(variance.mean()), noise**2, _TINY)
+    chance = np.full(count, _CHANCE + noise**2 / spread, dtype=np.float32)
+    chance[its] += _MIRRORED_CHANCE
+    system[np.diag_indices(count)] += chance
+    found = solved(system, np.hstack([np.vstack([left, other.targets - usual]), across.T]))
     columns = left.shape[1]
     whole = 1.0 + _PASSING
     unsure = np.maximum(whole - np.sum(across.T * found[:, columns:], axis=0), 0.0) / whole
-    variance = _TOO_SURE * unsure[:, None] * np.mean(left**2, axis=0)
-    return across @ found[:, :columns] + usual, variance
+    return across @ found[:, :columns] + usual, _TOO_SURE * unsure[:, None] * variance
 
 
-def _apart(views: list[Float32Array], count: int) -> Float32Array:
+def _nothing(like: Alike) -> Alike:
+    """No moments."""
+    return Alike(like.moved[:0], like.targets[:0], like.frames[:0])
+
+
+def _apart(views: list[Float32Array], count: int, usual: int) -> Float32Array:
     """(frames, count) distances of all from the first ones, by the mean of several views.
 
     Each view is (frames, n), and counts by one over the mean square of the distances it shows
-    between the first ones.
+    between as many of the first as are usual.
     """
     scaled = []
     for view in views:
         # Far from the middle differences drown.
-        centred = view - view[:count].mean(axis=0)
-        usual = 2.0 * float(np.vdot(centred[:count], centred[:count])) / count
-        scaled.append(centred * np.float32(np.sqrt(0.5 / max(usual, _TINY))))
+        centred = view - view[:usual].mean(axis=0)
+        square = 2.0 * float(np.vdot(centred[:usual], centred[:usual])) / usual
+        scaled.append(centred * np.float32(np.sqrt(0.5 / max(square, _TINY))))
     rows = np.hstack(scaled)
     length = np.einsum("ij,ij->i", rows, rows)
     squared = rows @ rows[:count].T
@@ -140,7 +185,8 @@ def _likeness(far: Float32Array) -> Float32Array:
     return np.asarray((1 + scaled) * np.exp(-scaled))
 
 
-def _nearness(far: Float32Array) -> Float32Array:
-    """Matérn's covariance of order 5/2, whose samples have a speed."""
-    scaled = far * np.float32(np.sqrt(5.0))
+def _nearness(frames: IntArray, others: IntArray, lasts: float) -> Float32Array:
+    """(frames, others) Matérn's covariance of order 5/2, whose samples have a speed."""
+    gone = np.abs(frames[:, None] - others).astype(np.float32)
+    scaled = gone * np.float32(np.sqrt(5.0) / lasts)
     return np.asarray((1 + scaled + scaled * scaled / 3) * np.exp(-scaled))

@@ -12,11 +12,11 @@ from markermend.errors import DataError
 from markermend.poses.articulation import FAR, Articulation
 from markermend.poses.levels import Levels
 from markermend.poses.normal import FEATURES, bone_lengths, normalise
-from markermend.poses.nuitrack import MIRROR, mirrored, twins, usual_name
+from markermend.poses.nuitrack import MIRROR, mirrored
 from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior, fitting
 from markermend.poses.quaternion import inverse, multiply, turn, unit
-from markermend.poses.sides import both_sides, both_sides_moved, mirror_signs
+from markermend.poses.sides import both_sides, both_sides_moved, mirror_signs, twin_columns
 from markermend.poses.solving import solved
 
 # How long a movement is taken from the prior, how long one's own are, and how many they count for.
@@ -71,8 +71,7 @@ class Live:
         self._twins: IntArray | None = None
         self._covariance, self._weight = np.zeros((channels, channels)), 0.0
         if others is not None:
-            at_other = np.array(twins([usual_name(first.joints[j]) for j in self._others]))
-            self._twins = (at_other[:, None] * FEATURES + np.arange(FEATURES)).ravel()
+            self._twins = twin_columns([first.joints[j] for j in self._others])
             self._signs = mirror_signs(self._values, self._twins)
             moved = others.within_s(_PRIOR_S)
             self._covariance = both_sides(moved, self._twins, self._signs)

@@ -21,8 +21,9 @@ from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior, fitting, shipped_prior
 from markermend.poses.quaternion import signed_like, unit
 from markermend.poses.settling import settle, settle_in_time
+from markermend.poses.sides import mirror_of
 from markermend.poses.smoothing import LEAST_NOISE, noise_level, smooth, smooth_again
-from markermend.poses.stance import stance
+from markermend.poses.stance import IN_MIRROR, stance
 from markermend.poses.trials import enough_around, hidden_in, trials_of
 from markermend.progress import Progress, part, quiet
 
@@ -161,11 +162,20 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     channels = steadied(to_channels(pose), pose.rate)
     usable = np.asarray(channels.known.any(axis=0))
     values, known = channels.values[:, usable], channels.known[:, usable]
+    mirror = None
     if prior is not None:
-        prior = prior.signed_like(np.where(channels.known, channels.values, 0.0).sum(axis=0))
+        usual = np.where(channels.known, channels.values, 0.0).sum(axis=0)
+        prior = prior.signed_like(usual)
         prior = prior if usable.all() else prior.of(usable)
+        if usable.all():
+            mirror = mirror_of([pose.joints[j] for j in channels.joints], usual, IN_MIRROR)
     filled_by = partial(
-        fill, known=known, rate=pose.rate, prior=prior, beside=stance(channels.normal)
+        fill,
+        known=known,
+        rate=pose.rate,
+        prior=prior,
+        beside=stance(channels.normal),
+        mirror=mirror,
     )
     tell(0.1, "Looking for noise")
     rough = filled_by(values, rough=True).values

@@ -2,16 +2,59 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+
 import numpy as np
 
-from markermend.arrays import FloatArray, IntArray
+from markermend.arrays import Float32Array, FloatArray, IntArray
 from markermend.poses.normal import FEATURES
-from markermend.poses.nuitrack import MIRROR
+from markermend.poses.nuitrack import MIRROR, twins, usual_name
 
 OTHER_SIDE = 0.2
 """How much a side's movement counts for the other side; the rest is its own."""
 
 _TURN = 3
+
+
+@dataclass(frozen=True, eq=False)
+class Mirror:
+    """How poses in columns look in a mirror.
+
+    Attributes
+    ----------
+    twins : (channels,) each column's counterpart on the other side of the body
+    signs : (channels,) 1 or -1, what that is multiplied with
+    """
+
+    twins: IntArray
+    signs: Float32Array
+
+    def image(self, rows: Float32Array) -> Float32Array:
+        """(n, k · channels) rows as the mirrored body has them."""
+        poses = rows.reshape(-1, len(self.twins))
+        return np.asarray(poses[:, self.twins] * self.signs).reshape(rows.shape)
+
+
+def mirror_of(joints: Sequence[str], usual: FloatArray, beside: Sequence[float]) -> Mirror:
+    """Return the mirror of a body's columns, and of some more that are their own counterparts.
+
+    Parameters
+    ----------
+    joints : names, without the root
+    usual : (joints · 7,) a pose or a mean
+    beside : signs of the columns beside those of joints
+    """
+    columns = twin_columns(joints)
+    own = np.arange(len(columns), len(columns) + len(beside))
+    signs = np.append(mirror_signs(usual, columns), beside)
+    return Mirror(np.append(columns, own), signs.astype(np.float32))
+
+
+def twin_columns(joints: Sequence[str]) -> IntArray:
+    """(joints · 7,) column of each feature's counterpart on the other side of the body."""
+    at_other = np.array(twins([usual_name(name) for name in joints]))
+    return np.asarray((at_other[:, None] * FEATURES + np.arange(FEATURES)).ravel())
 
 
 def mirror_signs(usual: FloatArray, twins: IntArray) -> FloatArray:

@@ -11,6 +11,9 @@ from markermend.poses.quaternion import inverse, turn
 # So much it counts beside joints, whose features are of the same size.
 _SHARE = 0.5
 
+IN_MIRROR = (-1.0, 1.0, 1.0, 1.0)
+"""Signs of what :func:`stance` tells as a mirrored body has it."""
+
 
 def stance(normal: Normal) -> FloatArray:
     """Which way is up as the root has it, and how high the root is.

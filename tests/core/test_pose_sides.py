@@ -1,0 +1,62 @@
+"""What one side of a body tells of the other."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import markermend as mm
+from markermend.poses import Pose
+from markermend.poses.channels import Channels, to_channels
+from markermend.poses.nuitrack import MIRROR, to_nuitrack, twins
+from markermend.poses.sides import mirror_of
+from markermend.poses.stance import IN_MIRROR, stance
+
+
+@pytest.fixture(scope="module")
+def walk(shared_data) -> Pose:
+    return to_nuitrack(mm.read_pose(shared_data / "poses" / "02_01.amc"))
+
+
+def columns_of(pose: Pose) -> tuple[np.ndarray, Channels]:
+    channels = to_channels(pose)
+    return np.hstack([channels.values, stance(channels.normal)]), channels
+
+
+def test_a_mirror_shows_what_the_mirrored_person_does(walk):
+    other = twins(walk.joints)
+    person = walk.with_samples(
+        (walk.positions * MIRROR[:3])[:, other],
+        (walk.rotations * MIRROR[3:])[:, other],
+        walk.confidence,
+    )
+    (own, channels), (there, _) = columns_of(walk), columns_of(person)
+    mirror = mirror_of(
+        [walk.joints[j] for j in channels.joints], channels.values.mean(axis=0), IN_MIRROR
+    )
+    image = mirror.image(own.astype(np.float32))
+    count = channels.values.shape[1]
+    shown, truth = (x[:, :count].reshape(len(x), -1, 7) for x in (image, there))
+    assert shown[..., :3] == pytest.approx(truth[..., :3], abs=1e-4)
+    alike = np.abs(np.sum(shown[..., 3:] * truth[..., 3:], axis=2))
+    assert alike == pytest.approx(np.ones_like(alike), abs=1e-4)
+    assert image[:, count:] == pytest.approx(there[:, count:], abs=1e-4)
+    assert mirror.image(image) == pytest.approx(own, abs=1e-5)
+
+
+def test_signs_in_a_mirror_are_those_of_the_own_side(walk):
+    values = to_channels(walk).values.astype(np.float32)
+    mirror = mirror_of(
+        [joint for joint in walk.joints if joint != "waist"], values.mean(axis=0), ()
+    )
+    turned, image = (x.reshape(len(x), -1, 7)[..., 3:] for x in (values, mirror.image(values)))
+    assert np.all(np.sum(turned.mean(axis=0) * image.mean(axis=0), axis=1) > 0)
+
+
+def test_movement_beside_poses_is_mirrored_alike(walk):
+    values = to_channels(walk).values.astype(np.float32)
+    mirror = mirror_of(
+        [joint for joint in walk.joints if joint != "waist"], values.mean(axis=0), ()
+    )
+    both = mirror.image(np.hstack([values, 2.0 * values]))
+    assert both == pytest.approx(np.hstack([mirror.image(values), 2.0 * mirror.image(values)]))
