@@ -6,9 +6,9 @@ import pytest
 from markermend.poses.likeness import (
     Alike,
     by_likeness,
-    mirrored_moments,
     moments_to_compare,
     moving,
+    some_of,
 )
 
 RATE, START, STOP = 30.0, 300, 330
@@ -27,7 +27,7 @@ def movement(seed: int = 0) -> tuple[np.ndarray, np.ndarray]:
 def chosen() -> np.ndarray:
     known = np.ones(900, dtype=bool)
     known[START:STOP] = False
-    return moments_to_compare(known, START, STOP, RATE)
+    return moments_to_compare(np.flatnonzero(known), START, STOP, RATE)
 
 
 def predicted(poses: np.ndarray, hidden: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -130,18 +130,18 @@ def test_the_other_side_tells_of_movement_that_this_side_did_not_show() -> None:
     assert off["aslant"] < 1.3 * off["both"]
 
 
-def test_the_other_side_tells_where_it_was_seen() -> None:
-    known = np.arange(900) % 3 > 0
-    frames = mirrored_moments(known)
-    assert known[frames].all()
-    assert 50 < len(frames) <= 100
-    assert not len(mirrored_moments(np.zeros(900, dtype=bool)))
+def test_moments_are_some_of_those_there_are() -> None:
+    there = np.flatnonzero(np.arange(900) % 3 > 0)
+    assert set(some_of(there, 100)) <= set(there)
+    assert 50 < len(some_of(there, 100)) <= 100
+    assert list(some_of(there[:4], 100)) == list(there[:4])
+    assert not len(some_of(there[:0], 100))
 
 
 def test_moments_are_known_ones_and_enough() -> None:
     known = np.ones(900, dtype=bool)
     known[START:STOP] = known[500:600] = False
-    frames = moments_to_compare(known, START, STOP, RATE)
+    frames = moments_to_compare(np.flatnonzero(known), START, STOP, RATE)
     assert known[frames].all()
     assert {START - 1, START - 2, STOP, STOP + 1} <= set(frames.tolist())
-    assert not len(moments_to_compare(np.arange(900) < 20, 20, 900, RATE))
+    assert not len(moments_to_compare(np.arange(20), 20, 900, RATE))

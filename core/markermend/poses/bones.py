@@ -113,21 +113,24 @@ def keep_lengths(positions: FloatArray, seen: BoolArray, bones: Bones) -> FloatA
     seen : (frames, joints) bool
     bones : what is constant
     """
-    hidden = np.flatnonzero(~seen.all(axis=1))
-    piece, moved = positions[hidden].copy(), ~seen[hidden]
-    rigid = [j for j, length in enumerate(bones.lengths) if not np.isnan(length)]
+    path = positions.transpose(1, 0, 2).copy()
+    rigid = []
+    for joint, length in enumerate(bones.lengths):
+        parent = bones.parents[joint]
+        if np.isnan(length):
+            continue
+        some = np.flatnonzero(~(seen[:, joint] & seen[:, parent]))
+        mine, its = (~seen[some, j, None] for j in (joint, parent))
+        shares = (np.where(a, np.where(b, 0.5, 1.0), 0.0) for a, b in ((mine, its), (its, mine)))
+        rigid.append((joint, parent, length, some, *shares))
     for _ in range(_ROUNDS):
-        for joint in rigid:
-            parent = bones.parents[joint]
-            bone = piece[:, joint] - piece[:, parent]
+        for joint, parent, length, some, mine, its in rigid:
+            bone = path[joint, some] - path[parent, some]
             far = np.maximum(_length(bone), 1e-9)[:, None]
-            correction = (bones.lengths[joint] - far) / far * bone
-            mine, its = moved[:, joint, None], moved[:, parent, None]
-            piece[:, joint] += np.where(mine, np.where(its, 0.5, 1.0), 0.0) * correction
-            piece[:, parent] -= np.where(its, np.where(mine, 0.5, 1.0), 0.0) * correction
-    out = positions.copy()
-    out[hidden] = piece
-    return out
+            correction = (length - far) / far * bone
+            path[joint, some] += mine * correction
+            path[parent, some] -= its * correction
+    return path.transpose(1, 0, 2).copy()
 
 
 def swing(features: FloatArray, wrong: BoolArray, bones: Bones) -> FloatArray:
@@ -214,4 +217,4 @@ def _all(place: FloatArray, like: NDArray[Any]) -> FloatArray:
 
 def _length(vectors: FloatArray) -> FloatArray:
     """Length of each vector."""
-    return np.asarray(np.sqrt(np.sum(vectors**2, axis=-1)))
+    return np.asarray(np.sqrt(np.einsum("...i,...i->...", vectors, vectors)))

@@ -2,24 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from markermend.arrays import BoolArray, Float32Array, FloatArray, IntArray, runs
-from markermend.poses.bridging import SIDE, around, bridge, bridged, known_alike, straight
+from markermend.arrays import BoolArray, Float32Array, FloatArray, IntArray
+from markermend.poses.bridging import SIDE, around, bridge, bridged, straight
 from markermend.poses.covariance import Moments, learn, pooled
+from markermend.poses.gaps import Gap, by_lasting, gaps_of
 from markermend.poses.likeness import (
     FEW_MOMENTS,
-    MOMENTS,
     Alike,
     by_likeness,
-    mirrored_moments,
     moments_to_compare,
     moving,
+    some_of,
 )
 from markermend.poses.sides import Mirror
 from markermend.poses.solving import solved
@@ -35,20 +35,6 @@ _SHORT_RIDGE = 1e-6
 _MOSTLY_HIDDEN = 0.999
 # How much movement within a gap counts beside whole poses where levels are regressed.
 _PASSING = 1.5
-
-
-@dataclass(frozen=True, eq=False)
-class Gap:
-    """Channels that are unknown over the same frames."""
-
-    start: int
-    stop: int
-    channels: IntArray
-
-    @property
-    def length(self) -> int:
-        """Frames."""
-        return self.stop - self.start
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,9 +78,10 @@ class _Look:
     moved : of :func:`markermend.poses.likeness.moving`; None where no alike moments are asked
     base : (frames, channels) all gaps bridged
     known : (channels, frames) bool
+    so_far : (channels, frames + 1) in how many of the frames before a channel is known
     covariances : length of a gap to those that levels and deviations are regressed with
     rate, cross, noise : as :func:`fill` has them
-    compared : moments that are asked besides those beside a gap
+    compared : moments that are asked besides those beside a gap, and mirrored ones
     mirror : of all channels, where there is one
     """
 
@@ -102,12 +89,21 @@ class _Look:
     moved: Float32Array | None
     base: FloatArray
     known: BoolArray
+    so_far: Float32Array
     covariances: dict[int, tuple[Float32Array, Float32Array]]
     rate: float
     cross: Callable[[int], FloatArray]
     noise: float
-    compared: int
+    compared: tuple[int, int]
     mirror: Mirror | None
+    _frames_of: dict[bytes, IntArray] = field(default_factory=dict)
+
+    def frames_of(self, channels: IntArray) -> IntArray:
+        """Frames in which channels are all known; many gaps ask of the same ones."""
+        key = channels.tobytes()
+        if key not in self._frames_of:
+            self._frames_of[key] = np.flatnonzero(self.known[channels].all(axis=0))
+        return self._frames_of[key]
 
 
 def fill(
@@ -120,7 +116,9 @@ def fill(
     mirror: Mirror | None = None,
     noise: float = 0.0,
     rough: bool = False,
+    begun: Filled | None = None,
     near: Filled | None = None,
+    compared: tuple[int, int] = FEW_MOMENTS,
 ) -> Filled:
     """Fill the gaps of all channels.
 
@@ -135,7 +133,9 @@ def fill(
     mirror : of a body whose other side tells of gaps that last, and of what stands beside it
     noise : standard deviation of what is left of noise in the known values
     rough : to look for noise: once, and short gaps by time alone
+    begun : what a rough look made, which gaps that last are filled from
     near : what was made of an earlier result, to fill lasting gaps once more from it
+    compared : moments of the recording that are compared with such a gap, as it is and mirrored
 
     Notes
     -----
@@ -157,13 +157,15 @@ def fill(
             mirror=mirror,
             noise=noise,
             rough=rough,
+            begun=begun and begun.and_more(beside),
             near=near and near.and_more(beside),
+            compared=compared,
         )
         return whole.but(more)
     cross = straight if rough or noise > 0 else bridge
     short = max(round((_ROUGH_S if rough else _SHORT_S) * rate), 1)
     if near is None:
-        base, gaps = bridged(values, known), _gaps(known)
+        base, gaps = bridged(values, known), gaps_of(known)
         variance = _time_variance(base, known, rate)
     else:
         base, gaps, variance = near.base, near.gaps, near.variance.copy()
@@ -172,11 +174,17 @@ def fill(
         moments = pooled(learn(base, rate, range(1, short + 1)), prior)
         _cross_short(base, variance, known, brief, moments, rate, cross)
     lengthy = [gap for gap in gaps if gap.length > short]
-    again = [] if rough else _lasting(lengthy, len(known), rate)
-    estimate = base if near is None else np.where(known, base, near.values)
+    others, again = (lengthy, []) if rough else by_lasting(lengthy, len(known), _BRIEF_S * rate)
+    estimate = base.copy() if near is None else np.where(known, base, near.values)
+    if begun is not None:
+        for gap in again:
+            part = gap.part
+            estimate[part], variance[part] = begun.values[part], begun.variance[part]
+    elif near is None:
+        others = lengthy
     seen_by_channel = np.ascontiguousarray(known.T)
-    passes = [lengthy, again] if near is None else [again]
-    for some in filter(len, passes):
+    so_far = np.cumsum(np.pad(seen_by_channel, ((0, 0), (1, 0))), axis=1, dtype=np.float32)
+    for some in filter(len, [others, again] if near is None else [again]):
         single = np.asarray(estimate, dtype=np.float32)
         lengths = {gap.length for gap in some}
         look = _Look(
@@ -184,36 +192,18 @@ def fill(
             moving(single, rate) if some is again else None,
             base,
             seen_by_channel,
+            so_far,
             _covariances(pooled(learn(single, rate, lengths), prior), lengths, rate),
             rate,
             cross,
             noise,
-            FEW_MOMENTS if near is None else MOMENTS,
+            compared,
             mirror,
         )
         estimate = estimate.copy()
         for gap in some:
-            part = (slice(gap.start, gap.stop), gap.channels)
-            estimate[part], variance[part] = _fill_gap(gap, look)
+            estimate[gap.part], variance[gap.part] = _fill_gap(gap, look)
     return Filled(np.where(known, values, estimate), variance, base, gaps, bool(again))
-
-
-def _lasting(gaps: Sequence[Gap], frames: int, rate: float) -> list[Gap]:
-    """Gaps that last, and those beside them; in others a second pass changes nothing that shows."""
-    during = np.zeros(frames, dtype=bool)
-    for gap in gaps:
-        if gap.length >= _BRIEF_S * rate:
-            during[gap.start : gap.stop] = True
-    return [gap for gap in gaps if during[gap.start : gap.stop].any()]
-
-
-def _gaps(known: BoolArray) -> list[Gap]:
-    """All gaps, channels with the same frames together."""
-    together: dict[tuple[int, int], list[int]] = {}
-    for channels in known_alike(known):
-        for start, stop in runs(~known[:, channels[0]]).tolist():
-            together.setdefault((start, stop), []).extend(channels)
-    return [Gap(*frames, np.sort(columns)) for frames, columns in together.items()]
 
 
 def _cross_short(
@@ -251,9 +241,8 @@ def _cross_short(
             for n, place in enumerate(alike.tolist()):
                 gap = some[place]
                 own = np.searchsorted(unknown[n], gap.channels)
-                part = (slice(gap.start, gap.stop), gap.channels)
-                base[part] = bridges[place][:, gap.channels] - strays[n][:, own]
-                variance[part] = spread[n, own]
+                base[gap.part] = bridges[place][:, gap.channels] - strays[n][:, own]
+                variance[gap.part] = spread[n, own]
 
 
 def _covariances(
@@ -276,7 +265,7 @@ def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
     """(length, channels) values of a gap and their variances; by alike moments if so wished."""
     start, stop, length = gap.start, gap.stop, gap.length
     frames, rate = len(look.estimate), look.rate
-    hidden = 1 - look.known[:, start:stop].sum(axis=1, dtype=np.float32) / length
+    hidden = 1 - (look.so_far[:, stop] - look.so_far[:, start]) / np.float32(length)
     telling = np.asarray(hidden < _MOSTLY_HIDDEN)
     telling[gap.channels] = False
     others = np.flatnonzero(telling)
@@ -285,8 +274,8 @@ def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
     ridge = _LEVEL_RIDGE * float(np.trace(levels_by)) / len(levels_by)
     weights, left = _regress(levels_by, others, gap.channels, ridge, doubt)
     if look.moved is not None and length >= _BRIEF_S * rate:
-        there = np.asarray(look.known[gap.channels].all(axis=0))
-        chosen = moments_to_compare(there, start, stop, rate, look.compared)
+        there = look.frames_of(gap.channels)
+        chosen = moments_to_compare(there, start, stop, rate, look.compared[0])
         if len(chosen):
             trust = np.zeros(len(hidden), dtype=np.float32)
             trust[others] = 1 - hidden[others]
@@ -343,8 +332,8 @@ def _mirrored(moved: Float32Array, look: _Look, gap: Gap, by: Float32Array) -> A
     """Moments in which the other side of the body was seen, mirrored."""
     if look.mirror is None:
         return None
-    there = np.asarray(look.known[look.mirror.twins[gap.channels]].all(axis=0))
-    return _alike(mirrored_moments(there), moved, look, gap, by, look.mirror)
+    there = look.frames_of(look.mirror.twins[gap.channels])
+    return _alike(some_of(there, look.compared[1]), moved, look, gap, by, look.mirror)
 
 
 def _regress(

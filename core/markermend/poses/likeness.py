@@ -6,13 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from markermend.arrays import BoolArray, Float32Array, IntArray
+from markermend.arrays import Float32Array, IntArray
 from markermend.poses.solving import solved
 
-MOMENTS, FEW_MOMENTS = 150, 75
-"""Of a whole recording compared with a gap; the few are enough for what is filled again."""
-
-_MIRRORED = 100
+MOMENTS, FEW_MOMENTS = (150, 100), (50, 30)
+"""Of a whole recording compared with a gap, as it is and mirrored; few where it is filled again."""
 
 # Moments compared beside a gap: seconds each side, and how many of a second.
 _BESIDE_S, _BESIDE_HZ = 0.5, 60.0
@@ -28,16 +26,18 @@ _SAME_WAY, _MIRRORED_CHANCE, _ASKEW = np.float32(0.85), 0.02, np.float32(2.0)
 _TINY = 1e-30
 # What it never saw, the process does not expect: squared errors are larger by about this.
 _TOO_SURE = 5.0
+# How sure it is is asked of every so many frames.
+_EVERY = 4
 
 
 def moments_to_compare(
-    known: BoolArray, start: int, stop: int, rate: float, most: int = MOMENTS
+    there: IntArray, start: int, stop: int, rate: float, most: int = MOMENTS[0]
 ) -> IntArray:
     """Frames that tell of a gap: those beside it, and some of all others.
 
     Parameters
     ----------
-    known : (frames,) bool, everything that is unknown within the gap
+    there : frames in turn in which everything is known that is unknown within the gap
     start, stop : the gap
     rate : frames per second
     most : moments that are not beside the gap
@@ -46,24 +46,18 @@ def moments_to_compare(
     -------
     (moments,) none where too little is known
     """
-    there = np.flatnonzero(known)
-    away = np.maximum(start - there, there - stop + 1)
-    near = away <= _BESIDE_S * rate
-    beside = there[near & ((away - 1) % max(round(rate / _BESIDE_HZ), 1) == 0)]
-    far = there[~near]
-    chosen = np.append(beside, far[:: max(-(-len(far) // most), 1)])
+    reach = round(_BESIDE_S * rate)
+    first, last = np.searchsorted(there, [start - reach, stop + reach])
+    near = there[first:last]
+    away = np.maximum(start - near, near - stop + 1)
+    beside = near[(away - 1) % max(round(rate / _BESIDE_HZ), 1) == 0]
+    chosen = np.append(beside, some_of(np.append(there[:first], there[last:]), most))
     return chosen if len(chosen) >= _LEAST_MOMENTS else chosen[:0]
 
 
-def mirrored_moments(known: BoolArray) -> IntArray:
-    """Frames in which the other side of the body tells of a gap.
-
-    Parameters
-    ----------
-    known : (frames,) bool, everything there that is unknown here within the gap
-    """
-    there = np.flatnonzero(known)
-    return there[:: max(-(-len(there) // _MIRRORED), 1)]
+def some_of(there: IntArray, most: int) -> IntArray:
+    """Frames, or so many of them, evenly."""
+    return there[:: max(-(-len(there) // most), 1)]
 
 
 def moving(poses: Float32Array, rate: float) -> Float32Array:
@@ -146,10 +140,15 @@ def by_likeness(
     chance = np.full(count, _CHANCE + noise**2 / spread, dtype=np.float32)
     chance[its] += _MIRRORED_CHANCE
     system[np.diag_indices(count)] += chance
-    found = solved(system, np.hstack([np.vstack([left, other.targets - usual]), across.T]))
+    # How sure it is changes slowly.
+    length = len(inside.frames)
+    places = np.append(np.arange(0, length - 1, _EVERY), length - 1)
+    asked = across[places].T
+    found = solved(system, np.hstack([np.vstack([left, other.targets - usual]), asked]))
     columns = left.shape[1]
     whole = 1.0 + _PASSING
-    unsure = np.maximum(whole - np.sum(across.T * found[:, columns:], axis=0), 0.0) / whole
+    unsure = np.maximum(whole - np.sum(asked * found[:, columns:], axis=0), 0.0) / whole
+    unsure = np.interp(np.arange(length), places, unsure)
     return across @ found[:, :columns] + usual, _TOO_SURE * unsure[:, None] * variance
 
 

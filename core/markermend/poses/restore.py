@@ -15,6 +15,7 @@ from markermend.poses.channels import Channels, steadied, to_channels, to_featur
 from markermend.poses.covariance import Moments
 from markermend.poses.faults import Fault, mend_faults
 from markermend.poses.filling import Filled, fill
+from markermend.poses.likeness import FEW_MOMENTS, MOMENTS
 from markermend.poses.normal import FEATURES, denormalise
 from markermend.poses.nuitrack import mirrored
 from markermend.poses.pose import Pose
@@ -43,6 +44,9 @@ _SURE, _ROUNDS = 2e-3, 2
 # Where nothing is noisy the way a body bends may change what was filled only so much: its squared
 # errors count as this share of themselves.
 _FIRM = 0.25
+# Lasting gaps are filled again so many times where nothing is noisy; what comes out the last time
+# counts by this beside what the others made.
+_LOOKS, _AGAIN = 2, 0.8
 # Brief gaps, known better once all is smooth, make it worth to smooth a second time from there.
 _ROUNDS_WHERE_BRIEF = 2
 # Shares of what two earlier steps made in the mean of what was seen and smoothed in three ways.
@@ -178,7 +182,8 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
         mirror=mirror,
     )
     tell(0.1, "Looking for noise")
-    rough = filled_by(values, rough=True).values
+    begun = filled_by(values, rough=True)
+    rough = begun.values
     whole = np.zeros(channels.values.shape)
     whole[:, usable] = rough
     known_joints = _known_joints(channels, pose)
@@ -192,20 +197,27 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
         tell(0.3, "Smoothing")
         values = smooth(rough, noise[usable], pose.rate)
     tell(0.5, "Filling")
-    filled = filled_by(values, noise=_LEFT * level)
+    filled = filled_by(values, noise=_LEFT * level, begun=begun)
     whole[:, usable] = filled.values
     whole[:, ~usable] = np.nan
     variance = np.full(channels.values.shape, np.nan)
     variance[:, usable] = _variance(filled, known, noise[usable])
     tell(0.7, "Keeping bones")
-    features, bones = _agreed(whole, variance, channels, pose, known_joints, level)
-    if filled.lasting:
-        tell(0.75, "Filling again")
+    rounds = 1 if filled.lasting or level > _NOISY else _ROUNDS
+    features, bones = _agreed(whole, variance, channels, pose, known_joints, level, rounds)
+    looks = 0 if not filled.lasting else 1 if level > 0 else _LOOKS
+    rounds = 1 if level > _NOISY else _ROUNDS
+    for look in range(1, looks + 1):
+        tell(0.7 + 0.1 * look / (looks + 1), "Filling again")
         near = replace(filled, values=_columns(features, channels)[:, usable])
-        filled = filled_by(values, noise=_LEFT * level, near=near)
+        compared = MOMENTS if look == looks else FEW_MOMENTS
+        filled = filled_by(values, noise=_LEFT * level, near=near, compared=compared)
+        share = 1.0 if look == 1 else _AGAIN
+        told = share * filled.values + (1.0 - share) * near.values
+        filled = replace(filled, values=np.where(known, filled.values, told))
         whole[:, usable] = filled.values
         variance[:, usable] = _variance(filled, known, noise[usable])
-        features, bones = _agreed(whole, variance, channels, pose, known_joints, level)
+        features, bones = _agreed(whole, variance, channels, pose, known_joints, level, rounds)
     if level > _NOISY:
         tell(0.8, "Smoothing again")
         first = features
@@ -213,7 +225,7 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
             pilot = _columns(features, channels)[:, usable]
             again = np.where(known, channels.values[:, usable], pilot)
             whole[:, usable] = smooth_again(again, pilot, noise[usable], pose.rate)
-            features, bones = _agreed(whole, variance, channels, pose, known_joints, level)
+            features, bones = _agreed(whole, variance, channels, pose, known_joints, level, 1)
             last = _in_time(features, channels, noise, pose)
             features = _between(last, features, first, known_joints)
     features = _with_bones(features, known_joints, bones)
@@ -246,6 +258,7 @@ def _agreed(
     pose: Pose,
     known: tuple[BoolArray, BoolArray],
     noise: float,
+    rounds: int,
 ) -> tuple[FloatArray, Bones]:
     """(frames, joints, 7) settled where they are noisy or filled, and the bones found."""
     features = to_features(values, channels)
@@ -256,7 +269,7 @@ def _agreed(
     unsure = np.ones(features.shape)
     unsure[:, channels.joints] = variance.reshape(pose.frames, -1, FEATURES)
     unsure = np.maximum(unsure if noisy else _FIRM * unsure, _SURE**2)
-    for _ in range(1 if noisy else _ROUNDS):
+    for _ in range(rounds):
         if noisy:
             pilot = fuse(features, bones, channels.normal.root)
         else:

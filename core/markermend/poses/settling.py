@@ -79,7 +79,7 @@ def settle_in_time(
 def _signed(pilot: FloatArray, features: FloatArray) -> FloatArray:
     """The pilot with the signs of rotations that features have."""
     poses = pilot.copy()
-    other = np.sum(pilot[..., 3:] * features[..., 3:], axis=2) < 0
+    other = np.einsum("tji,tji->tj", pilot[..., 3:], features[..., 3:]) < 0
     poses[..., 3:][other] *= -1.0
     return poses
 
