@@ -136,14 +136,14 @@ def test_filling_again_starts_from_what_was_made_of_the_others():
 def test_gaps_that_last_begin_where_a_rough_look_ended():
     random = np.random.default_rng(6)
     values = np.cumsum(random.normal(0.0, 0.02, (300, 6)), axis=0)
+    values[:, 0] += values[:, 1]
     known = np.ones(values.shape, dtype=bool)
-    known[100:150, 0] = known[90:170, 1] = known[200:206, 2] = False
+    known[100:150, 0] = known[120:170, 1] = known[200:206, 2] = False
     begun = fill(values, known, 100.0, rough=True)
     told = replace(begun, values=np.where(np.arange(6) == 1, begun.values + 1.0, begun.values))
     plain, astray = (fill(values, known, 100.0, begun=by) for by in (begun, told))
-    # What was made of the second channel tells of the first; brief gaps are filled without it.
-    assert np.abs((astray.values - plain.values)[100:150, 0]).max() > 1e-3
-    assert_allclose(astray.values[200:206, 2], plain.values[200:206, 2])
+    # What was made of the second channel tells of the first.
+    assert np.abs((astray.values - plain.values)[100:150, 0]).max() > 0.05
 
 
 def test_noise_is_told_from_movement_and_taken_out():
