@@ -26,6 +26,11 @@ _BAR_WIDTH = 24
 _REDRAW_S = 0.1
 
 
+def output_is_closed() -> bool:
+    """Whether there is no standard output, whose place :func:`markermend.cli.main` fills."""
+    return getattr(sys.stdout, "name", "") == os.devnull
+
+
 def say(text: str = "") -> None:
     """Write a line to standard output."""
     sys.stdout.write(printable(text) + "\n")
@@ -247,6 +252,8 @@ def chosen_frames(take: Take, options: argparse.Namespace) -> tuple[int, int] | 
 def write_text(path: str, text: str) -> None:
     """Write a text file whole or not at all; ``"-"`` is standard output."""
     if path == STDOUT:
+        if output_is_closed():
+            raise ExportError("Standard output is closed, so “-” writes nothing; name a file.")
         if hasattr(sys.stdout, "reconfigure"):
             sys.stdout.reconfigure(encoding="utf-8")
         sys.stdout.write(printable(text))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import io
 import sys
 from collections import Counter
 from pathlib import Path
@@ -10,7 +11,16 @@ from pathlib import Path
 import numpy as np
 
 import markermend as mm
-from markermend.cli.console import STDOUT, Bar, check_outputs, count, say, table, warn
+from markermend.cli.console import (
+    STDOUT,
+    Bar,
+    check_outputs,
+    count,
+    output_is_closed,
+    say,
+    table,
+    warn,
+)
 from markermend.errors import ExportError, MethodError
 from markermend.poses import Pose
 from markermend.poses.restore import Restored
@@ -19,7 +29,7 @@ from markermend.poses.restore import Restored
 def run(options: argparse.Namespace) -> int:
     """Restore one recording."""
     from markermend.files.pose import WRITABLE
-    from markermend.poses.prior import load_prior, shipped_prior
+    from markermend.poses.prior import NOT_FITTING, fitting, load_prior, shipped_prior
     from markermend.poses.restore import restore
 
     if STDOUT in (options.pose, options.output):
@@ -39,6 +49,8 @@ def run(options: argparse.Namespace) -> int:
     if options.network is not None:
         return _by_network(pose, options)
     prior = shipped_prior() if options.prior is None else load_prior(Path(options.prior))
+    if options.prior is not None and fitting(pose, prior) is None:
+        warn(f"{Path(options.prior).name}: {NOT_FITTING}")
     with Bar() as bar:
         restored = restore(pose, prior=prior, progress=bar)
     mm.write_pose(_as_asked(restored.pose, options), options.output)
@@ -100,12 +112,25 @@ def _follow(options: argparse.Namespace) -> int:
     _refuse(options, ("network", "cmu", "list", "skeleton"), "a stream")
     prior = shipped_prior() if options.prior is None else load_prior(Path(options.prior))
 
+    if sys.stdin is None or output_is_closed():
+        raise ExportError(
+            "A stream needs a standard input and output that are open; connect both, or name files."
+        )
+    for stream in (sys.stdin, sys.stdout):
+        # What is no UTF-8 goes out as it came in.
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(encoding="utf-8", errors="surrogateescape")
+    if isinstance(sys.stdin, io.TextIOWrapper):
+        # Any ending of lines.
+        sys.stdin.reconfigure(newline=None)
+
     def write(text: str) -> None:
         sys.stdout.write(text)
         sys.stdout.flush()
 
     # Line by line: iterating over the stream itself would wait for a full buffer.
-    follow(iter(sys.stdin.readline, ""), write, rate=options.rate or 30.0, prior=prior)
+    lines = iter(sys.stdin.readline, "")
+    follow(lines, write, rate=options.rate or 30.0, prior=prior, warn=warn)
     return 0
 
 

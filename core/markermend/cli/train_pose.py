@@ -9,6 +9,7 @@ import numpy as np
 
 import markermend as mm
 from markermend.cli.console import Bar, check_outputs, count, say, table
+from markermend.errors import DataError
 from markermend.poses import Pose
 from markermend.poses.nuitrack import to_nuitrack
 
@@ -19,7 +20,7 @@ def run_prior(options: argparse.Namespace) -> int:
 
     poses = _read(options)
     with Bar() as bar:
-        prior = learn_prior(list(poses.values()), progress=bar)
+        prior = learn_prior(list(poses.values()), names=list(poses), progress=bar)
     save_prior(prior, Path(options.output))
     frames = sum(pose.frames for pose in poses.values())
     say(f"Learnt from {count(frames, 'pose')} in {count(len(poses), 'recording')}.")
@@ -101,4 +102,9 @@ def run_networks(options: argparse.Namespace) -> int:
 def _read(options: argparse.Namespace) -> dict[str, Pose]:
     """Name to recording."""
     check_outputs([options.output], source=options.poses, force=options.force)
-    return {Path(path).stem: mm.read_pose(path) for path in options.poses}
+    by_name: dict[str, str] = {}
+    for path in options.poses:
+        other = by_name.setdefault(Path(path).stem, path)
+        if other != path:
+            raise DataError(f"“{other}” and “{path}” have one name; give each recording its own.")
+    return {name: mm.read_pose(path) for name, path in by_name.items()}

@@ -15,6 +15,7 @@ from markermend.errors import ExportError, FileFormatError
 from markermend.files.text import read_lines
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import inverse, multiply, turn
+from markermend.poses.turnless import turned_as_parents, turnless
 from markermend.progress import Progress
 
 _END = "_end"
@@ -174,20 +175,14 @@ def write_bvh(
 
     Notes
     -----
+    Joints that never have a rotation, as the ends of a Kinect's limbs, are turned as their parents.
+
     A joint of a BVH stands where its bone begins and carries those below it. Where joints of a
     recording stand where their bone ends, as those of an AMC, they are written so, and the ends of
     chains as its ends. A joint that others do not carry along, as a shoulder in the trunk, has
     channels of position besides, so that it is where the recording has it.
     """
-    if not pose.positions.size:
-        raise ExportError("There is no pose to write into a BVH.")
-    if np.isnan(pose.rotations).all(axis=(0, 2)).any():
-        raise ExportError("A BVH holds rotations, which this recording has none of; write a CSV.")
-    if np.isnan(pose.positions).any() or np.isnan(pose.rotations).any():
-        raise ExportError("A BVH holds every joint and rotation of every pose; denoise it first.")
-    if sum(parent < 0 for parent in pose.parents) != 1:
-        raise ExportError("A BVH has one root; this recording has several.")
-    told = pose if whole is None else _complete(whole)
+    pose, told = _writable(pose, whole)
     offsets = _offsets(told, told.parents)
     by_own = _strays(_offsets(told, range(len(told.joints))))
     if by_own.sum() + _RIGID_MM < _strays(offsets).sum():
@@ -217,6 +212,28 @@ def write_bvh(
         progress(start / pose.frames, "Writing poses")
         rows = table[start : start + _POSES_A_REPORT].tolist()
         file.write("".join(" ".join(f"{v:.6f}" for v in row) + "\n" for row in rows).encode())
+
+
+def _writable(pose: Pose, whole: Pose | None) -> tuple[Pose, Pose]:
+    """The poses with every joint turned, and those that tell how joints hang together."""
+    if not pose.positions.size:
+        raise ExportError("There is no pose to write into a BVH.")
+    if np.isnan(pose.rotations).all():
+        raise ExportError("A BVH holds rotations, which this recording has none of; write a CSV.")
+    every = whole or pose
+    never = [joint for i, joint in enumerate(pose.joints) if not every.seen[:, i].any()]
+    if never:
+        raise ExportError(
+            f"A BVH holds every joint of every pose, and {', '.join(never)} was never seen; write"
+            " a CSV."
+        )
+    without = turnless(every)
+    pose = turned_as_parents(pose, without)
+    if np.isnan(pose.positions).any() or np.isnan(pose.rotations).any():
+        raise ExportError("A BVH holds every joint and rotation of every pose; denoise it first.")
+    if sum(parent < 0 for parent in pose.parents) != 1:
+        raise ExportError("A BVH has one root; this recording has several.")
+    return pose, pose if whole is None else _complete(turned_as_parents(whole, without))
 
 
 def _complete(pose: Pose) -> Pose:
