@@ -254,3 +254,22 @@ def test_why_nothing_is_learnt_from_a_recording_is_true(tmp_path, kinect, capsys
     two = (tmp_path / "k.csv", tmp_path / "other" / "k.csv")
     assert run("train", "prior", *two, "-o", tmp_path / "p.npz") == 1
     assert "have one name" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("rate", ["1e300", "1e-300", "1e6", "0.01", "nan"])
+def test_rates_that_nothing_records_at_are_refused(tmp_path, capsys, rate):
+    path = table(tmp_path)
+    for words in ([path, "-o", tmp_path / "out.csv"], ["-", "-o", "-"]):
+        assert run("denoise", *words, "--rate", rate) == 2
+        assert "Hz" in capsys.readouterr().err or rate == "nan"
+    assert not (tmp_path / "out.csv").exists()
+
+
+def test_a_rate_that_is_given_goes_before_times(tmp_path):
+    path = table(tmp_path)
+    assert mm.read_pose(path, rate=25.0).rate == 25.0
+    assert mm.read_pose(path).rate == pytest.approx(30.0, rel=1e-4)
+    rows = [row.replace(f",{n / 30:.6f},", f",{n * 1e-7:.9f},") for n in range(4) for row in ROWS]
+    rows = [row for row in rows if int(row[0]) == round(float(row.split(",")[1]) * 1e7)]
+    with pytest.raises(FileFormatError, match="table.csv would have 1e.07 poses a second"):
+        mm.read_pose(table(tmp_path, rows=rows))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Container
 from math import isfinite, pi
 from pathlib import Path
 
@@ -16,6 +17,11 @@ _COMMENT = re.compile(rb"#|//|;")
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _SAME = 1e-9
 _POSES_A_REPORT = 256
+
+
+def starts_pose(word: str, segments: Container[str]) -> bool:
+    """Whether a line begins with the number of a pose; what stands behind it is a comment."""
+    return word.isdigit() and word not in segments
 
 
 def patched(path: Path, movement: Movement, progress: Progress) -> bytes | None:
@@ -46,7 +52,7 @@ def patched(path: Path, movement: Movement, progress: Progress) -> bytes | None:
         name, *cells = bare.decode("latin-1").split() or [""]
         if pose < 0 and name.upper().startswith((":RADIANS", ":DEGREES")):
             told = _in_file(movement, degrees=name.upper().startswith(":DEGREES"))
-        if name.isdigit() and not cells:
+        if starts_pose(name, told):
             pose += 1
             if pose >= movement.frames:
                 return None

@@ -1,33 +1,9 @@
-"""What a skeleton recording can hold: how many poses a second, how far from its origin."""
+"""What is a measurement of a body, and what cannot be one."""
 
 from __future__ import annotations
 
-from markermend.errors import FileFormatError
-
-LEAST_HZ, MOST_HZ = 0.1, 10_000.0
 FARTHEST = 1e7
-"""Millimetres, and whatever else a joint is told by, up to which a number is a measurement."""
-
-
-def rate_of(hertz: float, name: str) -> float:
-    """A rate that a recording can have, rounded as times are.
-
-    Parameters
-    ----------
-    hertz : poses per second
-    name : of the file, for what is wrong with it
-
-    Raises
-    ------
-    FileFormatError
-        when nothing records so slowly or so fast
-    """
-    if not LEAST_HZ <= hertz <= MOST_HZ:
-        raise FileFormatError(
-            f"{name} would have {hertz:g} poses a second, which is no rate of a recording;"
-            f" {LEAST_HZ:g} to {MOST_HZ:,.0f} Hz can be read."
-        )
-    return hertz
+"""Up to so many millimetres, or degrees, a number is a measurement."""
 
 
 def read_as_missing(count: int) -> list[str]:

@@ -8,17 +8,19 @@ from os import PathLike
 from pathlib import Path
 from typing import IO
 
-from markermend.errors import ExportError, FileFormatError
+from markermend.errors import DataError, ExportError, FileFormatError
 from markermend.files.amc import find_skeleton, read_amc, write_amc
 from markermend.files.asf import read_asf
 from markermend.files.atomic import write_whole
-from markermend.files.bvh import read_bvh, write_bvh
+from markermend.files.bvh_read import read_bvh
+from markermend.files.bvh_write import write_bvh
 from markermend.files.opening import not_opened
 from markermend.files.pose_csv import Table, read_pose_csv, write_pose_csv
 from markermend.poses.inverse import farthest_off, inverse_kinematics
 from markermend.poses.pose import Pose
 from markermend.poses.skeleton import Movement, forward_kinematics
 from markermend.progress import Progress, part, quiet
+from markermend.rates import rate_of
 
 __all__ = ["read_pose", "write_pose"]
 
@@ -42,7 +44,7 @@ def read_pose(
     path : Acclaim movement (AMC, whose ASF is looked for beside it) or skeleton (ASF: one pose,
         at rest), Biovision hierarchy (BVH), or a table of joints (CSV)
     skeleton : the ASF of an AMC, where it is not beside it
-    rate : poses per second, where the file does not tell (AMC: 120, CSV: 30)
+    rate : poses per second, instead of what the file tells (where it does not: AMC 120, CSV 30)
     progress : may raise to stop
 
     Returns
@@ -55,6 +57,8 @@ def read_pose(
         when the file cannot be opened, is damaged, or of an unknown kind
     """
     where = Path(path)
+    if rate is not None:
+        rate_of(rate, where.name)
     try:
         where.stat()
         match where.suffix.lower():
@@ -68,12 +72,18 @@ def read_pose(
             case ".csv":
                 return read_pose_csv(where, rate=rate, progress=progress)
             case ".bvh":
-                return read_bvh(where)
+                return read_bvh(where, rate=rate)
             case ".asf":
                 rest = Movement(read_asf(where), {}, 1)
                 return forward_kinematics(rest, rate or _USUAL_AMC_RATE)
     except OSError as error:
         raise not_opened(Path(error.filename or where), error) from error
+    except DataError as error:
+        # What poses refuse knows no file.
+        reason = str(error)
+        raise FileFormatError(
+            f"{where.name} is damaged: {reason[:1].lower()}{reason[1:]}"
+        ) from error
     raise FileFormatError(
         f"{where.name} is no skeleton recording; its name should end in {', '.join(READABLE)}."
     )

@@ -20,12 +20,13 @@ import numpy as np
 
 from markermend.arrays import FloatArray
 from markermend.errors import FileFormatError
-from markermend.files.plausible import FARTHEST, rate_of, read_as_missing
+from markermend.files.plausible import FARTHEST, read_as_missing
 from markermend.files.pose_rows import COLUMNS, NUMBERS, Header, header_of, says_nothing
 from markermend.files.text import read_lines
 from markermend.poses.nuitrack import PARENT_OF, usual_name
 from markermend.poses.pose import Pose
 from markermend.progress import Progress, quiet
+from markermend.rates import rate_of
 
 _SENSOR_RATE = 30.0
 _FRAMES_A_REPORT = 256
