@@ -269,7 +269,44 @@ def test_a_rate_that_is_given_goes_before_times(tmp_path):
     path = table(tmp_path)
     assert mm.read_pose(path, rate=25.0).rate == 25.0
     assert mm.read_pose(path).rate == pytest.approx(30.0, rel=1e-4)
-    rows = [row.replace(f",{n / 30:.6f},", f",{n * 1e-7:.9f},") for n in range(4) for row in ROWS]
-    rows = [row for row in rows if int(row[0]) == round(float(row.split(",")[1]) * 1e7)]
-    with pytest.raises(FileFormatError, match="table.csv would have 1e.07 poses a second"):
+    rows = [f"{n},{n * 1e-7:.9f},a,,1,2,3,0,0,0,1,1" for n in range(4)]
+    with pytest.raises(FileFormatError, match=r"table\.csv would have 1e\+07 poses a second"):
         mm.read_pose(table(tmp_path, rows=rows))
+
+
+def test_names_that_are_none_are_said(tmp_path, capsys):
+    path = table(tmp_path)
+    for words, said in (
+        ([tmp_path, "-o", tmp_path / "b.csv"], f"“{tmp_path}” is a folder; name a file in it."),
+        (["", "-o", tmp_path / "b.csv"], "“” is no name of a recording"),
+        ([path, "-o", ""], "“” is no name of a file to write"),
+    ):
+        for command in ("denoise", "convert"):
+            assert run(command, *words) == 1
+            assert said in capsys.readouterr().err
+
+
+def test_what_an_amc_cannot_hold_is_said_first(tmp_path, shared_data, capsys):
+    source, target = shared_data / "poses" / "02_03.amc", tmp_path / "x.amc"
+    for words, said in (
+        ([source, "--cmu"], "--cmu makes 31 segments that the skeleton"),
+        ([source, "--network", "none.npz", "all-both"], "--network makes 17 joints that the skel"),
+        ([table(tmp_path)], "needs a skeleton (ASF), which only a recording read from an AMC"),
+    ):
+        assert run("denoise", *words, "-o", target) == 1
+        assert said in capsys.readouterr().err
+        assert not target.exists()
+
+
+def test_how_far_an_amc_is_from_what_was_restored_is_said(tmp_path, shared_data, capsys):
+    (tmp_path / "02.asf").write_bytes((shared_data / "poses" / "02.asf").read_bytes())
+    lines = (shared_data / "poses" / "02_03.amc").read_text().splitlines()
+    starts = [n for n, line in enumerate(lines) if line.strip().isdigit()]
+    for n in range(starts[40], starts[60]):
+        lines[n] = "" if lines[n].startswith(("lhumerus", "lradius")) else lines[n]
+    (tmp_path / "02_9.amc").write_text("\n".join(line for line in lines if line))
+    assert run("denoise", tmp_path / "02_9.amc", "-o", tmp_path / "02_8.amc") == 0
+    out = capsys.readouterr().out
+    assert "Its bones are rigid: a joint is up to" in out
+    assert run("denoise", tmp_path / "02_9.amc", "-o", tmp_path / "02_8.csv") == 0
+    assert "bones are rigid" not in capsys.readouterr().out

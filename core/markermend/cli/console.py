@@ -127,6 +127,8 @@ def check_outputs(
     """
     if sum(path == STDOUT for path in paths) > 1:
         raise ExportError("Only one result can go to standard output.")
+    if "" in paths:
+        raise ExportError("“” is no name of a file to write; give it one.")
     seen: set[Path] = set()
     for path in (Path(p) for p in paths if p is not None and p != STDOUT):
         where = path.resolve()
@@ -213,8 +215,6 @@ def check_take_output(path: str, *, source: str = "") -> None:
 
 def written(export: Export) -> list[str]:
     """Say where a take went, how much of it changed, and what no longer fits it."""
-    from markermend.files import TOLD_MM
-
     how_much = count(export.samples, "new sample") if export.samples else "no sample changed"
     lines = [f"Written: {export.path}, {how_much}."]
     if export.outputs:
@@ -223,10 +223,16 @@ def written(export: Export) -> list[str]:
             f"{count(len(export.outputs), 'model output')} in the file ({names}) may no longer "
             "match the repaired markers; compute them anew."
         )
-    if export.off_mm >= TOLD_MM:
-        off = f"up to {export.off_mm:.1f} mm from where the repair has it"
-        lines.append(f"Its bones are rigid: a joint is {off}.")
-    return lines
+    return [*lines, *off_by_rigid_bones(export.off_mm)]
+
+
+def off_by_rigid_bones(off_mm: float) -> list[str]:
+    """Say how far off a joint is in an AMC; nothing where none is."""
+    from markermend.files import TOLD_MM
+
+    if off_mm < TOLD_MM:
+        return []
+    return [f"Its bones are rigid: a joint is up to {off_mm:.1f} mm from where the repair has it."]
 
 
 def chosen_frames(take: Take, options: argparse.Namespace) -> tuple[int, int] | None:

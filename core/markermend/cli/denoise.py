@@ -16,6 +16,7 @@ from markermend.cli.console import (
     Bar,
     check_outputs,
     count,
+    off_by_rigid_bones,
     output_is_closed,
     say,
     table,
@@ -39,6 +40,7 @@ def run(options: argparse.Namespace) -> int:
         raise ExportError(
             f"“{options.output}” should end in {', '.join(WRITABLE)}, to tell what to write."
         )
+    _check_amc(options)
     if options.network is not None:
         _refuse(options, ("prior", "list"), "what a network does")
     if options.skeleton is not None and Path(options.pose).suffix.lower() != ".amc":
@@ -53,7 +55,7 @@ def run(options: argparse.Namespace) -> int:
         warn(f"{Path(options.prior).name}: {NOT_FITTING}")
     with Bar() as bar:
         restored = restore(pose, prior=prior, progress=bar)
-    mm.write_pose(_as_asked(restored.pose, options), options.output)
+    off_mm = mm.write_pose(_as_asked(restored.pose, options), options.output)
     for line in _listing(restored) if options.list else ():
         say(line)
     kinds = Counter(fault.kind for fault in restored.faults)
@@ -69,6 +71,8 @@ def run(options: argparse.Namespace) -> int:
     if never:
         warn(f"Never seen, and left so: {', '.join(never)}.")
     say(f"Written: {options.output}, {count(pose.frames, 'pose')}.")
+    for line in off_by_rigid_bones(off_mm):
+        say(line)
     return 0
 
 
@@ -77,6 +81,23 @@ def _as_asked(pose: Pose, options: argparse.Namespace) -> Pose:
     from markermend.poses.segments import to_cmu
 
     return to_cmu(pose) if options.cmu else pose
+
+
+def _check_amc(options: argparse.Namespace) -> None:
+    """Refuse, before any work is done, an AMC that there would be no skeleton for."""
+    if Path(options.output).suffix.lower() != ".amc":
+        return
+    if Path(options.pose).suffix.lower() not in (".amc", ".asf"):
+        raise ExportError(
+            f"“{options.output}” needs a skeleton (ASF), which only a recording read from an AMC"
+            " has; write a CSV or BVH."
+        )
+    for name, makes in (("cmu", "31 segments"), ("network", "17 joints")):
+        if getattr(options, name):
+            raise ExportError(
+                f"--{name} makes {makes} that the skeleton (ASF) of the recording does not hold, so"
+                f" “{options.output}” cannot be an AMC; write a CSV or BVH."
+            )
 
 
 def _refuse(options: argparse.Namespace, names: tuple[str, ...], beside: str) -> None:

@@ -35,7 +35,8 @@ def run_segments(options: argparse.Namespace) -> int:
 
     poses = _read(options)
     with Bar() as bar:
-        save_segments(learn_segments(list(poses.values()), progress=bar), Path(options.output))
+        learnt = learn_segments(list(poses.values()), names=list(poses), progress=bar)
+        save_segments(learnt, Path(options.output))
     tried = [[a.name, f"{a.place_mm:.1f}", f"{a.turned_deg:.1f}"] for a in try_segments(poses)]
     for line in (
         table(["Of people left out", "End, mm", "Rotation, °"], tried, "lrr") if tried else ()

@@ -14,7 +14,7 @@ from markermend.files.asf import read_asf
 from markermend.files.atomic import write_whole
 from markermend.files.bvh_read import read_bvh
 from markermend.files.bvh_write import write_bvh
-from markermend.files.opening import not_opened
+from markermend.files.opening import named, not_opened
 from markermend.files.pose_csv import Table, read_pose_csv, write_pose_csv
 from markermend.poses.inverse import farthest_off, inverse_kinematics
 from markermend.poses.pose import Pose
@@ -56,11 +56,13 @@ def read_pose(
     FileFormatError
         when the file cannot be opened, is damaged, or of an unknown kind
     """
-    where = Path(path)
+    where = named(path)
     if rate is not None:
         rate_of(rate, where.name)
     try:
         where.stat()
+        if where.is_dir():
+            raise IsADirectoryError(str(where))
         match where.suffix.lower():
             case ".amc":
                 body = read_asf(Path(skeleton) if skeleton is not None else find_skeleton(where))
@@ -89,7 +91,7 @@ def read_pose(
     )
 
 
-def write_pose(pose: Pose, path: str | PathLike[str], *, progress: Progress | None = None) -> None:
+def write_pose(pose: Pose, path: str | PathLike[str], *, progress: Progress | None = None) -> float:
     """Write a skeleton recording, whole or not at all; a file that is there is replaced.
 
     Parameters
@@ -98,6 +100,10 @@ def write_pose(pose: Pose, path: str | PathLike[str], *, progress: Progress | No
     path : where to, ending in ``.csv`` or ``.bvh``, or in ``.amc`` for one read from such a file
     progress : told the share of poses written; may raise to stop, then nothing is left behind
 
+    Returns
+    -------
+    How far off in mm the farthest joint is there: the bones of an AMC are rigid
+
     Raises
     ------
     ExportError
@@ -105,8 +111,9 @@ def write_pose(pose: Pose, path: str | PathLike[str], *, progress: Progress | No
         the disk does not take the file
     """
     target = Path(path)
-    fill, _ = pose_writer(pose, target, progress or quiet)
+    fill, off_mm = pose_writer(pose, target, progress or quiet)
     write_whole(target, fill, backup=False)
+    return off_mm
 
 
 def crop_pose(pose: Pose, start: int, stop: int) -> Pose:
@@ -155,8 +162,8 @@ def pose_writer(
         case ".amc":
             if not isinstance(pose.source, Movement):
                 raise ExportError(
-                    f"{target.name} needs a skeleton (ASF), which only a recording read from an"
-                    " AMC has; write a CSV."
+                    f"{target.name} needs a skeleton (ASF), and these joints have none: only those"
+                    " of an AMC have, as they were read; write a CSV."
                 )
             turning, writing = part(report, 0.0, 0.7), part(report, 0.7, 1.0)
             movement = inverse_kinematics(pose, pose.source, progress=turning)

@@ -94,18 +94,22 @@ class Segments:
     weights: FloatArray
 
 
-def learn_segments(poses: Sequence[Pose], *, progress: Progress | None = None) -> Segments:
+def learn_segments(
+    poses: Sequence[Pose], *, names: Sequence[str] = (), progress: Progress | None = None
+) -> Segments:
     """Learn from recordings of the CMU skeleton, by ridge regression.
 
     Parameters
     ----------
-    poses : clean, of all 31 segments
+    poses : clean, of all 31 segments; those in which one was not seen or has no rotation are
+        passed over
+    names : of the recordings, for what is wrong with one
     progress : told the share of recordings read
 
     Raises
     ------
     DataError
-        when there is none, or one has other segments
+        when there is none, or one has other segments, or never all of them
     """
     if not poses:
         raise DataError("Segments need at least one recording to learn from.")
@@ -116,9 +120,18 @@ def learn_segments(poses: Sequence[Pose], *, progress: Progress | None = None) -
             raise DataError("Segments are learnt from recordings of the CMU skeleton only.")
         features, normal = normalise(to_nuitrack(pose))
         place, turned = _added(pose, features, normal)
-        bends.append(_bend(features)[::_STRIDE])
-        places.append(place[::_STRIDE])
-        turns.append(turned[::_STRIDE])
+        bend = _bend(features)
+        parts = (bend, place, turned)
+        told = [np.isfinite(part.reshape(pose.frames, -1)).all(axis=1) for part in parts]
+        whole = np.flatnonzero(np.all(told, axis=0))[::_STRIDE]
+        if not len(whole):
+            raise DataError(
+                f"{names[n] if names else f'Recording {n + 1}'} has no pose in which every segment"
+                " was seen and has a rotation; leave this recording out."
+            )
+        bends.append(bend[whole])
+        places.append(place[whole])
+        turns.append(turned[whole])
     x, ends, rotations = (np.concatenate(part) for part in (bends, places, turns))
     place = ends.mean(axis=0)
     turned = np.stack([Rotation.from_quat(q).mean().as_quat() for q in rotations.swapaxes(0, 1)])
