@@ -128,6 +128,9 @@ def test_radians_rate_and_scale(small):
     radians = mm.read_pose(small / "r.amc", skeleton=small / "a.asf")
     assert radians.rate == 60
     assert radians.warnings == ()
+    (small / "s.amc").write_text("\n".join([lines[0], ": Radians", *lines[2:]]))
+    spaced = mm.read_pose(small / "s.amc", skeleton=small / "a.asf")
+    assert_allclose(spaced.positions, radians.positions)
     assert degrees.rate == 120
     assert_allclose(radians.positions, degrees.positions, atol=1e-9)
     (small / "a.asf").write_text(ASF.replace("length 0.45", "length 0.9"))

@@ -145,6 +145,8 @@ def test_without_rotations_there_is_no_bvh(tmp_path):
             ("Zrotation Xrotation Yrotation\n    End", "Zrotation Zrotation Yrotation\n    End"),
             "twice",
         ),
+        (("}\nMOTION", "}\n}\nMOTION"), "“}” stands outside of every joint"),
+        (("ROOT Hips\n{", "OFFSET 0 0 0"), "“OFFSET” stands outside of every joint"),
         (("JOINT LeftLeg", "JOINT Hips"), "two joints called “Hips”"),
         (("OFFSET 10 0 0", "OFFSET nan 0 0"), "OFFSET of “LeftLeg” is “nan 0 0”"),
         (("OFFSET 10 0 0", "OFFSET 1e308 0 0"), "OFFSET of “LeftLeg” is “1e308 0 0”"),

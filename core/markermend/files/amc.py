@@ -10,7 +10,7 @@ import numpy as np
 
 from markermend.arrays import FloatArray, IntArray
 from markermend.errors import FileFormatError
-from markermend.files.amc_patch import patched, starts_pose
+from markermend.files.amc_patch import patched, starts_pose, tells_degrees
 from markermend.files.asf import words_of
 from markermend.files.plausible import FARTHEST, read_as_missing
 from markermend.files.text import read_lines
@@ -85,11 +85,9 @@ def _head(path: Path, skeleton: Skeleton) -> tuple[bool, float | None, list[str]
     lines = read_lines(path)
     rate, degrees = None, skeleton.degrees
     for i, line in enumerate(lines):
-        word = line.strip().upper()
-        if word.startswith(":RADIANS"):
-            degrees = False
-        elif word.startswith(":DEGREES"):
-            degrees = True
+        word, told = line.strip().upper(), tells_degrees(line)
+        if told is not None:
+            degrees = told
         elif word.startswith(":SAMPLES-PER-SECOND"):
             rate = _rate(word.split()[-1], path.name)
         elif _begins(line.split()[:1], skeleton):

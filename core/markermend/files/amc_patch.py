@@ -24,6 +24,12 @@ def starts_pose(word: str, segments: Container[str]) -> bool:
     return word.isdigit() and word not in segments
 
 
+def tells_degrees(line: str) -> bool | None:
+    """Whether a line of the header says that angles are in degrees; None where it says nothing."""
+    word = "".join(line.split()).upper()
+    return True if word.startswith(":DEGREES") else False if word.startswith(":RADIANS") else None
+
+
 def patched(path: Path, movement: Movement, progress: Progress) -> bytes | None:
     """A movement's file with other numbers where the movement is another.
 
@@ -50,8 +56,9 @@ def patched(path: Path, movement: Movement, progress: Progress) -> bytes | None:
     for line in lines:
         bare = _COMMENT.split(line, maxsplit=1)[0].removeprefix(_BYTE_ORDER_MARK)
         name, *cells = bare.decode("latin-1").split() or [""]
-        if pose < 0 and name.upper().startswith((":RADIANS", ":DEGREES")):
-            told = _in_file(movement, degrees=name.upper().startswith(":DEGREES"))
+        degrees = tells_degrees(bare.decode("latin-1")) if pose < 0 else None
+        if degrees is not None:
+            told = _in_file(movement, degrees=degrees)
         if starts_pose(name, told):
             pose += 1
             if pose >= movement.frames:

@@ -83,6 +83,8 @@ def _hierarchy(words: list[str]) -> list[_Joint]:
     stack: list[int] = []
     at = 1
     while at < len(words):
+        if not stack and words[at] in ("End", "OFFSET", "CHANNELS", "}"):
+            raise ValueError(f"“{words[at]}” stands outside of every joint")
         match words[at]:
             case "ROOT" | "JOINT":
                 joints.append(_Joint(words[at + 1], stack[-1] if stack else -1))
