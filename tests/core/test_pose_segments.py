@@ -124,3 +124,20 @@ def test_poses_that_are_not_whole_are_passed_over(clips):
         learn_segments([pose, none])
     tried = try_segments({"02_03": pose, "03_02": clips["03_02"], "02_01": clips["02_01"]})
     assert all(np.isfinite(added.place_mm) for added in tried)
+
+
+def test_ends_without_rotation_are_turned_as_others(clips):
+    body = to_nuitrack(clips["03_02"])
+    without = np.array(body.rotations)
+    ends = [body.index("head"), body.index("left_wrist")]
+    without[:, ends] = np.nan
+    whole, true = to_cmu(body.with_samples(body.positions, without)), clips["03_02"]
+    assert whole.seen.all()
+    assert not np.isnan(whole.rotations).any()
+    for name, most in (("head", 40.0), ("lhand", 60.0)):
+        ours, theirs = whole.rotations[:, whole.index(name)], true.rotations[:, true.index(name)]
+        alike = np.abs(np.sum(ours * theirs, axis=1))
+        assert np.degrees(2 * np.arccos(np.minimum(alike, 1.0))).mean() < most
+    without[:, body.index("left_elbow")] = np.nan
+    with pytest.raises(DataError, match="never tells of left_elbow"):
+        to_cmu(body.with_samples(body.positions, without))

@@ -21,6 +21,7 @@ from markermend.poses.pose import Pose
 from markermend.poses.prior import right_handed
 from markermend.poses.quaternion import inverse, multiply, turn
 from markermend.poses.restore import INFERRED
+from markermend.poses.turnless import turnless
 from markermend.progress import Progress, quiet
 
 _RIDGE = 0.01
@@ -162,11 +163,13 @@ def to_cmu(pose: Pose, learnt: Segments | None = None) -> Pose:
     Raises
     ------
     DataError
-        when joints are missing, or stand elsewhere than bodies have them
+        when joints are missing, or stand elsewhere than bodies have them, or one within a limb
+        never has a rotation
     """
     learnt = learnt or shipped_segments()
     body, left_handed = right_handed(pose)
     features, normal = normalise(body)
+    body = _with_ends_turned(body, features, normal, learnt)
     bent = np.einsum("fb,bsc->fsc", _bend(features) - learnt.bend, learnt.weights)
     carriers = [JOINTS.index(joint) for joint in CARRIERS.values()]
     by = features[:, carriers, 3:]
@@ -194,6 +197,22 @@ def to_cmu(pose: Pose, learnt: Segments | None = None) -> Pose:
     parents = tuple(NAMES.index(name) if name else -1 for name in PARENT_OF.values())
     whole = Pose(positions, rotations, NAMES, parents, body.rate, confidence)
     return mirrored(whole) if left_handed else whole
+
+
+def _with_ends_turned(body: Pose, features: FloatArray, normal: Normal, learnt: Segments) -> Pose:
+    """The body with ends of limbs that have no rotation turned as other bodies', features too."""
+    without, rotations = turnless(body), np.array(body.rotations)
+    for joint in np.flatnonzero(without).tolist():
+        if joint in PARENTS:
+            raise DataError(
+                "The segments of the CMU skeleton follow how joints are turned, which this"
+                f" recording never tells of {JOINTS[joint]}; leave its joints as they are."
+            )
+        against = Rotation.from_rotvec(learnt.bend.reshape(-1, 3)[joint - 1]).as_quat()
+        features[:, joint, 3:] = multiply(features[:, PARENTS[joint], 3:], against)
+        turned = multiply(normal.rotation, features[:, joint, 3:])
+        rotations[:, joint] = multiply(turned, inverse(normal.offset[joint]))
+    return body.with_samples(body.positions, rotations, body.confidence)
 
 
 def _bend(features: FloatArray) -> FloatArray:
