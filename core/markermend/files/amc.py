@@ -217,7 +217,7 @@ def _poses_of(
         warnings.append(f"Segments the skeleton does not have were left out: {', '.join(unknown)}.")
     if unnumbered:
         warnings.append(
-            f"No number stands before {len(unnumbered):,} poses, in line {unnumbered[0]} for one;"
+            f"No number stands before {len(unnumbered)} poses, in line {unnumbered[0]} for one;"
             " they were read all the same."
         )
     return poses, starts, warnings

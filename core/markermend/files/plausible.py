@@ -11,6 +11,6 @@ def read_as_missing(count: int) -> list[str]:
     if not count:
         return []
     return [
-        f"{count:,} samples whose coordinates are no numbers, or farther out than any room, were"
+        f"{count} samples whose coordinates are no numbers, or farther out than any room, were"
         " read as missing."
     ]

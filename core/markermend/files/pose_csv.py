@@ -224,7 +224,7 @@ def _twice(
             )
     if not again:
         return []
-    return [f"{len(again):,} rows stand twice, line {again[0]} for one; they were read once."]
+    return [f"{len(again)} rows stand twice, line {again[0]} for one; they were read once."]
 
 
 def parents_of(
