@@ -166,6 +166,13 @@ def test_what_is_wrong_with_a_file_names_it(tmp_path):
         mm.read_pose(written(tmp_path, TEXT.replace("LeftLeg", "Hips")))
 
 
+def test_names_may_have_blanks(tmp_path):
+    pose = mm.read_pose(written(tmp_path, TEXT.replace("LeftLeg", "Bip01 L Leg")))
+    assert pose.joints == ("Hips", "Bip01 L Leg", "Bip01 L Leg_end")
+    with pytest.raises(FileFormatError, match=r"no \{ follows the joint “LeftLeg”"):
+        mm.read_pose(written(tmp_path, TEXT.replace("LeftLeg\n  {", "LeftLeg")))
+
+
 def test_poses_may_go_over_several_lines(tmp_path):
     split = mm.read_pose(written(tmp_path, TEXT.replace("2 0 0 0", "2\n0 0 0")))
     assert_allclose(split.positions[0], mm.read_pose(written(tmp_path, TEXT)).positions[0])

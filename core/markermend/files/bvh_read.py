@@ -22,6 +22,8 @@ _TURNS = {"Xrotation": "X", "Yrotation": "Y", "Zrotation": "Z"}
 # Mean length of bones, in the file's own unit, below which it must be metres, or centimetres.
 _METRES, _CENTIMETRES = 1.0, 60.0
 _MOST_JOINTS = 10_000
+# A name of more words is none.
+_MOST_WORDS = 10
 
 
 class _Joint:
@@ -87,9 +89,10 @@ def _hierarchy(words: list[str]) -> list[_Joint]:
             raise ValueError(f"“{words[at]}” stands outside of every joint")
         match words[at]:
             case "ROOT" | "JOINT":
-                joints.append(_Joint(words[at + 1], stack[-1] if stack else -1))
+                name = _name(words[at + 1 :][:_MOST_WORDS])
+                joints.append(_Joint(" ".join(name), stack[-1] if stack else -1))
                 stack.append(len(joints) - 1)
-                at += 3
+                at += 2 + len(name)
             case "End":
                 joints.append(_Joint(joints[stack[-1]].name + END, stack[-1]))
                 stack.append(len(joints) - 1)
@@ -113,6 +116,15 @@ def _hierarchy(words: list[str]) -> list[_Joint]:
             raise ValueError(f"it has two joints called “{joint.name}”")
         seen.add(joint.name)
     return joints
+
+
+def _name(words: list[str]) -> list[str]:
+    """The words of a joint's name, up to the brace that follows it."""
+    if "{" in words[1:]:
+        return words[: words.index("{", 1)]
+    if len(words) < 2:
+        raise IndexError
+    raise ValueError(f"no {{ follows the joint “{words[0][:40]}”")
 
 
 def _offset(words: list[str], joint: _Joint) -> FloatArray:
