@@ -88,7 +88,7 @@ def test_networks_that_are_not_tried_are_named(shared_data, tmp_path, capsys):
     asked = ["bench", "pose", *clips, "--case", "clean, 30 Hz", "--networks"]
     assert main([*asked, str(tmp_path / "n.npz")]) == 0
     said = capsys.readouterr().err
-    assert "Not tried: all-both, without09-both; a network is tried on people" in said
+    assert "Not tried: all-both, without09-both; a network is tried only on people" in said
 
 
 def test_every_table_of_a_sensor_says_that_it_is_simulated():

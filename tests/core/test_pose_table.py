@@ -252,8 +252,9 @@ def test_why_nothing_is_learnt_from_a_recording_is_true(tmp_path, kinect, capsys
     (tmp_path / "other").mkdir()
     mm.write_pose(kinect, tmp_path / "other" / "k.csv")
     two = (tmp_path / "k.csv", tmp_path / "other" / "k.csv")
-    assert run("train", "prior", *two, "-o", tmp_path / "p.npz") == 1
-    assert "have one name" in capsys.readouterr().err
+    for words in (["train", "prior", *two, "-o", tmp_path / "p.npz"], ["bench", "pose", *two]):
+        assert run(*words) == 1
+        assert "have one name" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("rate", ["1e300", "1e-300", "1e6", "0.01", "nan"])

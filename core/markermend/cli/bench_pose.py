@@ -6,9 +6,9 @@ import argparse
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-import markermend as mm
 from markermend.cli.console import STDOUT, Bar, check_outputs, say, warn, write_text
 from markermend.cli.numbers import add_seed
+from markermend.cli.recordings import read_by_name
 from markermend.errors import MethodError
 
 SUMMARY = "damage clean skeleton recordings, restore people never seen, compare with the truth"
@@ -69,7 +69,7 @@ def run_pose(options: argparse.Namespace) -> int:
     _say_untried(networks, [Path(path).stem for path in options.poses])
     with Bar() as bar:
         rows = compare(
-            {Path(path).stem: mm.read_pose(path) for path in options.poses},
+            read_by_name(options.poses),
             cases=cases,
             networks=networks,
             seed=options.seed,
@@ -91,6 +91,6 @@ def _say_untried(names: Iterable[str], clips: Sequence[str]) -> None:
     seen = [name for name in names if not any(never_saw(name, clip) for clip in clips)]
     if seen:
         warn(
-            f"Not tried: {', '.join(seen)}; a network is tried on people or poses that it never"
-            " saw, which “train pose --leave-out” and “--fold” keep from it."
+            f"Not tried: {', '.join(seen)}; a network is tried only on people or poses that it"
+            " never saw; train it with “--leave-out” or “--fold”."
         )

@@ -7,9 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-import markermend as mm
 from markermend.cli.console import Bar, check_outputs, count, say, table
-from markermend.errors import DataError
+from markermend.cli.recordings import read_by_name
 from markermend.poses import Pose
 from markermend.poses.nuitrack import to_nuitrack
 
@@ -103,9 +102,4 @@ def run_networks(options: argparse.Namespace) -> int:
 def _read(options: argparse.Namespace) -> dict[str, Pose]:
     """Name to recording."""
     check_outputs([options.output], source=options.poses, force=options.force)
-    by_name: dict[str, str] = {}
-    for path in options.poses:
-        other = by_name.setdefault(Path(path).stem, path)
-        if other != path:
-            raise DataError(f"“{other}” and “{path}” have one name; give each recording its own.")
-    return {name: mm.read_pose(path) for name, path in by_name.items()}
+    return read_by_name(options.poses)
