@@ -223,6 +223,9 @@ def test_a_stream_that_is_closed_is_refused(monkeypatch, capsys):
 
 
 def test_a_closed_output_ends_nothing(monkeypatch, tmp_path):
+    # Once it is imported, a command hides Python's own “open” where commands are run.
+    import markermend.cli.open  # noqa: F401
+
     path = table(tmp_path)
     monkeypatch.setattr("sys.stdin", io.StringIO(path.read_text()))
     monkeypatch.setattr("sys.stdout", None)

@@ -28,7 +28,7 @@ _REDRAW_S = 0.1
 
 def output_is_closed() -> bool:
     """Whether there is no standard output, whose place :func:`markermend.cli.main` fills."""
-    return getattr(sys.stdout, "name", "") == os.devnull
+    return str(getattr(sys.stdout, "name", "")) == os.devnull
 
 
 def say(text: str = "") -> None:
