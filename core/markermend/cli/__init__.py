@@ -75,7 +75,7 @@ def _set_up(own: bool) -> None:
     for name in ("stdout", "stderr"):
         if getattr(sys, name) is None:
             # A command is called “open”, which hides Python's own here.
-            setattr(sys, name, Path(os.devnull).open("w", encoding="utf-8"))
+            setattr(sys, name, Path(os.devnull).open("w", encoding="utf-8"))  # noqa: SIM115
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="replace")
