@@ -44,6 +44,11 @@ ODDITIES = (
     "The file is cut short: it says that it has {0} frames, {1} are present.",
     "The file is cut short; the poses before its end were read.",
     "The file is cut short; its last pose was left out.",
+    "The file is cut short; its last row was left out.",
+    "{0} rows stand twice, line {1} for one; they were read once.",
+    "The times in the file grow too fast for seconds; milliseconds were assumed.",
+    "Frame numbers go from {0} to {1} in line {2}; poses were read one after the other.",
+    "No number stands before {0} poses, in line {1} for one; they were read all the same.",
     "The header counts {0} frames; {1} were read.",
 )
 """What is odd about a file, as far as operators meet it often."""
@@ -57,6 +62,14 @@ PROBLEMS = (
     "{0} is damaged: its frames would begin beyond its end, at byte {1} of {2}; look for another "
     "copy of it.",
     "{0} holds no frame: by its header it ends before it begins.",
+    '{0} is damaged: line {1} opens a quote (") that it does not close.',
+    "{0} is damaged: line {1} says “{2}” where {3} should be a number.",
+    "{0} is damaged: line {1} has {2} cells, the header {3}.",
+    "{0} is damaged: line {1} has {2} numbers for {3} channels.",
+    "{0} is damaged: lines {1} and {2} both tell of “{3}” in one frame, and differ.",
+    "{0} is damaged: “{1}” in line {2} is no frame number.",
+    "{0} would have {1} poses a second, which is no rate of a recording; {2} to {3} Hz can be "
+    "read.",
     "There is no file “{0}”; check its name and folder.",
     "There is no take at “{0}”; check its name and folder.",
     "“{0}” is a folder; name a file in it.",

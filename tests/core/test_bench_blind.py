@@ -173,6 +173,55 @@ def test_tally_refuses_what_does_not_fit(folders: Path, capsys: pytest.CaptureFi
         assert sentence in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(
+    ("row", "sentence"),
+    [
+        ("0,most natural,A", "no version A of movement 0"),
+        ("-1,most natural,A", "no version A of movement -1"),
+        ("3,most natural,A", "no version A of movement 3"),
+        ("1,most natural,D", "no version D of movement 1"),
+        ("1", "does not ask “”"),
+        ("1,least natural,A", "does not ask “least natural”"),
+        ("1,most natural,A\n{study},r,1,second most natural,A", "version A of movement 1 both"),
+    ],
+)
+def test_answers_that_nobody_could_give_are_refused(
+    folders: Path, capsys: pytest.CaptureFixture[str], row: str, sentence: str
+) -> None:
+    _, key = ask(folders)
+    path = folders / "answers.csv"
+    text = "study,rater,movement,question,answer\n{study},r," + row + "\n"
+    path.write_text(text.replace("{study}", key["study"]), "utf-8")
+    capsys.readouterr()
+    assert main(["bench", "blind", "--tally", str(folders / "key.json"), str(path)]) == 1
+    assert sentence in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "broken",
+    [
+        {"movements": 5},
+        {"movements": []},
+        {"movements": [5]},
+        {"movements": [{"A": "sensor"}]},
+        {"movements": [{"A": {"version": "nobody"}}]},
+        {"versions": []},
+        {"unseen": "x"},
+        {"unseen": ["x", 1]},
+        {"study": None},
+    ],
+)
+def test_a_damaged_key_is_said(
+    folders: Path, capsys: pytest.CaptureFixture[str], broken: dict[str, Any]
+) -> None:
+    _, key = ask(folders)
+    path = answers(folders, key, "1", "sensor", "networkone")
+    (folders / "key.json").write_text(json.dumps({**key, **broken}), "utf-8")
+    capsys.readouterr()
+    assert main(["bench", "blind", "--tally", str(folders / "key.json"), path]) == 1
+    assert "is no key that “bench blind” wrote" in capsys.readouterr().err
+
+
 def test_versions_that_do_not_match_give_one_sentence(
     folders: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

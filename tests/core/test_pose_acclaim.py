@@ -128,6 +128,9 @@ def test_radians_rate_and_scale(small):
     radians = mm.read_pose(small / "r.amc", skeleton=small / "a.asf")
     assert radians.rate == 60
     assert radians.warnings == ()
+    (small / "s.amc").write_text("\n".join([lines[0], ": Radians", *lines[2:]]))
+    spaced = mm.read_pose(small / "s.amc", skeleton=small / "a.asf")
+    assert_allclose(spaced.positions, radians.positions)
     assert degrees.rate == 120
     assert_allclose(radians.positions, degrees.positions, atol=1e-9)
     (small / "a.asf").write_text(ASF.replace("length 0.45", "length 0.9"))
@@ -288,3 +291,80 @@ def test_real_recordings(shared_data):
     foot = pose.positions[:, pose.index("lfoot"), 1]
     assert 1300 < (head - foot).max() < 1900
     assert mm.read_pose(folder / "02.asf").frames == 1
+
+
+def amc(small, text):
+    (small / "a_3.amc").write_text(text)
+    return small / "a_3.amc"
+
+
+@pytest.mark.parametrize("behind", ["/* two */", "start of punch"])
+def test_text_behind_the_number_of_a_pose_is_a_comment(small, behind):
+    text = AMC.replace("\n2\n", f"\n2 {behind}\n")
+    pose, plain = mm.read_pose(amc(small, text)), mm.read_pose(small / "a_1.amc")
+    assert_allclose(pose.positions, plain.positions)
+    assert pose.warnings == plain.warnings
+    mm.write_pose(pose, small / "out.amc")
+    assert (small / "out.amc").read_text() == text
+
+
+@pytest.mark.parametrize("gone", ["1", "2"])
+def test_a_pose_whose_number_is_missing_is_no_part_of_another(small, gone):
+    pose = mm.read_pose(amc(small, AMC.replace(f"\n{gone}\n", "\n")))
+    assert_allclose(pose.positions, mm.read_pose(small / "a_1.amc").positions)
+    assert "No number stands before 1 poses, in line" in pose.warnings[0]
+
+
+def test_numbers_of_poses_that_jump_are_said(small):
+    pose = mm.read_pose(amc(small, AMC.replace("\n2\n", "\n7\n")))
+    assert pose.frames == 2
+    assert pose.warnings[0] == (
+        "Frame numbers go from 1 to 7 in line 8; poses were read one after the other."
+    )
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("upper 40 50 60\n", "upper 40 50 60\nupper 1 2 3\n", "line 7 tells of upper a second"),
+        ("root 4 5 6", "root 1 1 1 1 1 1\nroot 4 5 6", "line 10 tells of root a second time"),
+        ("upper 40 50 60\n", "40 50 60\n", "line 6 has only numbers"),
+        (":DEGREES\n", ":DEGREES\n:SAMPLES-PER-SECOND 1e7\n", "a_3.amc would have 1e.07 poses"),
+    ],
+)
+def test_what_makes_no_poses_is_said(small, old, new, said):
+    with pytest.raises(FileFormatError, match=said):
+        mm.read_pose(amc(small, AMC.replace(old, new)))
+
+
+@pytest.mark.parametrize("wild", ["1e20", "1e200"])
+def test_what_no_body_does_counts_as_not_seen(small, wild):
+    pose = mm.read_pose(amc(small, AMC.replace("root 4 5", f"root {wild} 5")))
+    assert pose.seen.tolist() == [[True] * 4, [False] * 4]
+    assert "1 samples whose coordinates are no numbers, or farther" in pose.warnings[0]
+    pose = mm.read_pose(amc(small, AMC.replace("upper 1 2", f"upper {wild} 2")))
+    assert pose.seen.tolist() == [[True] * 4, [True, False, True, False]]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("length 0.45", "length inch", "line 5 should have a number of a body.*“inch”"),
+        ("length 0.45", "length nan", "line 5 should have a number of a body.*“nan”"),
+        ("length 0.45", "length 1e-200", "unit of length, 1e-200 in line 5, makes no body"),
+        ("direction 0 -2 0", "direction 1e308 1e308 0", "line 16 should have 3 numbers of a body"),
+        ("length 4", "length 1e300", "line 17 should have a number of a body"),
+    ],
+)
+def test_what_makes_no_skeleton_is_said(small, old, new, said):
+    (small / "a.asf").write_text(ASF.replace(old, new))
+    with pytest.raises(FileFormatError, match=said):
+        mm.read_pose(small / "a_1.amc")
+
+
+def test_a_skeleton_at_rest_comes_back(small):
+    rest = mm.read_pose(small / "a.asf")
+    mm.write_pose(rest, small / "a_4.amc")
+    back = mm.read_pose(small / "a_4.amc")
+    assert back.frames == 1
+    assert_allclose(back.positions, rest.positions)

@@ -131,7 +131,27 @@ def test_without_rotations_there_is_no_bvh(tmp_path):
         (("HIERARCHY", "HELLO"), "HIERARCHY"),
         (("Frame Time: 0.0333333", "Frame Time: 0"), "no time between frames"),
         (("Yrotation\n    End", "Wrotation\n    End"), "“Wrotation” is no channel"),
-        (("0 90 0\n", "0 x 0\n"), "could not convert"),
+        (("0 90 0\n", "0 x 0\n"), "“x” in line 20 is no finite number"),
+        (("Frame Time: 0.0333333", "Frame Time: soon"), "“soon” is no time between frames"),
+        (
+            ("Frame Time: 0.0333333", "Frame Time: 0.000001"),
+            "walk.bvh would have 1e\\+06 poses a sec",
+        ),
+        (("Frame Time: 0.0333333", "Frame Time: 1e300"), "walk.bvh would have 1e-300 poses"),
+        (("Frames: 2", "Frames: two"), "“two” is no number of frames"),
+        (("Frames: 2", "Frames: 1"), "more poses follow than the 1"),
+        (("CHANNELS 3", "CHANNELS all"), "“all” is no number of channels of “LeftLeg”"),
+        (
+            ("Zrotation Xrotation Yrotation\n    End", "Zrotation Zrotation Yrotation\n    End"),
+            "twice",
+        ),
+        (("}\nMOTION", "}\n}\nMOTION"), "“}” stands outside of every joint"),
+        (("ROOT Hips\n{", "OFFSET 0 0 0"), "“OFFSET” stands outside of every joint"),
+        (("JOINT LeftLeg", "JOINT Hips"), "two joints called “Hips”"),
+        (("OFFSET 10 0 0", "OFFSET nan 0 0"), "OFFSET of “LeftLeg” is “nan 0 0”"),
+        (("OFFSET 10 0 0", "OFFSET 1e308 0 0"), "OFFSET of “LeftLeg” is “1e308 0 0”"),
+        (("1 90 2 0 0 0 0 0 0\n", "1 90 2 0 0 0 0 0 0 0\n"), "line 19 has 10 numbers for 9"),
+        (("1 90 2 0 0 0 0 0 0\n", "1 90 2 0 0 0 0 0\n"), "line 19 has 8 numbers for 9"),
         (("JOINT LeftLeg", "BONE LeftLeg"), "“BONE” has no place"),
         ((TEXT[TEXT.index("MOTION") :], ""), "cut short"),
     ],
@@ -139,6 +159,51 @@ def test_without_rotations_there_is_no_bvh(tmp_path):
 def test_damaged_files_get_one_sentence(tmp_path, change, said):
     with pytest.raises(FileFormatError, match=said):
         mm.read_pose(written(tmp_path, TEXT.replace(*change)))
+
+
+def test_what_is_wrong_with_a_file_names_it(tmp_path):
+    with pytest.raises(FileFormatError, match=r"walk\.bvh is damaged: it has two"):
+        mm.read_pose(written(tmp_path, TEXT.replace("LeftLeg", "Hips")))
+
+
+def test_names_may_have_blanks(tmp_path):
+    pose = mm.read_pose(written(tmp_path, TEXT.replace("LeftLeg", "Bip01 L Leg")))
+    assert pose.joints == ("Hips", "Bip01 L Leg", "Bip01 L Leg_end")
+    with pytest.raises(FileFormatError, match=r"no \{ follows the joint “LeftLeg”"):
+        mm.read_pose(written(tmp_path, TEXT.replace("LeftLeg\n  {", "LeftLeg")))
+
+
+def test_poses_may_go_over_several_lines(tmp_path):
+    split = mm.read_pose(written(tmp_path, TEXT.replace("2 0 0 0", "2\n0 0 0")))
+    assert_allclose(split.positions[0], mm.read_pose(written(tmp_path, TEXT)).positions[0])
+    assert split.frames == 2
+
+
+def test_a_pose_no_body_can_have_counts_as_not_seen(tmp_path):
+    pose = mm.read_pose(written(tmp_path, TEXT.replace("1 90 2 0 0 0 0", "1e200 90 2 0 0 0 0")))
+    assert pose.seen.tolist() == [[False] * 3, [True] * 3]
+    assert "3 samples whose coordinates are no numbers" in pose.warnings[1]
+
+
+def test_a_rate_that_is_given_holds(tmp_path):
+    assert mm.read_pose(written(tmp_path, TEXT), rate=25.0).rate == 25.0
+    for rate in (1e300, 1e-300, 1e6, 0.0):
+        with pytest.raises(FileFormatError, match="no rate of a recording"):
+            mm.read_pose(written(tmp_path, TEXT), rate=rate)
+
+
+def test_joints_may_hang_deeper_than_python_calls(tmp_path):
+    depth = 3000
+    places = np.zeros((2, depth, 3))
+    places[..., 1] = 10.0 * np.arange(depth)
+    turns = np.tile([0.0, 0.0, 0.0, 1.0], (2, depth, 1))
+    names = tuple(f"j{n}" for n in range(depth))
+    pose = Pose(places, turns, names, tuple(range(-1, depth - 1)), 30.0)
+    mm.write_pose(pose, tmp_path / "deep.bvh")
+    back = mm.read_pose(tmp_path / "deep.bvh")
+    # An end is written where the last joint is.
+    assert back.joints == (*names, f"j{depth - 1}_end")
+    assert_allclose(back.positions[:, -1], places[:, -1] * 100, rtol=0.01)
 
 
 def test_a_file_cut_short_keeps_its_poses(tmp_path):

@@ -9,12 +9,12 @@ from numpy.testing import assert_allclose
 import markermend as mm
 from markermend.bench.poses import CASES, Row, compare
 from markermend.bench.poses_network import by_networks
-from markermend.bench.poses_paper import paper_tables
+from markermend.bench.poses_paper import TABLES, paper_tables
 from markermend.cli import main
 from markermend.cli.console import Bar
 from markermend.errors import Cancelled, DataError
 from markermend.poses.learning_sets import features_of, folds_of, learning_sets
-from markermend.poses.network import Network, load_networks
+from markermend.poses.network import Network, load_networks, save_networks
 from markermend.poses.noise import NOISES
 from markermend.poses.nuitrack import JOINTS
 from markermend.repairs.skurowski2021.recurrent import can_learn
@@ -68,6 +68,33 @@ def test_who_is_left_out_is_left_out_of_what_is_added_too():
     assert len(whole.seen) == 190
     with pytest.raises(DataError, match="two or more"):
         list(learning_sets({"a_1": CLIPS["a_1"]}, leave_out=True))
+
+
+def test_poses_held_out_are_held_out_of_what_is_added_too():
+    more = {name: clip[::4] + 1000.0 for name, clip in CLIPS.items()}
+    added = set()
+    for learnt in learning_sets(CLIPS, folds=tuple(range(1, 11)), added=more):
+        held = {pose + 1000.0 for pose in names(learnt.unseen)}
+        assert not names(learnt.seen) & held
+        added |= {pose for pose in names(learnt.seen) if pose >= 1000.0}
+        assert len(learnt.seen) > 95 - len(learnt.unseen)
+    assert added == set().union(*(names(part) for part in more.values()))
+
+
+def test_networks_that_are_not_tried_are_named(shared_data, tmp_path, capsys):
+    networks = {f"{group}-both": answering(0.0) for group in ("all", "without09", "without02")}
+    save_networks(networks, tmp_path / "n.npz")
+    clips = [str(shared_data / "poses" / f"{name}.amc") for name in ("02_03", "03_02")]
+    asked = ["bench", "pose", *clips, "--case", "clean, 30 Hz", "--networks"]
+    assert main([*asked, str(tmp_path / "n.npz")]) == 0
+    said = capsys.readouterr().err
+    assert "Not tried: all-both, without09-both; a network is tried only on people" in said
+
+
+def test_every_table_of_a_sensor_says_that_it_is_simulated():
+    titles = [table.title for table in TABLES if "sensor" in table.case]
+    assert len(titles) == 2
+    assert all("simulated" in title for title in titles)
 
 
 def test_each_pose_is_judged_by_networks_that_never_saw_it():

@@ -104,8 +104,15 @@ def test_training_learns_and_goes_on_where_it_stopped(tmp_path):
         )
     rest = train_network(features, NOISES["occlusions"], training=training, resume=state)
     assert_allclose(rest.weights[0], whole.weights[0], atol=1e-4)
-    with pytest.raises(MethodError, match=r"state\.keras is the state of a training"):
-        train_network(features, NOISES["occlusions"], training=Training(epochs=5), resume=state)
+    others = (
+        (features, NOISES["occlusions"], Training(epochs=5, batch=100), "both"),
+        (features, NOISES["occlusions"], Training(epochs=4, batch=100, seed=1), "both"),
+        (features, NOISES["both"], training, "both"),
+        (features + 0.1, NOISES["occlusions"], training, "both"),
+    )
+    for poses, noise, how, parts in others:
+        with pytest.raises(MethodError, match=r"state\.keras is the state of a training"):
+            train_network(poses, noise, parts=parts, training=how, resume=state)
 
 
 def test_without_the_extra_it_says_what_to_install(monkeypatch):

@@ -395,8 +395,8 @@ def test_csv_of_others(tmp_path):
         ("frame,joint,x,y,z\n0,a,1,2,3\n", "add a column “parent”"),
         ("frame,joint,parent,x,y,z\n0,a,b,1,2,3\n", "“b” is no joint"),
         ("frame,joint,parent,x,y,z\n0,a,,1,2,3\n9e9,a,,1,2,3\n", "frames go from"),
-        ("frame,joint,parent,x,y,z\n0,a\n1,a,,1,2,3\n", "row 2 has 2 cells"),
-        ("frame,joint,parent,x,y,z\nx,a,,1,2,3\n", "a frame is no number"),
+        ("frame,joint,parent,x,y,z\n0,a\n1,a,,1,2,3\n", "line 2 has 2 cells"),
+        ("frame,joint,parent,x,y,z\nx,a,,1,2,3\n", "“x” in line 2 is no frame number"),
     ],
 )
 def test_damaged_csv_gets_one_sentence(tmp_path, text, said):

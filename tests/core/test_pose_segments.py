@@ -107,3 +107,37 @@ def test_files_and_commands(clips, shared_data, tmp_path, capsys):
     mm.write_pose(to_nuitrack(clips["02_03"]), joints)
     assert main(["denoise", str(joints), "--cmu", "-o", str(out)]) == 0
     assert set(mm.read_pose(out).joints) == set(NAMES)
+
+
+def test_poses_that_are_not_whole_are_passed_over(clips):
+    pose = clips["02_03"]
+    turned = np.array(pose.rotations)
+    turned[10:60, pose.index("lhand")] = np.nan
+    some = learn_segments([pose.with_samples(pose.positions, turned)])
+    assert all(np.isfinite(getattr(some, name)).all() for name in ("place", "turned", "weights"))
+    assert np.abs(some.place - learn_segments([pose]).place).max() < 0.2
+    turned[:, pose.index("lhand")] = np.nan
+    none = pose.with_samples(pose.positions, turned)
+    with pytest.raises(DataError, match="take has no pose in which every segment was seen"):
+        learn_segments([none], names=["take"])
+    with pytest.raises(DataError, match="Recording 2 has no pose"):
+        learn_segments([pose, none])
+    tried = try_segments({"02_03": pose, "03_02": clips["03_02"], "02_01": clips["02_01"]})
+    assert all(np.isfinite(added.place_mm) for added in tried)
+
+
+def test_ends_without_rotation_are_turned_as_others(clips):
+    body = to_nuitrack(clips["03_02"])
+    without = np.array(body.rotations)
+    ends = [body.index("head"), body.index("left_wrist")]
+    without[:, ends] = np.nan
+    whole, true = to_cmu(body.with_samples(body.positions, without)), clips["03_02"]
+    assert whole.seen.all()
+    assert not np.isnan(whole.rotations).any()
+    for name, most in (("head", 40.0), ("lhand", 60.0)):
+        ours, theirs = whole.rotations[:, whole.index(name)], true.rotations[:, true.index(name)]
+        alike = np.abs(np.sum(ours * theirs, axis=1))
+        assert np.degrees(2 * np.arccos(np.minimum(alike, 1.0))).mean() < most
+    without[:, body.index("left_elbow")] = np.nan
+    with pytest.raises(DataError, match="never tells of left_elbow"):
+        to_cmu(body.with_samples(body.positions, without))

@@ -109,6 +109,22 @@ def blind_page(movements: Sequence[Sequence[Version]], *, seed: int) -> tuple[st
     return template.replace(_PLACE, json.dumps(content)), key
 
 
+def is_key(key: dict[str, Any]) -> bool:
+    """Whether a document is the key of :func:`blind_page`, whole."""
+    study, names, movements = (key.get(part) for part in ("study", "versions", "movements"))
+    unseen = key.get("unseen", [])
+    if not (isinstance(study, str) and isinstance(names, list) and names):
+        return False
+    if not (isinstance(movements, list) and movements and isinstance(unseen, list)):
+        return False
+    return all(isinstance(count, int | float) for count in unseen) and all(
+        isinstance(hidden, dict)
+        and hidden
+        and all(isinstance(v, dict) and v.get("version") in names for v in hidden.values())
+        for hidden in movements
+    )
+
+
 def tally(key: dict[str, Any], answers: Sequence[str]) -> Votes:
     """Count the votes.
 
@@ -120,36 +136,43 @@ def tally(key: dict[str, Any], answers: Sequence[str]) -> Votes:
     Raises
     ------
     DataError
-        when answers belong to another page, are no answers, or somebody answers twice
+        when answers belong to another page, are no answers, or somebody answers twice or gives
+        one version both places
     """
     votes: Counter[tuple[str, str]] = Counter()
     scaled: Counter[tuple[str, int]] = Counter()
     scale = _scales(key)
-    given: set[tuple[str, str, str]] = set()
+    given: dict[tuple[str, str], dict[str, str]] = {}
     for text in answers:
         rows = csv.DictReader(io.StringIO(text.removeprefix("\ufeff")))
         if tuple(rows.fieldnames or ()) != COLUMNS:
             raise DataError(f"Answers begin with the line {','.join(COLUMNS)}; these do not.")
         for row in rows:
-            if row["study"] != key["study"]:
+            study, rater, movement, question, answer = (row[name] or "" for name in COLUMNS)
+            if study != key["study"]:
                 raise DataError("The answers belong to another page; use the key written with it.")
-            who = (row["rater"], row["movement"], row["question"])
-            if who in given:
-                raise DataError(f"“{row['rater']}” answers twice; leave one of the files out.")
-            given.add(who)
-            try:
-                number = int(row["movement"]) - 1
-                hidden = key["movements"][number][row["answer"]]
-            except (ValueError, IndexError, KeyError):
+            if question not in QUESTIONS:
+                raise DataError(f"The page does not ask “{question}”, which “{rater}” answers.")
+            number = int(movement) - 1 if movement.isdecimal() else -1
+            there = key["movements"][number] if 0 <= number < len(key["movements"]) else {}
+            if answer not in there:
+                raise DataError(f"The page has no version {answer} of movement {movement}.")
+            before = given.setdefault((rater, str(number)), {})
+            if question in before:
+                raise DataError(f"“{rater}” answers twice; leave one of the files out.")
+            if answer in before.values():
                 raise DataError(
-                    f"The page has no version {row['answer']} of movement {row['movement']}."
-                ) from None
-            votes[hidden["version"], row["question"]] += 1
-            if scale and row["question"] == QUESTIONS[0]:
-                scaled[hidden["version"], scale[number]] += 1
+                    f"“{rater}” gives version {answer} of movement {movement} both places; the page"
+                    " lets nobody do that, so leave this file out."
+                )
+            before[question] = answer
+            version = there[answer]["version"]
+            votes[version, question] += 1
+            if scale and question == QUESTIONS[0]:
+                scaled[version, scale[number]] += 1
     names = key["versions"]
     return Votes(
-        len({rater for rater, _, _ in given}),
+        len({rater for rater, _ in given}),
         {name: [votes[name, question] for question in QUESTIONS] for name in names},
         {name: [scaled[name, n] for n in range(SCALES)] for name in names} if scale else {},
     )

@@ -11,7 +11,7 @@ from scipy.interpolate import PchipInterpolator
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.bench.poses_network import ALL, Tried, by_networks, error_of
 from markermend.errors import DataError
-from markermend.poses.learning_sets import fold_in, subject_of
+from markermend.poses.learning_sets import never_saw, subject_of
 from markermend.poses.live import Live
 from markermend.poses.network import Network, smoothed
 from markermend.poses.noise import NOISES, Noise, corrupt
@@ -135,8 +135,7 @@ def compare(
         mine = {
             trained: network
             for trained, network in (networks or {}).items()
-            if trained.startswith(f"without{subject_of(name)}-")
-            or fold_in(trained.partition("-")[0])
+            if never_saw(trained, name)
         }
         for case in cases:
             (progress or quiet)(done / steps, f"{name}: {case.name}")

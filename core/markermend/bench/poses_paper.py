@@ -71,7 +71,7 @@ TABLES = (
         },
     ),
     Table(
-        "Table 5, a depth sensor, filtered",
+        "Table 5, filtered, a depth sensor (published: Kinect; here: simulated, in bursts)",
         _SENSOR,
         True,
         {

@@ -47,7 +47,8 @@ def try_segments(clips: Mapping[str, Pose]) -> list[Added]:
         return []
     away, angle = [], []
     for subject in subjects:
-        learnt = learn_segments([p for name, p in clips.items() if subject_of(name) != subject])
+        others = {name: p for name, p in clips.items() if subject_of(name) != subject}
+        learnt = learn_segments(list(others.values()), names=list(others))
         for name, pose in clips.items():
             if subject_of(name) == subject:
                 back = to_cmu(to_nuitrack(pose), learnt)
@@ -57,5 +58,6 @@ def try_segments(clips: Mapping[str, Pose]) -> list[Added]:
                 away.append(np.sqrt(np.sum(off**2, axis=2)))
                 alike = np.sum(back.rotations[:, ours] * pose.rotations[:, true], axis=2)
                 angle.append(np.degrees(2.0 * np.arccos(np.minimum(np.abs(alike), 1.0))))
-    place, turned = np.concatenate(away).mean(axis=0), np.concatenate(angle).mean(axis=0)
+    # Of poses in which something was not seen nothing is known.
+    place, turned = (np.nanmean(np.concatenate(part), axis=0) for part in (away, angle))
     return [Added(*row) for row in zip(CARRIERS, place.tolist(), turned.tolist(), strict=True)]

@@ -71,6 +71,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _set_up(own: bool) -> None:
     """Let no character end the output, and a process of its own keep its memory."""
+    # Closed streams are None; what is said there is said to nobody.
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:
+            # A command is called “open”, which hides Python's own here.
+            setattr(sys, name, Path(os.devnull).open("w", encoding="utf-8"))  # noqa: SIM115
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="replace")

@@ -102,11 +102,11 @@ def _movements(given: list[str]) -> list[list[Path]]:
 
 def _tally(options: argparse.Namespace) -> int:
     """Show the votes."""
-    from markermend.bench.blind import QUESTIONS, tally
+    from markermend.bench.blind import QUESTIONS, is_key, tally
     from markermend.bench.scales import SCALES
 
     key: dict[str, Any] = read_json(options.tally)
-    if not {"study", "versions", "movements"} <= set(key):
+    if not is_key(key):
         raise DataError(f"“{options.tally}” is no key that “bench blind” wrote.")
     try:
         texts = [Path(path).read_text(encoding="utf-8") for path in options.versions]

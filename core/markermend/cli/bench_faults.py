@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 
-import markermend as mm
 from markermend.cli.console import STDOUT, Bar, check_outputs, say, write_text
 from markermend.cli.numbers import add_seed
+from markermend.cli.recordings import read_by_name
 
 SUMMARY = "break clean skeleton recordings without a word, find what is wrong, restore"
 
@@ -30,7 +29,7 @@ def run_faults(options: argparse.Namespace) -> int:
     from markermend.bench.faults import faults_csv, faults_table, find_faults
 
     check_outputs([options.csv], source=options.poses, force=options.force)
-    poses = {Path(path).stem: mm.read_pose(path) for path in options.poses}
+    poses = read_by_name(options.poses)
     with Bar() as bar:
         rows = find_faults(poses, seed=options.seed, progress=bar)
     if options.csv is not None:

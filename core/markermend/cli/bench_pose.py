@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-import markermend as mm
-from markermend.cli.console import STDOUT, Bar, check_outputs, say, write_text
+from markermend.cli.console import STDOUT, Bar, check_outputs, say, warn, write_text
 from markermend.cli.numbers import add_seed
+from markermend.cli.recordings import read_by_name
 from markermend.errors import MethodError
 
 SUMMARY = "damage clean skeleton recordings, restore people never seen, compare with the truth"
@@ -65,9 +66,10 @@ def run_pose(options: argparse.Namespace) -> int:
     networks: dict[str, Network] = {}
     for path in options.networks:
         networks |= load_networks(Path(path))
+    _say_untried(networks, [Path(path).stem for path in options.poses])
     with Bar() as bar:
         rows = compare(
-            {Path(path).stem: mm.read_pose(path) for path in options.poses},
+            read_by_name(options.poses),
             cases=cases,
             networks=networks,
             seed=options.seed,
@@ -80,3 +82,15 @@ def run_pose(options: argparse.Namespace) -> int:
         for line in [*poses_table(rows), *hidden, *(paper_tables(rows) if networks else [])]:
             say(line)
     return 0
+
+
+def _say_untried(names: Iterable[str], clips: Sequence[str]) -> None:
+    """Say which networks have seen whoever is shown, and are not tried."""
+    from markermend.poses.learning_sets import never_saw
+
+    seen = [name for name in names if not any(never_saw(name, clip) for clip in clips)]
+    if seen:
+        warn(
+            f"Not tried: {', '.join(seen)}; a network is tried only on people or poses that it"
+            " never saw; train it with “--leave-out” or “--fold”."
+        )

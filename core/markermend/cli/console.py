@@ -26,6 +26,11 @@ _BAR_WIDTH = 24
 _REDRAW_S = 0.1
 
 
+def output_is_closed() -> bool:
+    """Whether there is no standard output, whose place :func:`markermend.cli.main` fills."""
+    return str(getattr(sys.stdout, "name", "")) == os.devnull
+
+
 def say(text: str = "") -> None:
     """Write a line to standard output."""
     sys.stdout.write(printable(text) + "\n")
@@ -122,6 +127,8 @@ def check_outputs(
     """
     if sum(path == STDOUT for path in paths) > 1:
         raise ExportError("Only one result can go to standard output.")
+    if "" in paths:
+        raise ExportError("“” is no name of a file to write; give it one.")
     seen: set[Path] = set()
     for path in (Path(p) for p in paths if p is not None and p != STDOUT):
         where = path.resolve()
@@ -208,8 +215,6 @@ def check_take_output(path: str, *, source: str = "") -> None:
 
 def written(export: Export) -> list[str]:
     """Say where a take went, how much of it changed, and what no longer fits it."""
-    from markermend.files import TOLD_MM
-
     how_much = count(export.samples, "new sample") if export.samples else "no sample changed"
     lines = [f"Written: {export.path}, {how_much}."]
     if export.outputs:
@@ -218,10 +223,16 @@ def written(export: Export) -> list[str]:
             f"{count(len(export.outputs), 'model output')} in the file ({names}) may no longer "
             "match the repaired markers; compute them anew."
         )
-    if export.off_mm >= TOLD_MM:
-        off = f"up to {export.off_mm:.1f} mm from where the repair has it"
-        lines.append(f"Its bones are rigid: a joint is {off}.")
-    return lines
+    return [*lines, *off_by_rigid_bones(export.off_mm)]
+
+
+def off_by_rigid_bones(off_mm: float) -> list[str]:
+    """Say how far off a joint is in an AMC; nothing where none is."""
+    from markermend.files import TOLD_MM
+
+    if off_mm < TOLD_MM:
+        return []
+    return [f"Its bones are rigid: a joint is up to {off_mm:.1f} mm from where the repair has it."]
 
 
 def chosen_frames(take: Take, options: argparse.Namespace) -> tuple[int, int] | None:
@@ -247,6 +258,8 @@ def chosen_frames(take: Take, options: argparse.Namespace) -> tuple[int, int] | 
 def write_text(path: str, text: str) -> None:
     """Write a text file whole or not at all; ``"-"`` is standard output."""
     if path == STDOUT:
+        if output_is_closed():
+            raise ExportError("Standard output is closed, so “-” writes nothing; name a file.")
         if hasattr(sys.stdout, "reconfigure"):
             sys.stdout.reconfigure(encoding="utf-8")
         sys.stdout.write(printable(text))

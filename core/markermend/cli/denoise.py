@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import io
 import sys
 from collections import Counter
 from pathlib import Path
@@ -10,7 +11,17 @@ from pathlib import Path
 import numpy as np
 
 import markermend as mm
-from markermend.cli.console import STDOUT, Bar, check_outputs, count, say, table, warn
+from markermend.cli.console import (
+    STDOUT,
+    Bar,
+    check_outputs,
+    count,
+    off_by_rigid_bones,
+    output_is_closed,
+    say,
+    table,
+    warn,
+)
 from markermend.errors import ExportError, MethodError
 from markermend.poses import Pose
 from markermend.poses.restore import Restored
@@ -19,7 +30,7 @@ from markermend.poses.restore import Restored
 def run(options: argparse.Namespace) -> int:
     """Restore one recording."""
     from markermend.files.pose import WRITABLE
-    from markermend.poses.prior import load_prior, shipped_prior
+    from markermend.poses.prior import NOT_FITTING, fitting, load_prior, shipped_prior
     from markermend.poses.restore import restore
 
     if STDOUT in (options.pose, options.output):
@@ -29,6 +40,7 @@ def run(options: argparse.Namespace) -> int:
         raise ExportError(
             f"“{options.output}” should end in {', '.join(WRITABLE)}, to tell what to write."
         )
+    _check_amc(options)
     if options.network is not None:
         _refuse(options, ("prior", "list"), "what a network does")
     if options.skeleton is not None and Path(options.pose).suffix.lower() != ".amc":
@@ -39,9 +51,11 @@ def run(options: argparse.Namespace) -> int:
     if options.network is not None:
         return _by_network(pose, options)
     prior = shipped_prior() if options.prior is None else load_prior(Path(options.prior))
+    if options.prior is not None and fitting(pose, prior) is None:
+        warn(f"{Path(options.prior).name}: {NOT_FITTING}")
     with Bar() as bar:
         restored = restore(pose, prior=prior, progress=bar)
-    mm.write_pose(_as_asked(restored.pose, options), options.output)
+    off_mm = mm.write_pose(_as_asked(restored.pose, options), options.output)
     for line in _listing(restored) if options.list else ():
         say(line)
     kinds = Counter(fault.kind for fault in restored.faults)
@@ -57,6 +71,8 @@ def run(options: argparse.Namespace) -> int:
     if never:
         warn(f"Never seen, and left so: {', '.join(never)}.")
     say(f"Written: {options.output}, {count(pose.frames, 'pose')}.")
+    for line in off_by_rigid_bones(off_mm):
+        say(line)
     return 0
 
 
@@ -65,6 +81,23 @@ def _as_asked(pose: Pose, options: argparse.Namespace) -> Pose:
     from markermend.poses.segments import to_cmu
 
     return to_cmu(pose) if options.cmu else pose
+
+
+def _check_amc(options: argparse.Namespace) -> None:
+    """Refuse, before any work is done, an AMC that there would be no skeleton for."""
+    if Path(options.output).suffix.lower() != ".amc":
+        return
+    if Path(options.pose).suffix.lower() not in (".amc", ".asf"):
+        raise ExportError(
+            f"“{options.output}” needs a skeleton (ASF), which only a recording read from an AMC"
+            " has; write a CSV or BVH."
+        )
+    for name, makes in (("cmu", "31 segments"), ("network", "17 joints")):
+        if getattr(options, name):
+            raise ExportError(
+                f"--{name} makes {makes} that the skeleton (ASF) of the recording does not hold, so"
+                f" “{options.output}” cannot be an AMC; write a CSV or BVH."
+            )
 
 
 def _refuse(options: argparse.Namespace, names: tuple[str, ...], beside: str) -> None:
@@ -100,12 +133,25 @@ def _follow(options: argparse.Namespace) -> int:
     _refuse(options, ("network", "cmu", "list", "skeleton"), "a stream")
     prior = shipped_prior() if options.prior is None else load_prior(Path(options.prior))
 
+    if sys.stdin is None or output_is_closed():
+        raise ExportError(
+            "A stream needs a standard input and output that are open; connect both, or name files."
+        )
+    for stream in (sys.stdin, sys.stdout):
+        # What is no UTF-8 goes out as it came in.
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(encoding="utf-8", errors="surrogateescape")
+    if isinstance(sys.stdin, io.TextIOWrapper):
+        # Any ending of lines.
+        sys.stdin.reconfigure(newline=None)
+
     def write(text: str) -> None:
         sys.stdout.write(text)
         sys.stdout.flush()
 
     # Line by line: iterating over the stream itself would wait for a full buffer.
-    follow(iter(sys.stdin.readline, ""), write, rate=options.rate or 30.0, prior=prior)
+    lines = iter(sys.stdin.readline, "")
+    follow(lines, write, rate=options.rate or 30.0, prior=prior, warn=warn)
     return 0
 
 

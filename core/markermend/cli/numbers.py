@@ -7,6 +7,8 @@ import math
 import re
 from typing import Any
 
+from markermend.rates import LEAST_HZ, MOST_HZ
+
 
 class _Interval(argparse.Action):
     """The first and the last of something, in this order."""
@@ -70,6 +72,16 @@ def positive(text: str) -> float:
     value = number(text)
     if value <= 0.0:
         raise argparse.ArgumentTypeError(f"“{text}” is not above 0")
+    return value
+
+
+def hertz(text: str) -> float:
+    """Read a rate that something is recorded at."""
+    value = number(text)
+    if not LEAST_HZ <= value <= MOST_HZ:
+        raise argparse.ArgumentTypeError(
+            f"“{text}” is no rate of a recording; give {LEAST_HZ:g} to {MOST_HZ:,.0f} Hz"
+        )
     return value
 
 

@@ -6,7 +6,7 @@ import argparse
 
 import markermend
 from markermend.cli.detection import add_detection
-from markermend.cli.numbers import Span, add_frames, add_jobs, add_seed, positive, share
+from markermend.cli.numbers import Span, add_frames, add_jobs, add_seed, hertz, positive, share
 from markermend.cli.smooth_parser import SUMMARY as SMOOTH
 from markermend.cli.smooth_parser import add_smoothing
 
@@ -211,7 +211,10 @@ def _add_denoise(p: argparse.ArgumentParser) -> None:
         help="file to write: .csv, .bvh, .amc or “-”",
     )
     p.add_argument(
-        "--rate", metavar="HZ", type=positive, help="poses per second, where the file is silent"
+        "--rate",
+        metavar="HZ",
+        type=hertz,
+        help="poses per second, instead of what the file says; of a stream (default: 30)",
     )
     p.add_argument("--skeleton", metavar="ASF", help="skeleton of an AMC that is not beside it")
     p.add_argument(
@@ -305,7 +308,7 @@ def _add_methods(p: argparse.ArgumentParser) -> None:
 def _add_simulate(p: argparse.ArgumentParser) -> None:
     _output(p)
     p.add_argument("--duration", metavar="S", type=positive, default=40.0, help="seconds")
-    p.add_argument("--rate", metavar="HZ", type=positive, default=100.0, help="frames per second")
+    p.add_argument("--rate", metavar="HZ", type=hertz, default=100.0, help="frames per second")
     p.add_argument(
         "--height", metavar="M", type=positive, default=1.75, help="the performer's, in metres"
     )

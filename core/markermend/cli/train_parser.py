@@ -112,7 +112,8 @@ def _add_pose(p: argparse.ArgumentParser) -> None:
     p.add_argument(
         "--sensor",
         action="store_true",
-        help="learn also from what the simulated depth sensor of “bench pose” sees, clean",
+        help="learn also from every pose that the simulated depth sensor of “bench pose” sees,"
+        " clean (the paper adds “some poses” of its sensor, and does not say how many)",
     )
     p.add_argument("--epochs", metavar="N", type=from_one, default=100, help="default: 100")
     p.add_argument(

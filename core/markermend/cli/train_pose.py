@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-import markermend as mm
 from markermend.cli.console import Bar, check_outputs, count, say, table
+from markermend.cli.recordings import read_by_name
 from markermend.poses import Pose
 from markermend.poses.nuitrack import to_nuitrack
 
@@ -19,7 +19,7 @@ def run_prior(options: argparse.Namespace) -> int:
 
     poses = _read(options)
     with Bar() as bar:
-        prior = learn_prior(list(poses.values()), progress=bar)
+        prior = learn_prior(list(poses.values()), names=list(poses), progress=bar)
     save_prior(prior, Path(options.output))
     frames = sum(pose.frames for pose in poses.values())
     say(f"Learnt from {count(frames, 'pose')} in {count(len(poses), 'recording')}.")
@@ -34,7 +34,8 @@ def run_segments(options: argparse.Namespace) -> int:
 
     poses = _read(options)
     with Bar() as bar:
-        save_segments(learn_segments(list(poses.values()), progress=bar), Path(options.output))
+        learnt = learn_segments(list(poses.values()), names=list(poses), progress=bar)
+        save_segments(learnt, Path(options.output))
     tried = [[a.name, f"{a.place_mm:.1f}", f"{a.turned_deg:.1f}"] for a in try_segments(poses)]
     for line in (
         table(["Of people left out", "End, mm", "Rotation, °"], tried, "lrr") if tried else ()
@@ -101,4 +102,4 @@ def run_networks(options: argparse.Namespace) -> int:
 def _read(options: argparse.Namespace) -> dict[str, Pose]:
     """Name to recording."""
     check_outputs([options.output], source=options.poses, force=options.force)
-    return {Path(path).stem: mm.read_pose(path) for path in options.poses}
+    return read_by_name(options.poses)

@@ -13,7 +13,7 @@ import numpy as np
 
 from markermend.arrays import IntArray
 from markermend.errors import ExportError, FileFormatError
-from markermend.files.opening import not_opened
+from markermend.files.opening import named, not_opened
 from markermend.progress import Progress, quiet
 from markermend.take import Origin, Take
 
@@ -64,9 +64,7 @@ def read(path: str | PathLike[str], *, progress: Progress | None = None) -> Take
     FileFormatError
         when the file cannot be opened, is damaged beyond reading, or of an unknown kind
     """
-    where = Path(path)
-    if "\0" in str(where):
-        raise FileFormatError("A name with a zero byte in it is no file's.")
+    where = named(path)
     try:
         return _reader(where)(where, progress=progress)
     except OSError as error:

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import IO
 
 import numpy as np
 
-from markermend.arrays import FloatArray
+from markermend.arrays import FloatArray, IntArray
 from markermend.errors import FileFormatError
-from markermend.files.amc_patch import patched
+from markermend.files.amc_patch import patched, starts_pose, tells_degrees
 from markermend.files.asf import words_of
+from markermend.files.plausible import FARTHEST, read_as_missing
 from markermend.files.text import read_lines
 from markermend.poses.skeleton import TURNS, Movement, Skeleton
 from markermend.progress import Progress
+from markermend.rates import rate_of
 
 _POSES_A_REPORT = 1024
 
@@ -57,7 +60,7 @@ def read_amc(path: Path, skeleton: Skeleton) -> tuple[Movement, float | None, li
     FileFormatError
         when the file is damaged: not enough numbers for a segment, or no pose at all
     """
-    degrees, rate, body = _head(path, skeleton.degrees)
+    degrees, rate, body = _head(path, skeleton)
     if not body:
         raise FileFormatError(f"{path.name} is cut short: no pose follows its header.")
     alike = _read_alike(body, skeleton)
@@ -70,39 +73,46 @@ def read_amc(path: Path, skeleton: Skeleton) -> tuple[Movement, float | None, li
         for name, values in channels.items():
             turns = [i for i, dof in enumerate(dofs[name]) if dof in TURNS]
             values[:, turns] = np.degrees(values[:, turns])
+    warnings += read_as_missing(_leave_out_wild(channels, skeleton))
     left_out = [s.name for s in skeleton.segments if s.dofs and s.name not in channels]
     if left_out:
         warnings.append(f"Segments without movement, left as at rest: {', '.join(left_out)}.")
     return Movement(skeleton, channels, frames, path), rate, warnings
 
 
-def _head(path: Path, degrees: bool) -> tuple[bool, float | None, list[str]]:
+def _head(path: Path, skeleton: Skeleton) -> tuple[bool, float | None, list[str]]:
     """Unit of angles, rate, and the lines from the first pose on."""
     lines = read_lines(path)
-    rate = None
+    rate, degrees = None, skeleton.degrees
     for i, line in enumerate(lines):
-        word = line.strip().upper()
-        if word.startswith(":RADIANS"):
-            degrees = False
-        elif word.startswith(":DEGREES"):
-            degrees = True
+        word, told = line.strip().upper(), tells_degrees(line)
+        if told is not None:
+            degrees = told
         elif word.startswith(":SAMPLES-PER-SECOND"):
-            rate = _positive(word.split()[-1])
-        elif word.isdigit():
+            rate = _rate(word.split()[-1], path.name)
+        elif _begins(line.split()[:1], skeleton):
             return degrees, rate, lines[i:]
     return degrees, rate, []
 
 
-def _positive(word: str) -> float | None:
+def _begins(words: list[str], skeleton: Skeleton) -> bool:
+    """Whether poses begin in a line that begins so: by a number or, where that lacks, a segment."""
+    return bool(words) and (words[0].isdigit() or words[0] in skeleton.names)
+
+
+def _rate(word: str, name: str) -> float | None:
+    """Poses per second; None where there is no number above 0."""
     try:
         value = float(word)
     except ValueError:
         return None
-    return value if 0 < value < 1e6 else None
+    return rate_of(value, name) if value > 0 else None
 
 
 def _read_alike(body: list[str], skeleton: Skeleton) -> dict[str, FloatArray] | None:
     """Read poses that all have the same lines, at once; None where they do not, or look odd."""
+    if not body[0].strip().isdigit():
+        return None
     first = next((i for i, line in enumerate(body[1:], 1) if line.strip().isdigit()), len(body))
     words = [line.split() for line in body[1:first]]
     dofs = {segment.name: segment.dofs for segment in skeleton.segments}
@@ -115,6 +125,8 @@ def _read_alike(body: list[str], skeleton: Skeleton) -> dict[str, FloatArray] | 
     if len(flat) % width:
         return None
     table = np.array(flat, dtype=object).reshape(-1, width)
+    if not all(cell.isdigit() for cell in table[:, 0]) or len(_jumps(table[:, 0].tolist())):
+        return None
     place, channels = 1, dict[str, FloatArray]()
     for name, *values in words:
         if (table[:, place] != name).any():
@@ -133,28 +145,16 @@ def _read_alike(body: list[str], skeleton: Skeleton) -> dict[str, FloatArray] | 
 def _read_lines(path: Path, skeleton: Skeleton) -> tuple[dict[str, FloatArray], int, list[str]]:
     """Read line by line what may lack segments, hold comments, or be damaged."""
     dofs = {segment.name: segment.dofs for segment in skeleton.segments}
-    poses: list[dict[str, list[float]]] = []
-    unknown: dict[str, None] = {}
     lines = [(n, w) for n, w in words_of(path) if not w[0].startswith(":")]
-    whole = True
-    for number, (name, *cells) in lines:
-        if name.isdigit() and not cells:
-            poses.append({})
-        elif name not in dofs:
-            unknown[name] = None
-        elif poses:
-            values = _finite(cells)
-            whole = len(values) == len(dofs[name])
-            if not whole and number != lines[-1][0]:
-                raise FileFormatError(
-                    f"{path.name} is damaged: line {number} should give {name} {len(dofs[name])}"
-                    f" numbers, but reads “{' '.join(cells)[:40]}”."
-                )
-            poses[-1][name] = values
-    warnings = []
-    if unknown:
-        warnings.append(f"Segments the skeleton does not have were left out: {', '.join(unknown)}.")
-    if not whole or (len(poses) > 1 and len(poses[-1]) < len(poses[-2])):
+    poses, starts, warnings = _poses_of(path.name, lines, dofs)
+    jumps = _jumps([start for start, _ in starts])
+    if len(jumps):
+        before, (after, number) = starts[jumps[0]][0], starts[jumps[0] + 1]
+        warnings.append(
+            f"Frame numbers go from {before} to {after} in line {number}; poses were read one after"
+            " the other."
+        )
+    if len(poses) > 1 and len(poses[-1]) < len(poses[-2]):
         poses.pop()
         warnings.append("The file is cut short; its last pose was left out.")
     if not any(poses):
@@ -165,6 +165,79 @@ def _read_lines(path: Path, skeleton: Skeleton) -> tuple[dict[str, FloatArray], 
             blank = [np.nan] * len(dofs[name])
             channels[name] = np.array([pose.get(name, blank) for pose in poses])
     return channels, len(poses), warnings
+
+
+def _poses_of(
+    file: str, lines: list[tuple[int, list[str]]], dofs: Mapping[str, tuple[str, ...]]
+) -> tuple[list[dict[str, list[float]]], list[tuple[str, int]], list[str]]:
+    """Values of each pose by segment, its number with its line, and a sentence for each oddity."""
+    poses: list[dict[str, list[float]]] = []
+    starts: list[tuple[str, int]] = []
+    unknown: dict[str, None] = {}
+    unnumbered: list[int] = []
+    for number, (name, *cells) in lines:
+        if starts_pose(name, dofs):
+            if cells and len(_finite(cells)) == len(cells):
+                raise FileFormatError(
+                    f"{file} is damaged: line {number} has only numbers; it should begin with the"
+                    " name of a segment, or be the number of a pose."
+                )
+            poses.append({})
+            starts.append((name, number))
+        elif name not in dofs:
+            unknown[name] = None
+        else:
+            if not poses:
+                after = next((int(w[0]) for _, w in lines if starts_pose(w[0], dofs)), 2)
+                poses.append({})
+                unnumbered.append(number)
+                starts.append((str(after - 1), number))
+            values = _finite(cells)
+            if len(values) != len(dofs[name]):
+                if number == lines[-1][0]:
+                    poses[-1].clear()
+                    break
+                raise FileFormatError(
+                    f"{file} is damaged: line {number} should give {name} {len(dofs[name])}"
+                    f" numbers, but reads “{' '.join(cells)[:40]}”."
+                )
+            if name in poses[-1]:
+                whole = 1 < len(poses[-1]) == len(poses[0])
+                if not whole or name != next(iter(poses[-1])):
+                    raise FileFormatError(
+                        f"{file} is damaged: line {number} tells of {name} a second time in one"
+                        " pose."
+                    )
+                poses.append({})
+                unnumbered.append(number)
+                starts.append((str(int(starts[-1][0]) + 1), number))
+            poses[-1][name] = values
+    warnings = []
+    if unknown:
+        warnings.append(f"Segments the skeleton does not have were left out: {', '.join(unknown)}.")
+    if unnumbered:
+        warnings.append(
+            f"No number stands before {len(unnumbered)} poses, in line {unnumbered[0]} for one;"
+            " they were read all the same."
+        )
+    return poses, starts, warnings
+
+
+def _jumps(numbers: list[str]) -> IntArray:
+    """Which numbers of poses another follows than the next."""
+    return np.flatnonzero(np.diff(np.array([float(number) for number in numbers])) != 1)
+
+
+def _leave_out_wild(channels: dict[str, FloatArray], skeleton: Skeleton) -> int:
+    """Make NaN, in place, what is no movement of a body; how many segments in poses that were."""
+    count = 0
+    for segment in skeleton.segments:
+        if segment.name in channels:
+            scales = [1.0 if dof in TURNS else skeleton.scale_mm for dof in segment.dofs]
+            wild = (np.abs(channels[segment.name]) * scales > FARTHEST).any(axis=1)
+            channels[segment.name][wild] = np.nan
+            count += int(wild.sum())
+    return count
 
 
 def _finite(cells: list[str]) -> list[float]:
@@ -189,14 +262,20 @@ def write_amc(movement: Movement, file: IO[bytes], progress: Progress) -> None:
     if content is not None:
         file.write(content)
         return
+    channels = movement.channels or _at_rest(movement)
     file.write(b":FULLY-SPECIFIED\n:DEGREES\n")
-    names = [s.name for s in movement.skeleton.segments if s.name in movement.channels and s.dofs]
+    names = [s.name for s in movement.skeleton.segments if s.name in channels and s.dofs]
     for pose in range(movement.frames):
         if pose % _POSES_A_REPORT == 0:
             progress(pose / movement.frames, "Writing poses")
         lines = [str(pose + 1)]
         for name in names:
-            values = movement.channels[name][pose]
+            values = channels[name][pose]
             if np.isfinite(values).all():
                 lines.append(" ".join([name, *(f"{value:.9g}" for value in values.tolist())]))
         file.write(("\n".join(lines) + "\n").encode())
+
+
+def _at_rest(movement: Movement) -> dict[str, FloatArray]:
+    """Channels of a skeleton that does not move; a file without any could not be read back."""
+    return {s.name: np.zeros((movement.frames, len(s.dofs))) for s in movement.skeleton.segments}

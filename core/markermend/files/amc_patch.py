@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Container
 from math import isfinite, pi
 from pathlib import Path
 
@@ -16,6 +17,17 @@ _COMMENT = re.compile(rb"#|//|;")
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _SAME = 1e-9
 _POSES_A_REPORT = 256
+
+
+def starts_pose(word: str, segments: Container[str]) -> bool:
+    """Whether a line begins with the number of a pose; what stands behind it is a comment."""
+    return word.isdigit() and word not in segments
+
+
+def tells_degrees(line: str) -> bool | None:
+    """Whether a line of the header says that angles are in degrees; None where it says nothing."""
+    word = "".join(line.split()).upper()
+    return True if word.startswith(":DEGREES") else False if word.startswith(":RADIANS") else None
 
 
 def patched(path: Path, movement: Movement, progress: Progress) -> bytes | None:
@@ -44,9 +56,10 @@ def patched(path: Path, movement: Movement, progress: Progress) -> bytes | None:
     for line in lines:
         bare = _COMMENT.split(line, maxsplit=1)[0].removeprefix(_BYTE_ORDER_MARK)
         name, *cells = bare.decode("latin-1").split() or [""]
-        if pose < 0 and name.upper().startswith((":RADIANS", ":DEGREES")):
-            told = _in_file(movement, degrees=name.upper().startswith(":DEGREES"))
-        if name.isdigit() and not cells:
+        degrees = tells_degrees(bare.decode("latin-1")) if pose < 0 else None
+        if degrees is not None:
+            told = _in_file(movement, degrees=degrees)
+        if starts_pose(name, told):
             pose += 1
             if pose >= movement.frames:
                 return None

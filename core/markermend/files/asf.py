@@ -8,12 +8,15 @@ from pathlib import Path
 import numpy as np
 
 from markermend.errors import FileFormatError
+from markermend.files.plausible import FARTHEST
 from markermend.files.text import read_lines
 from markermend.poses.skeleton import ROOT, Segment, Skeleton
 
 _MM_PER_INCH = 25.4
 _DOFS = ("rx", "ry", "rz", "tx", "ty", "tz", "l")
 _MOST_SEGMENTS = 10_000
+# A unit of length may go so many times into an inch, or be so many.
+_WIDEST = 1e4
 
 
 def words_of(path: Path) -> list[tuple[int, list[str]]]:
@@ -49,11 +52,17 @@ def read_asf(path: Path) -> Skeleton:
     sections = _sections(path)
     if "root" not in sections or "bonedata" not in sections:
         raise FileFormatError(f"{path.name} is no Acclaim skeleton: it has no :root or :bonedata.")
-    units = {words[0].lower(): words[1:] for _, words in sections.get("units", [])}
-    degrees = not (units.get("angle") or ["deg"])[0].lower().startswith("rad")
-    unit = _numbers(units.get("length", ["1"]), 1, path, 0)[0]
+    units = {words[0].lower(): (line, words[1:]) for line, words in sections.get("units", [])}
+    _, angle = units.get("angle", (0, []))
+    degrees = not (angle or ["deg"])[0].lower().startswith("rad")
+    line, length = units.get("length", (0, ["1"]))
+    unit = _numbers(length, 1, path, line)[0]
     if unit <= 0:
         raise FileFormatError(f"{path.name} is damaged: its unit of length is {unit:g}.")
+    if not 1.0 / _WIDEST <= unit <= _WIDEST:
+        raise FileFormatError(
+            f"{path.name} is damaged: its unit of length, {unit:g} in line {line}, makes no body."
+        )
     root, position = _root(sections["root"], degrees, path)
     bones = [_bone(lines, degrees, path) for lines in _bones(sections["bonedata"], path)]
     names = [bone.name for bone in bones]
@@ -201,9 +210,10 @@ def _numbers(words: list[str], wanted: int, path: Path, line: int) -> list[float
         values = [float(word) for word in words[:wanted]]
     except ValueError:
         values = []
-    if len(values) < wanted or not all(math.isfinite(value) for value in values):
+    if len(values) < wanted or not all(abs(value) <= FARTHEST for value in values):
+        what = "a number" if wanted == 1 else f"{wanted} numbers"
         raise FileFormatError(
-            f"{path.name} is damaged: line {line} should have {wanted} numbers, but reads"
+            f"{path.name} is damaged: line {line} should have {what} of a body, but reads"
             f" “{' '.join(words)[:40]}”."
         )
     return values

@@ -2,9 +2,26 @@
 
 from __future__ import annotations
 
+import os
+from os import PathLike
 from pathlib import Path
 
 from markermend.errors import FileFormatError
+
+
+def named(path: str | PathLike[str]) -> Path:
+    """The path of a recording.
+
+    Raises
+    ------
+    FileFormatError
+        when it is no name at all, or one that no file can have
+    """
+    if not os.fspath(path):
+        raise FileFormatError("“” is no name of a recording; name a file.")
+    if "\0" in os.fspath(path):
+        raise FileFormatError("A name with a zero byte in it is no file's.")
+    return Path(path)
 
 
 def not_opened(path: Path, error: OSError) -> FileFormatError:

@@ -8,17 +8,19 @@ from os import PathLike
 from pathlib import Path
 from typing import IO
 
-from markermend.errors import ExportError, FileFormatError
+from markermend.errors import DataError, ExportError, FileFormatError
 from markermend.files.amc import find_skeleton, read_amc, write_amc
 from markermend.files.asf import read_asf
 from markermend.files.atomic import write_whole
-from markermend.files.bvh import read_bvh, write_bvh
-from markermend.files.opening import not_opened
+from markermend.files.bvh_read import read_bvh
+from markermend.files.bvh_write import write_bvh
+from markermend.files.opening import named, not_opened
 from markermend.files.pose_csv import Table, read_pose_csv, write_pose_csv
 from markermend.poses.inverse import farthest_off, inverse_kinematics
 from markermend.poses.pose import Pose
 from markermend.poses.skeleton import Movement, forward_kinematics
 from markermend.progress import Progress, part, quiet
+from markermend.rates import rate_of
 
 __all__ = ["read_pose", "write_pose"]
 
@@ -42,7 +44,7 @@ def read_pose(
     path : Acclaim movement (AMC, whose ASF is looked for beside it) or skeleton (ASF: one pose,
         at rest), Biovision hierarchy (BVH), or a table of joints (CSV)
     skeleton : the ASF of an AMC, where it is not beside it
-    rate : poses per second, where the file does not tell (AMC: 120, CSV: 30)
+    rate : poses per second, instead of what the file tells (where it does not: AMC 120, CSV 30)
     progress : may raise to stop
 
     Returns
@@ -54,9 +56,13 @@ def read_pose(
     FileFormatError
         when the file cannot be opened, is damaged, or of an unknown kind
     """
-    where = Path(path)
+    where = named(path)
+    if rate is not None:
+        rate_of(rate, where.name)
     try:
         where.stat()
+        if where.is_dir():
+            raise IsADirectoryError(str(where))
         match where.suffix.lower():
             case ".amc":
                 body = read_asf(Path(skeleton) if skeleton is not None else find_skeleton(where))
@@ -68,18 +74,24 @@ def read_pose(
             case ".csv":
                 return read_pose_csv(where, rate=rate, progress=progress)
             case ".bvh":
-                return read_bvh(where)
+                return read_bvh(where, rate=rate)
             case ".asf":
                 rest = Movement(read_asf(where), {}, 1)
                 return forward_kinematics(rest, rate or _USUAL_AMC_RATE)
     except OSError as error:
         raise not_opened(Path(error.filename or where), error) from error
+    except DataError as error:
+        # What poses refuse knows no file.
+        reason = str(error)
+        raise FileFormatError(
+            f"{where.name} is damaged: {reason[:1].lower()}{reason[1:]}"
+        ) from error
     raise FileFormatError(
         f"{where.name} is no skeleton recording; its name should end in {', '.join(READABLE)}."
     )
 
 
-def write_pose(pose: Pose, path: str | PathLike[str], *, progress: Progress | None = None) -> None:
+def write_pose(pose: Pose, path: str | PathLike[str], *, progress: Progress | None = None) -> float:
     """Write a skeleton recording, whole or not at all; a file that is there is replaced.
 
     Parameters
@@ -88,6 +100,10 @@ def write_pose(pose: Pose, path: str | PathLike[str], *, progress: Progress | No
     path : where to, ending in ``.csv`` or ``.bvh``, or in ``.amc`` for one read from such a file
     progress : told the share of poses written; may raise to stop, then nothing is left behind
 
+    Returns
+    -------
+    How far off in mm the farthest joint is there: the bones of an AMC are rigid
+
     Raises
     ------
     ExportError
@@ -95,8 +111,9 @@ def write_pose(pose: Pose, path: str | PathLike[str], *, progress: Progress | No
         the disk does not take the file
     """
     target = Path(path)
-    fill, _ = pose_writer(pose, target, progress or quiet)
+    fill, off_mm = pose_writer(pose, target, progress or quiet)
     write_whole(target, fill, backup=False)
+    return off_mm
 
 
 def crop_pose(pose: Pose, start: int, stop: int) -> Pose:
@@ -145,8 +162,8 @@ def pose_writer(
         case ".amc":
             if not isinstance(pose.source, Movement):
                 raise ExportError(
-                    f"{target.name} needs a skeleton (ASF), which only a recording read from an"
-                    " AMC has; write a CSV."
+                    f"{target.name} needs a skeleton (ASF), and these joints have none: only those"
+                    " of an AMC have, as they were read; write a CSV."
                 )
             turning, writing = part(report, 0.0, 0.7), part(report, 0.7, 1.0)
             movement = inverse_kinematics(pose, pose.source, progress=turning)

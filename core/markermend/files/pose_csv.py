@@ -2,13 +2,13 @@
 
 The columns are ``frame`` (from 0), ``time`` in seconds, ``joint``, ``parent`` (empty for the root),
 ``x``, ``y``, ``z`` in mm, the rotation ``qx``, ``qy``, ``qz``, ``qw`` and ``confidence``. A joint
-that was not seen is at 0, 0, 0 with rotation 0, 0, 0, 1 and confidence 0. What was read from such a
+that was not seen is at 0, 0, 0 with rotation 0, 0, 0, 1 and confidence 0; one that was seen, but
+not how it is turned, has rotation 0, 0, 0, 0. What was read from such a
 table and not changed since is written to the last digit, what was computed to a micrometre.
 """
 
 from __future__ import annotations
 
-import csv
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
@@ -20,35 +20,20 @@ import numpy as np
 
 from markermend.arrays import FloatArray
 from markermend.errors import FileFormatError
-from markermend.files.text import number, read_lines
+from markermend.files.plausible import FARTHEST, read_as_missing
+from markermend.files.pose_rows import COLUMNS, NUMBERS, Header, header_of, says_nothing
+from markermend.files.text import read_lines
 from markermend.poses.nuitrack import PARENT_OF, usual_name
 from markermend.poses.pose import Pose
 from markermend.progress import Progress, quiet
+from markermend.rates import rate_of
 
-COLUMNS = ("frame", "time", "joint", "parent", "x", "y", "z", "qx", "qy", "qz", "qw", "confidence")
-_NUMBERS = COLUMNS[4:]
 _SENSOR_RATE = 30.0
 _FRAMES_A_REPORT = 256
-_OTHER_NAMES = {
-    "name": "joint",
-    "jointname": "joint",
-    "timestamp": "time",
-    "times": "time",
-    "positionx": "x",
-    "positiony": "y",
-    "positionz": "z",
-    "posx": "x",
-    "posy": "y",
-    "posz": "z",
-    "rotationx": "qx",
-    "rotationy": "qy",
-    "rotationz": "qz",
-    "rotationw": "qw",
-    "quatx": "qx",
-    "quaty": "qy",
-    "quatz": "qz",
-    "quatw": "qw",
-}
+# Nobody records joints so slowly: times that grow by more a pose are no seconds.
+_SLOWEST_S = 1.0
+_LARGEST_TIME = 1e15
+_MILLISECONDS = "The times in the file grow too fast for seconds; milliseconds were assumed."
 
 
 @dataclass(frozen=True)
@@ -72,35 +57,38 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
     ----------
     path : the file; its first line names the columns, in any order. Rotations, confidence, time
         and, for joints with usual names, parents may be absent.
-    rate : poses per second, where the file has no times (30)
+    rate : poses per second, instead of those that its times tell (30 without times)
     progress : told the share of rows read
 
     Raises
     ------
     FileFormatError
-        when a column is missing, a row is damaged, or there is no row
+        when a column is missing, a row is damaged, there is no row, or nothing has such a rate
     """
-    lines = [line for line in read_lines(path) if line.strip() and not line.startswith("#")]
+    lines = [
+        (number, line) for number, line in enumerate(read_lines(path), 1) if not says_nothing(line)
+    ]
     if len(lines) < 2:
         raise FileFormatError(f"{path.name} is cut short: no pose follows its header.")
-    delimiter = max(",;\t", key=lines[0].count)
-    rows = list(csv.reader(lines, delimiter=delimiter))
-    at = columns_of(rows[0], path.name)
-    body, warnings = _whole_rows(rows[1:], len(rows[0]), path.name)
-    joints = tuple(dict.fromkeys(row[at["joint"]].strip() for row in body))
-    frame, count = _frames(body, at, len(joints), path.name)
-    values = np.full((count, len(joints), len(_NUMBERS)), np.nan)
+    header = header_of(lines[0][1], path.name, lines[0][0])
+    body, warnings = _whole_rows(lines[1:], header)
+    names = [header.joint(row, number) for number, row in body]
+    joints = tuple(dict.fromkeys(names))
+    frame, count = _frames(body, header, len(joints))
+    warnings += _twice(body, frame, names, header)
+    values = np.full((count, len(joints), len(NUMBERS)), np.nan)
     place, report = {joint: i for i, joint in enumerate(joints)}, progress or quiet
-    cells = [(i, at[name]) for i, name in enumerate(_NUMBERS) if name in at]
-    for n, row in enumerate(body):
+    for n, (number, row) in enumerate(body):
         if n % (_FRAMES_A_REPORT * len(joints)) == 0:
             report(n / len(body), "Reading poses")
-        mine = values[frame[n], place[row[at["joint"]].strip()]]
-        for i, column in cells:
-            mine[i] = number(row[column])
-    parents = parents_of(body, at, joints, path.name)
-    hertz, guess = _rate(body, at, frame, rate)
-    confidence = values[..., 7] if "confidence" in at else np.ones(values.shape[:2])
+        values[frame[n], place[names[n]]] = header.values(row, number)
+    wild = (np.abs(values) > FARTHEST).any(axis=2)
+    values[wild] = np.nan
+    parents = parents_of([row for _, row in body], header.at, joints, path.name)
+    hertz, guess = _rate([header.time(row) for _, row in body], frame, rate, path.name)
+    # What has no place is not seen, and is not written as seen either.
+    values[~np.isfinite(values[..., :3]).all(axis=2)] = np.nan
+    confidence = values[..., 7] if "confidence" in header.at else np.ones(values.shape[:2])
     zero = (values[..., :3] == 0).all(axis=2) & (np.asarray(parents) >= 0)
     confidence = np.where(zero, 0.0, confidence)
     pose = Pose(
@@ -110,7 +98,7 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
         parents,
         hertz,
         confidence,
-        warnings=(*warnings, *guess),
+        warnings=(*warnings, *guess, *read_as_missing(int(wild.sum()))),
     )
     return replace(pose, source=Table(values, _numbers_of(pose)))
 
@@ -155,7 +143,7 @@ def rows_of(
 
 def _exactly(line: str, written: FloatArray) -> str:
     """Write out what a row has lost of the numbers as they were; NaN where there was none."""
-    front, *cells = line.rstrip("\n").rsplit(",", len(_NUMBERS))
+    front, *cells = line.rstrip("\n").rsplit(",", len(NUMBERS))
     for i, value in enumerate(written.tolist()):
         if isfinite(value) and float(cells[i]) != value:
             cells[i] = repr(value)
@@ -165,78 +153,78 @@ def _exactly(line: str, written: FloatArray) -> str:
 def _numbers_of(pose: Pose) -> FloatArray:
     """(frames, joints, 8) what is written of a recording; nothing is NaN."""
     places = np.nan_to_num(pose.positions)
-    turns = np.where(np.isnan(pose.rotations), (0.0, 0.0, 0.0, 1.0), pose.rotations)
+    turned = ~np.isnan(pose.rotations)
+    unturned = np.where(pose.seen[..., None], 0.0, (0.0, 0.0, 0.0, 1.0))
+    turns = np.where(turned, pose.rotations, unturned)
     return np.concatenate([places, turns, pose.confidence[..., None]], axis=2)
 
 
 def names_joints(head: bytes) -> bool:
     """Whether the first bytes of a file are the header of such a table."""
     lines = head.decode("utf-8-sig", errors="replace").splitlines()
-    first = next((line for line in lines if line.strip() and not line.startswith("#")), "")
     try:
-        columns_of(first.split(max(",;\t", key=first.count)), "")
+        header_of(next((line for line in lines if not says_nothing(line)), ""), "")
     except FileFormatError:
         return False
     return True
 
 
-def columns_of(head: list[str], name: str) -> dict[str, int]:
-    """Place of each known column in a header.
-
-    Parameters
-    ----------
-    head : its cells
-    name : of the file, for what is wrong with it
-
-    Raises
-    ------
-    FileFormatError
-        when a column is missing that every table of joints has
-    """
-    plain = [re.sub(r"[^a-z]", "", re.sub(r"[\[(].*", "", cell.lower())) for cell in head]
-    at = {_OTHER_NAMES.get(cell, cell): i for i, cell in enumerate(plain)}
-    missing = [column for column in ("frame", "joint", "x", "y", "z") if column not in at]
-    if missing:
-        raise FileFormatError(
-            f"{name} is no table of joints: it lacks the column “{missing[0]}”; it should have"
-            f" {', '.join(COLUMNS)}."
-        )
-    return at
-
-
-def _whole_rows(rows: list[list[str]], width: int, name: str) -> tuple[list[list[str]], list[str]]:
+def _whole_rows(
+    lines: list[tuple[int, str]], header: Header
+) -> tuple[list[tuple[int, list[str]]], list[str]]:
     """Rows that have all their cells; a last one that is cut short is left out, and said."""
-    if len(rows[-1]) < width:
-        rows = rows[:-1]
-        short = next((i for i, row in enumerate(rows) if len(row) < width), None)
-        if rows and short is None:
-            return rows, ["The file is cut short; its last row was left out."]
-    for i, row in enumerate(rows):
-        if len(row) < width:
+    rows, warnings = list[tuple[int, list[str]]](), list[str]()
+    for number, line in lines:
+        last = number == lines[-1][0]
+        row = [] if last and line.count('"') % 2 else header.cells(line, number)
+        if len(row) >= header.width:
+            rows.append((number, row))
+        elif last:
+            warnings.append("The file is cut short; its last row was left out.")
+        else:
             raise FileFormatError(
-                f"{name} is damaged: row {i + 2} has {len(row)} cells, the header {width}."
+                f"{header.name} is damaged: line {number} has {len(row)} cells, the header"
+                f" {header.width}."
             )
     if not rows:
-        raise FileFormatError(f"{name} holds no whole row.")
-    return rows, []
+        raise FileFormatError(f"{header.name} holds no whole row.")
+    return rows, warnings
 
 
 def _frames(
-    body: list[list[str]], at: dict[str, int], joints: int, name: str
+    body: list[tuple[int, list[str]]], header: Header, joints: int
 ) -> tuple[list[int], int]:
     """Frame of each row, from 0, and how many there are."""
-    column = at["frame"]
-    try:
-        stated = [int(float(row[column])) for row in body]
-    except (ValueError, OverflowError) as error:
-        raise FileFormatError(f"{name} is damaged: a frame is no number ({error}).") from error
+    stated = [header.frame(row, number) for number, row in body]
     first, last = min(stated), max(stated)
     # One stray number must not ask for a terabyte.
     if (last - first + 1) * joints > 100 * len(body) + 1000:
         raise FileFormatError(
-            f"{name} is damaged: its frames go from {first} to {last}, with {len(body)} rows."
+            f"{header.name} is damaged: its frames go from {first} to {last}, with {len(body)}"
+            " rows."
         )
     return [frame - first for frame in stated], last - first + 1
+
+
+def _twice(
+    body: list[tuple[int, list[str]]], frame: list[int], names: list[str], header: Header
+) -> list[str]:
+    """A sentence about rows that stand twice; an error where they say two things."""
+    first: dict[tuple[int, str], int] = {}
+    again = []
+    for n, key in enumerate(zip(frame, names, strict=True)):
+        before = first.setdefault(key, n)
+        if before == n:
+            continue
+        again.append(body[n][0])
+        if body[before][1] != body[n][1]:
+            raise FileFormatError(
+                f"{header.name} is damaged: lines {body[before][0]} and {body[n][0]} both tell of"
+                f" “{key[1]}” in one frame, and differ."
+            )
+    if not again:
+        return []
+    return [f"{len(again)} rows stand twice, line {again[0]} for one; they were read once."]
 
 
 def parents_of(
@@ -277,19 +265,19 @@ def parents_of(
 
 
 def _rate(
-    body: list[list[str]], at: dict[str, int], frame: list[int], stated: float | None
+    told: list[float], frame: list[int], stated: float | None, name: str
 ) -> tuple[float, Iterable[str]]:
-    """Poses per second, and a sentence where it was guessed."""
+    """Poses per second by the times of rows, and a sentence where it was guessed."""
     if stated is not None:
-        return stated, ()
-    if "time" in at:
-        times = np.array([number(row[at["time"]]) for row in body])
-        frames = np.array(frame)
-        known = np.isfinite(times)
-        if np.unique(frames[known]).size > 1:
-            slope = float(np.polyfit(frames[known], times[known], 1)[0])
-            if slope > 0:
-                return float(np.round(1.0 / slope, 4)), ()
+        return rate_of(stated, name), ()
+    times, frames = np.array(told), np.array(frame)
+    known = np.abs(times) < _LARGEST_TIME
+    if np.unique(frames[known]).size > 1:
+        slope = float(np.polyfit(frames[known], times[known], 1)[0])
+        if slope > 0:
+            seconds = slope <= _SLOWEST_S
+            hertz = rate_of((1.0 if seconds else 1e3) / slope, name)
+            return float(np.round(hertz, 4)), () if seconds else (_MILLISECONDS,)
     return _SENSOR_RATE, [f"The file tells no rate; {_SENSOR_RATE:g} Hz was assumed."]
 
 

@@ -2,27 +2,32 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Callable, Iterable, Iterator
 
 import numpy as np
 
 from markermend.arrays import FloatArray
 from markermend.errors import FileFormatError
-from markermend.files.pose_csv import COLUMNS, columns_of, parents_of, quoted, rows_of
-from markermend.files.text import number
+from markermend.files.plausible import FARTHEST
+from markermend.files.pose_csv import parents_of, quoted, rows_of
+from markermend.files.pose_rows import COLUMNS, NUMBERS, Header, header_of, says_nothing
 from markermend.poses.live import Live
 from markermend.poses.pose import Pose
-from markermend.poses.prior import Prior
+from markermend.poses.prior import NOT_FITTING, Prior, shipped_prior
 from markermend.poses.restore import INFERRED
+from markermend.poses.turnless import NO_TURN
 
 _STREAM = "The stream"
-_NUMBERS = COLUMNS[4:]
-_NO_TURN = (0.0, 0.0, 0.0, 1.0)
+_Row = tuple[int, list[str]]
 
 
 def follow(
-    lines: Iterable[str], write: Callable[[str], None], *, rate: float, prior: Prior | None
+    lines: Iterable[str],
+    write: Callable[[str], None],
+    *,
+    rate: float,
+    prior: Prior | None,
+    warn: Callable[[str], None] = lambda sentence: None,
 ) -> int:
     """Clean a stream in the format of :mod:`markermend.files.pose_csv`.
 
@@ -33,6 +38,7 @@ def follow(
         which joints there are, the first frame tells, so the first pose waits for the second
     rate : poses per second
     prior : how bodies move
+    warn : told, in a sentence, what is not used of the stream or of the prior
 
     Returns
     -------
@@ -43,78 +49,113 @@ def follow(
     FileFormatError
         when there is no header, or a row is damaged
     """
-    rows = csv.reader(lines)
-    head = next(rows, None)
-    if head is None:
+    numbered = ((n, line.rstrip("\r\n")) for n, line in enumerate(lines, 1))
+    telling = ((n, line) for n, line in numbered if not says_nothing(line))
+    number, first_line = next(telling, (0, ""))
+    if not number:
         raise FileFormatError(f"{_STREAM} is empty; it should begin with a line of column names.")
-    at = columns_of(head, _STREAM)
+    header = header_of(first_line, _STREAM, number)
     write(",".join(COLUMNS) + "\n")
     joints: tuple[str, ...] = ()
     live: Live | None = None
     parents: tuple[int, ...] = ()
     count = 0
-    for pose_rows in _poses(rows, at, len(head)):
+    for rows in _poses(telling, header, warn):
         if not joints:
-            joints = tuple(row[at["joint"]].strip() for row in pose_rows)
-            parents = parents_of(pose_rows, at, joints, _STREAM)
-        values = _values(pose_rows, at, joints, parents)
+            joints, parents = _body(rows, header)
+        values = _values(rows, header, joints, parents)
         places, turns, sure = values[:, :3], values[:, 3:7], values[:, 7]
         if live is None and (sure > 0).all():
             live = Live(Pose(places[None], turns[None], joints, parents, rate), prior)
+            if prior is not None and prior is not shipped_prior() and not live.by_prior:
+                warn(NOT_FITTING)
         if live is not None:
             places, turns = live(places, turns, sure > 0)
             sure = np.where(sure > 0, sure, INFERRED)
-        first = pose_rows[0]
-        time = number(first[at["time"]]) if "time" in at else count / rate
+        number, row = rows[0]
+        time = header.time(row) if "time" in header.at else count / rate
         names = [quoted(joint) for joint in joints]
         above = [names[parent] if parent >= 0 else "" for parent in parents]
+        unturned = np.where((sure > 0)[:, None], 0.0, NO_TURN)
+        turns = np.where(np.isnan(turns), unturned, turns)
         values = np.column_stack([places, turns, sure])
-        write("".join(rows_of(int(float(first[at["frame"]])), time, names, above, values)))
+        write("".join(rows_of(header.frame(row, number), time, names, above, values)))
         count += 1
+    if count and live is None:
+        warn("No pose of the stream had every joint of its first one, so nothing was filled.")
     return count
 
 
-def _poses(rows: Iterator[list[str]], at: dict[str, int], width: int) -> Iterator[list[list[str]]]:
-    """Rows of one frame at a time, as soon as it has as many as the first one."""
-    waiting: list[list[str]] = []
-    whole, given = 0, ""
-    for row in rows:
-        if not row:
+def _body(rows: list[_Row], header: Header) -> tuple[tuple[str, ...], tuple[int, ...]]:
+    """Joints and parents as the first pose tells them."""
+    joints = tuple(dict.fromkeys(header.joint(row, number) for number, row in rows))
+    for number, row in rows:
+        parent = row[header.at["parent"]].strip() if "parent" in header.at else ""
+        if parent and parent not in joints:
+            raise FileFormatError(
+                f"{_STREAM} is damaged: line {number} hangs “{header.joint(row, number)}” on"
+                f" “{parent}”, which its first pose does not have; that must name every joint."
+            )
+    return joints, parents_of([row for _, row in rows], header.at, joints, _STREAM)
+
+
+def _poses(
+    lines: Iterator[tuple[int, str]], header: Header, warn: Callable[[str], None]
+) -> Iterator[list[_Row]]:
+    """Rows of one frame at a time, as soon as it has every joint of the first one."""
+    waiting: dict[str, _Row] = {}
+    joints, strangers = frozenset[str](), set[str]()
+    given: int | None = None
+    now: int | None = None
+    for number, line in lines:
+        row = header.cells(line, number)
+        if len(row) < header.width:
+            raise FileFormatError(
+                f"{_STREAM} is damaged: line {number}, “{line[:40]}”, lacks cells."
+            )
+        frame, joint = header.frame(row, number), header.joint(row, number)
+        if waiting and frame != now:
+            joints = joints or frozenset(waiting)
+            yield list(waiting.values())
+            waiting = {}
+        if joints and joint not in joints:
+            if joint not in strangers:
+                warn(f"The stream's first pose has no joint “{joint}”; its rows are left out.")
+            strangers.add(joint)
             continue
-        if len(row) < width:
-            raise FileFormatError(f"{_STREAM} is damaged: “{','.join(row)[:40]}” lacks cells.")
-        frame = row[at["frame"]]
-        if not np.isfinite(number(frame)):
-            raise FileFormatError(f"{_STREAM} is damaged: “{frame[:40]}” is no frame.")
-        if waiting and frame != waiting[0][at["frame"]]:
-            whole = whole or len(waiting)
-            yield waiting
-            waiting = []
         if frame == given:
             continue
-        waiting.append(row)
-        if len(waiting) == whole:
-            yield waiting
-            waiting, given = [], frame
+        now = frame
+        if waiting.setdefault(joint, (number, row))[1] != row:
+            raise FileFormatError(
+                f"{_STREAM} is damaged: lines {waiting[joint][0]} and {number} both tell of"
+                f" “{joint}” in one frame, and differ."
+            )
+        if len(waiting) == len(joints):
+            yield list(waiting.values())
+            waiting, given = {}, frame
     if waiting:
-        yield waiting
+        yield list(waiting.values())
 
 
 def _values(
-    rows: list[list[str]], at: dict[str, int], joints: tuple[str, ...], parents: tuple[int, ...]
+    rows: list[_Row], header: Header, joints: tuple[str, ...], parents: tuple[int, ...]
 ) -> FloatArray:
-    """(joints, 8) of one pose: position, rotation, confidence 0 where it was not seen."""
-    values = np.zeros((len(joints), len(_NUMBERS)))
-    values[:, 3:7] = _NO_TURN
+    """(joints, 8) of one pose: position, rotation, confidence 0 where it was not seen.
+
+    Rotations are NaN where the stream has none.
+    """
+    values = np.full((len(joints), len(NUMBERS)), np.nan)
     place = {joint: i for i, joint in enumerate(joints)}
-    for row in rows:
-        i = place.get(row[at["joint"]].strip())
+    for number, row in rows:
+        i = place.get(row[header.at["joint"]].strip())
         if i is not None:
-            values[i, 7] = 1.0
-            for k, name in enumerate(_NUMBERS):
-                if name in at:
-                    values[i, k] = number(row[at[name]])
-    unseen = ~np.isfinite(values).all(axis=1) | (values[:, 7] <= 0)
+            values[i] = header.values(row, number)
+            if "confidence" not in header.at:
+                values[i, 7] = 1.0
+    unseen = ~np.isfinite(values[:, :3]).all(axis=1) | ~(values[:, 7] > 0)
+    unseen |= (np.abs(values) > FARTHEST).any(axis=1)
     unseen |= (values[:, :3] == 0).all(axis=1) & (np.array(parents) >= 0)
-    values[unseen] = (*(0.0,) * 3, *_NO_TURN, 0.0)
+    values[~np.isfinite(values[:, 3:7]).all(axis=1), 3:7] = np.nan
+    values[unseen] = (*(0.0,) * 3, *(np.nan,) * 4, 0.0)
     return values

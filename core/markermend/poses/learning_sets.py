@@ -62,6 +62,12 @@ def fold_in(name: str) -> int | None:
     return int(found[1]) if found else None
 
 
+def never_saw(network: str, clip: str) -> bool:
+    """Whether a network of this name never saw who a recording shows, or a tenth of its poses."""
+    group = network.partition("-")[0]
+    return group == f"without{subject_of(clip)}" or fold_in(group) is not None
+
+
 def learning_sets(
     clips: Mapping[str, FloatArray],
     *,
@@ -77,7 +83,8 @@ def learning_sets(
     leave_out : each subject in turn is held out
     folds : these tenths of the poses, drawn at random over all recordings, are held out in turn,
         as goncalves2024 does: poses next to a held-out one in time are learnt from
-    added : of the same names, learnt from besides, where their recording is
+    added : of the same names, learnt from besides, where their recording is: of every frame, or of
+        every so many
 
     Raises
     ------
@@ -91,9 +98,14 @@ def learning_sets(
         for fold in folds:
             held = {name: fold_at[name] == fold for name in clips}
             seen = [clip[~held[name]] for name, clip in clips.items()]
+            # What is held out is so in whatever it was made into.
+            seen += [
+                part[~held[name][:: -(-len(held[name]) // len(part))]]
+                for name, part in more.items()
+            ]
             yield LearningSet(
                 f"fold{fold}of{FOLDS}",
-                np.concatenate([*seen, *more.values()]),
+                np.concatenate(seen),
                 np.concatenate([clip[held[name]] for name, clip in clips.items()]),
             )
         return

@@ -18,6 +18,7 @@ from markermend.poses.prior import Prior, fitting
 from markermend.poses.quaternion import inverse, multiply, turn, unit
 from markermend.poses.sides import both_sides, both_sides_moved, mirror_signs, twin_columns
 from markermend.poses.solving import solved
+from markermend.poses.turnless import NO_TURN, turned_as_parents, turnless
 
 # How long a movement is taken from the prior, how long one's own are, and how many they count for.
 _PRIOR_S, _LAGS_S, _MEMORY = 1.0, (0.008, 0.03, 0.125, 0.5, 2.0), 3000.0
@@ -41,8 +42,8 @@ class Live:
 
     Parameters
     ----------
-    first : one pose in which every joint is seen
-    prior : how bodies move; used where its joints are these
+    first : one pose in which every joint is seen; a joint may have no rotation
+    prior : how bodies move; used where its joints are these, which ``by_prior`` tells
 
     Raises
     ------
@@ -51,14 +52,18 @@ class Live:
     """
 
     def __init__(self, first: Pose, prior: Prior | None = None) -> None:
-        if first.frames != 1 or not first.seen.all() or np.isnan(first.rotations).any():
+        if first.frames != 1 or not first.seen.all():
             raise DataError("Live filling starts from one pose in which every joint is seen.")
         self._threads = ThreadpoolController()
         fit = fitting(first, prior) if prior is not None else None
+        self.by_prior = fit is not None
         # Priors are of right-handed axes, many sensors are not.
         self._left_handed = fit is not None and fit[1]
         if self._left_handed:
             first = mirrored(first)
+        # A joint that never had a rotation is given none.
+        self._ever_turned = ~turnless(first)
+        first = turned_as_parents(first)
         features, normal = normalise(first)
         self._parents, self._root = first.parents, normal.root
         self._scale, self._offset, self._rate = normal.scale, normal.offset, first.rate
@@ -94,22 +99,24 @@ class Live:
         Parameters
         ----------
         positions : (joints, 3) mm; anything where not seen
-        rotations : (joints, 4) unit quaternions x, y, z, w
+        rotations : (joints, 4) unit quaternions x, y, z, w; 0 or NaN of a joint that has none
         seen : (joints,) bool
 
         Returns
         -------
-        positions and rotations, whole
+        positions and rotations, whole; of a joint that never had a rotation as it came
         """
         if self._left_handed:
             positions, rotations = positions * MIRROR[:3], rotations * MIRROR[3:]
         # Streams round them, and what is not of unit length would count as movement.
-        turns = unit(rotations)
-        root = positions[self._root], turns[self._root]
-        root_known = seen[self._root] and all(np.isfinite(part).all() for part in root)
-        if root_known:
-            self._root_pose = root
-        values, known = self._relative(positions, turns, seen)
+        told = seen & np.isfinite(rotations).all(axis=1) & (rotations != 0).any(axis=1)
+        self._ever_turned = self._ever_turned | told
+        turns = unit(np.where(told[:, None], rotations, NO_TURN))
+        place, own = self._root_pose
+        if seen[self._root] and np.isfinite(positions[self._root]).all():
+            place = positions[self._root]
+        self._root_pose = place, turns[self._root] if told[self._root] else own
+        values, known = self._relative(positions, turns, seen, told)
         # Matrices as small as these take twice as long where two threads share one.
         with self._threads.limit(limits=1):
             filled = self._filled(values, known)
@@ -122,7 +129,8 @@ class Live:
         where = self._with_bones(where, seen)
         free = np.ones(len(seen), dtype=bool)
         free[self._others] = known[FEATURES - 1 :: FEATURES]
-        free[self._root] = root_known
+        free[self._root] = told[self._root]
+        free |= ~self._ever_turned
         out_rotations = np.where(free[:, None], rotations, turned)
         out = np.where(seen[:, None], positions, where)
         if self._left_handed:
@@ -130,7 +138,7 @@ class Live:
         return out, out_rotations
 
     def _relative(
-        self, positions: FloatArray, rotations: FloatArray, seen: BoolArray
+        self, positions: FloatArray, rotations: FloatArray, seen: BoolArray, told: BoolArray
     ) -> tuple[FloatArray, BoolArray]:
         """Columns of one pose, signs of rotations as before, and which are known."""
         place, own = self._root_pose
@@ -141,7 +149,7 @@ class Live:
         values[:, 3:] = multiply(back, multiply(rotations[others], self._offset[others]))
         before = self._values.reshape(-1, FEATURES)[:, 3:]
         values[:, 3:] *= np.where(np.sum(values[:, 3:] * before, axis=1) < 0, -1.0, 1.0)[:, None]
-        turned = seen.copy()
+        turned = told.copy()
         for joint, parent in enumerate(self._parents):
             if parent >= 0 and not seen[joint]:
                 turned[parent] = False

@@ -19,10 +19,16 @@ from markermend.poses.covariance import LENGTHS_S, Moments, averaged, learn
 from markermend.poses.normal import FEATURES
 from markermend.poses.nuitrack import mirrored, to_nuitrack, usual_name
 from markermend.poses.pose import Pose
+from markermend.poses.turnless import turnless
 from markermend.progress import Progress, quiet
 
 WEIGHT = 300.0
 """Poses of the recording itself that a prior counts for."""
+
+NOT_FITTING = (
+    "The prior does not fit this recording, whose joints are others or stand elsewhere, and was not"
+    " used."
+)
 
 # Mean distance of joints from where the prior has them, in mean bone lengths, up to which it fits.
 # Single poses stray more.
@@ -46,19 +52,22 @@ class Prior:
     moments: Moments
 
 
-def learn_prior(poses: Sequence[Pose], *, progress: Progress | None = None) -> Prior:
+def learn_prior(
+    poses: Sequence[Pose], *, names: Sequence[str] = (), progress: Progress | None = None
+) -> Prior:
     """Learn from clean recordings.
 
     Parameters
     ----------
     poses : of Nuitrack's joints or the CMU skeleton, which are reduced to those; else all of the
         same joints. Frames in which something was not seen are bridged by time.
+    names : of the recordings, for what is wrong with one
     progress : told the share of recordings done
 
     Raises
     ------
     DataError
-        when there is none, joints differ, or one was never seen
+        when there is none, joints differ, or one was never seen or has no rotation
     """
     if not poses:
         raise DataError("A prior needs at least one recording to learn from.")
@@ -70,7 +79,7 @@ def learn_prior(poses: Sequence[Pose], *, progress: Progress | None = None) -> P
         if joints is not None and body.joints != joints:
             raise DataError("All recordings a prior learns from must have the same joints.")
         joints = body.joints
-        part = learn(_filled(body), body.rate)
+        part = learn(_filled(body, names[n] if names else f"Recording {n + 1}"), body.rate)
         parts.append(part.signed_like(parts[0].mean) if parts else part)
     assert joints is not None
     return Prior(joints, averaged(parts, WEIGHT))
@@ -84,11 +93,23 @@ def _usual(pose: Pose) -> Pose:
         return pose
 
 
-def _filled(pose: Pose) -> FloatArray:
+def _filled(pose: Pose, name: str) -> FloatArray:
     """(frames, channels) without NaN."""
+    unseen = [joint for i, joint in enumerate(pose.joints) if not pose.seen[:, i].any()]
+    unturned = [joint for i, joint in enumerate(pose.joints) if turnless(pose)[i]]
+    for missing, what in ((unseen, "shows"), (unturned, "tells the rotation of")):
+        if missing:
+            some = ", ".join(missing[:3]) + ("…" if len(missing) > 3 else "")
+            raise DataError(
+                f"{name} never {what} {some}, and a prior learns where every joint"
+                " is and how it is turned; leave this recording out."
+            )
     channels = steadied(to_channels(pose), pose.rate)
     if not channels.known.any(axis=0).all():
-        raise DataError("A joint of a recording to learn from was never seen.")
+        raise DataError(
+            f"{name} never shows a joint together with all those that hang on it, and a prior"
+            " learns how it is turned from that; leave this recording out."
+        )
     return bridged(channels.values, channels.known)
 
 

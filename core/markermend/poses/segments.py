@@ -21,6 +21,7 @@ from markermend.poses.pose import Pose
 from markermend.poses.prior import right_handed
 from markermend.poses.quaternion import inverse, multiply, turn
 from markermend.poses.restore import INFERRED
+from markermend.poses.turnless import turnless
 from markermend.progress import Progress, quiet
 
 _RIDGE = 0.01
@@ -94,18 +95,22 @@ class Segments:
     weights: FloatArray
 
 
-def learn_segments(poses: Sequence[Pose], *, progress: Progress | None = None) -> Segments:
+def learn_segments(
+    poses: Sequence[Pose], *, names: Sequence[str] = (), progress: Progress | None = None
+) -> Segments:
     """Learn from recordings of the CMU skeleton, by ridge regression.
 
     Parameters
     ----------
-    poses : clean, of all 31 segments
+    poses : clean, of all 31 segments; those in which one was not seen or has no rotation are
+        passed over
+    names : of the recordings, for what is wrong with one
     progress : told the share of recordings read
 
     Raises
     ------
     DataError
-        when there is none, or one has other segments
+        when there is none, or one has other segments, or never all of them
     """
     if not poses:
         raise DataError("Segments need at least one recording to learn from.")
@@ -116,9 +121,18 @@ def learn_segments(poses: Sequence[Pose], *, progress: Progress | None = None) -
             raise DataError("Segments are learnt from recordings of the CMU skeleton only.")
         features, normal = normalise(to_nuitrack(pose))
         place, turned = _added(pose, features, normal)
-        bends.append(_bend(features)[::_STRIDE])
-        places.append(place[::_STRIDE])
-        turns.append(turned[::_STRIDE])
+        bend = _bend(features)
+        parts = (bend, place, turned)
+        told = [np.isfinite(part.reshape(pose.frames, -1)).all(axis=1) for part in parts]
+        whole = np.flatnonzero(np.all(told, axis=0))[::_STRIDE]
+        if not len(whole):
+            raise DataError(
+                f"{names[n] if names else f'Recording {n + 1}'} has no pose in which every segment"
+                " was seen and has a rotation; leave this recording out."
+            )
+        bends.append(bend[whole])
+        places.append(place[whole])
+        turns.append(turned[whole])
     x, ends, rotations = (np.concatenate(part) for part in (bends, places, turns))
     place = ends.mean(axis=0)
     turned = np.stack([Rotation.from_quat(q).mean().as_quat() for q in rotations.swapaxes(0, 1)])
@@ -149,11 +163,13 @@ def to_cmu(pose: Pose, learnt: Segments | None = None) -> Pose:
     Raises
     ------
     DataError
-        when joints are missing, or stand elsewhere than bodies have them
+        when joints are missing, or stand elsewhere than bodies have them, or one within a limb
+        never has a rotation
     """
     learnt = learnt or shipped_segments()
     body, left_handed = right_handed(pose)
     features, normal = normalise(body)
+    body = _with_ends_turned(body, features, normal, learnt)
     bent = np.einsum("fb,bsc->fsc", _bend(features) - learnt.bend, learnt.weights)
     carriers = [JOINTS.index(joint) for joint in CARRIERS.values()]
     by = features[:, carriers, 3:]
@@ -181,6 +197,22 @@ def to_cmu(pose: Pose, learnt: Segments | None = None) -> Pose:
     parents = tuple(NAMES.index(name) if name else -1 for name in PARENT_OF.values())
     whole = Pose(positions, rotations, NAMES, parents, body.rate, confidence)
     return mirrored(whole) if left_handed else whole
+
+
+def _with_ends_turned(body: Pose, features: FloatArray, normal: Normal, learnt: Segments) -> Pose:
+    """The body with ends of limbs that have no rotation turned as other bodies', features too."""
+    without, rotations = turnless(body), np.array(body.rotations)
+    for joint in np.flatnonzero(without).tolist():
+        if joint in PARENTS:
+            raise DataError(
+                "The segments of the CMU skeleton follow how joints are turned, which this"
+                f" recording never tells of {JOINTS[joint]}; leave its joints as they are."
+            )
+        against = Rotation.from_rotvec(learnt.bend.reshape(-1, 3)[joint - 1]).as_quat()
+        features[:, joint, 3:] = multiply(features[:, PARENTS[joint], 3:], against)
+        turned = multiply(normal.rotation, features[:, joint, 3:])
+        rotations[:, joint] = multiply(turned, inverse(normal.offset[joint]))
+    return body.with_samples(body.positions, rotations, body.confidence)
 
 
 def _bend(features: FloatArray) -> FloatArray:

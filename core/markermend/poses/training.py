@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 from dataclasses import dataclass
 from pathlib import Path
@@ -88,18 +89,17 @@ def train_network(
     clean, first = flat(features), damage(0)
     centre, spread = first.mean(axis=0), np.maximum(first.std(axis=0), _LEAST_SPREAD)
     steps = -(-len(clean) // training.batch)
+    # The state keeps it as the network's name.
+    which = _fingerprint(features, noise, parts, training)
     if resume is not None and resume.exists():
         model = keras.models.load_model(resume)
-        if (model.input_shape[1], model.optimizer._learning_rate.decay_steps) != (
-            clean.shape[1],
-            steps * training.epochs,
-        ):
+        if model.name != which:
             raise MethodError(
-                f"{resume.name} is the state of a training on other poses or of another length;"
+                f"{resume.name} is the state of a training on other poses or with other options;"
                 " remove it to begin anew."
             )
     else:
-        model = _model(keras, clean.shape[1], training.rate, steps * training.epochs)
+        model = _model(keras, clean.shape[1], training.rate, steps * training.epochs, which)
     for epoch in range(int(model.optimizer.iterations) // steps, training.epochs):
         order = np.random.default_rng([training.seed, epoch]).permutation(len(clean))
         x = ((damage(epoch) - centre) / spread)[order]
@@ -127,13 +127,20 @@ def held_out_error(network: Network, features: FloatArray, noise: Noise, *, seed
     return float(np.abs(undone[:, 1:, columns] - features[:, 1:, columns]).mean())
 
 
-def _model(keras: Any, width: int, rate: float, steps: int) -> Any:
+def _fingerprint(features: FloatArray, noise: Noise, parts: str, training: Training) -> str:
+    """A name that only this training has: of its poses, what is done to them, and how."""
+    told = hashlib.sha256(np.ascontiguousarray(features).tobytes())
+    told.update(repr((features.shape, noise, parts, training)).encode())
+    return f"training_{told.hexdigest()[:16]}"
+
+
+def _model(keras: Any, width: int, rate: float, steps: int, name: str) -> Any:
     """Build the network of the paper's Figure 10."""
     dense = keras.layers.Dense
     inputs = keras.Input((width,))
     first = dense(_UNITS, "relu")(inputs)
     block = keras.layers.Add()([first, dense(_UNITS, "relu")(first)])
-    model = keras.Model(inputs, dense(width)(block))
+    model = keras.Model(inputs, dense(width)(block), name=name)
     pace = keras.optimizers.schedules.CosineDecay(rate, steps)
     model.compile(keras.optimizers.Adam(pace), "mae", steps_per_execution=_STEPS_AT_ONCE)
     return model

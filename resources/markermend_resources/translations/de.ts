@@ -1768,6 +1768,26 @@
         <translation>Die Datei ist abgeschnitten; ihre letzte Pose wurde weggelassen.</translation>
     </message>
     <message>
+        <source>The file is cut short; its last row was left out.</source>
+        <translation>Die Datei ist abgeschnitten; ihre letzte Zeile wurde ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{0} rows stand twice, line {1} for one; they were read once.</source>
+        <translation>{0} Zeilen stehen doppelt da, etwa Zeile {1}; sie wurden einmal gelesen.</translation>
+    </message>
+    <message>
+        <source>The times in the file grow too fast for seconds; milliseconds were assumed.</source>
+        <translation>Die Zeiten in der Datei wachsen zu schnell für Sekunden; Millisekunden wurden angenommen.</translation>
+    </message>
+    <message>
+        <source>Frame numbers go from {0} to {1} in line {2}; poses were read one after the other.</source>
+        <translation>Die Nummern der Frames springen in Zeile {2} von {0} auf {1}; die Posen wurden nacheinander gelesen.</translation>
+    </message>
+    <message>
+        <source>No number stands before {0} poses, in line {1} for one; they were read all the same.</source>
+        <translation>Vor {0} Posen steht keine Nummer, etwa in Zeile {1}; sie wurden trotzdem gelesen.</translation>
+    </message>
+    <message>
         <source>The header counts {0} frames; {1} were read.</source>
         <translation>Der Dateikopf zählt {0} Frames; {1} wurden gelesen.</translation>
     </message>
@@ -1834,6 +1854,34 @@
     <message>
         <source>{0} holds no frame: by its header it ends before it begins.</source>
         <translation>{0} enthält keinen Frame: Nach dem Dateikopf endet die Aufnahme vor ihrem Anfang.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: line {1} opens a quote (&quot;) that it does not close.</source>
+        <translation>{0} ist beschädigt: Zeile {1} öffnet ein Anführungszeichen (&quot;), das sie nicht schließt.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: line {1} says “{2}” where {3} should be a number.</source>
+        <translation>{0} ist beschädigt: In Zeile {1} steht „{2}“, wo {3} eine Zahl sein sollte.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: line {1} has {2} cells, the header {3}.</source>
+        <translation>{0} ist beschädigt: Zeile {1} hat {2} Zellen, der Kopf {3}.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: line {1} has {2} numbers for {3} channels.</source>
+        <translation>{0} ist beschädigt: Zeile {1} hat {2} Zahlen für {3} Kanäle.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: lines {1} and {2} both tell of “{3}” in one frame, and differ.</source>
+        <translation>{0} ist beschädigt: Die Zeilen {1} und {2} nennen beide „{3}“ in einem Frame, aber verschieden.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: “{1}” in line {2} is no frame number.</source>
+        <translation>{0} ist beschädigt: „{1}“ in Zeile {2} ist keine Nummer eines Frames.</translation>
+    </message>
+    <message>
+        <source>{0} would have {1} poses a second, which is no rate of a recording; {2} to {3} Hz can be read.</source>
+        <translation>{0} hätte {1} Posen in der Sekunde, was keine Aufnahme hat; lesbar sind {2} bis {3} Hz.</translation>
     </message>
     <message>
         <source>There is no file “{0}”; check its name and folder.</source>

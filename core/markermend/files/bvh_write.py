@@ -1,0 +1,195 @@
+"""Write Biovision hierarchies (BVH)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import IO
+from warnings import catch_warnings, filterwarnings
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from markermend.arrays import BoolArray, FloatArray
+from markermend.errors import ExportError
+from markermend.files.bvh_read import CM, END, MOVES
+from markermend.poses.pose import Pose
+from markermend.poses.quaternion import inverse, multiply, turn
+from markermend.poses.turnless import turned_as_parents, turnless
+from markermend.progress import Progress
+
+# What a joint may come off its place in its parent's axes and still be written as fixed there.
+_RIGID_MM = 1.0
+_WRITTEN = "ZXY"
+_POSES_A_REPORT = 1024
+
+
+def write_bvh(
+    pose: Pose, file: IO[bytes], progress: Progress, *, whole: Pose | None = None
+) -> None:
+    """Write a hierarchy in centimetres, and its movement.
+
+    Parameters
+    ----------
+    pose : every joint seen in every frame, with rotations
+    file : written from its beginning
+    progress : told the share of poses written
+    whole : the recording that this is a part of, whose hierarchy is written: a pose alone does not
+        tell how joints hang together
+
+    Raises
+    ------
+    ExportError
+        when there is no pose, a joint was not seen, or rotations are unknown
+
+    Notes
+    -----
+    Joints that never have a rotation, as the ends of a Kinect's limbs, are turned as their parents.
+
+    A joint of a BVH stands where its bone begins and carries those below it. Where joints of a
+    recording stand where their bone ends, as those of an AMC, they are written so, and the ends of
+    chains as its ends. A joint that others do not carry along, as a shoulder in the trunk, has
+    channels of position besides, so that it is where the recording has it.
+    """
+    pose, told = _writable(pose, whole)
+    offsets = _offsets(told, told.parents)
+    by_own = _strays(_offsets(told, range(len(told.joints))))
+    if by_own.sum() + _RIGID_MM < _strays(offsets).sum():
+        pose, told = _at_starts(pose), _at_starts(told)
+        offsets = _offsets(told, told.parents)
+    children: dict[int, list[int]] = {}
+    for joint, parent in enumerate(pose.parents):
+        children.setdefault(parent, []).append(joint)
+    carried = (_strays(offsets) < _RIGID_MM) & (np.array(pose.parents) >= 0)
+    lines, order = ["HIERARCHY"], list[int]()
+    usual = np.median(offsets, axis=0)
+    if whole is not None:
+        offsets = _offsets(pose, pose.parents)
+    _describe(children[-1][0], pose, children, usual, carried, lines, order)
+    lines += ["MOTION", f"Frames: {pose.frames}", f"Frame Time: {1.0 / pose.rate:.7f}"]
+    file.write(("\n".join(lines) + "\n").encode())
+    columns = []
+    for joint in order:
+        local, parent = pose.rotations[:, joint], pose.parents[joint]
+        if parent >= 0:
+            local = multiply(inverse(pose.rotations[:, parent]), local)
+        if not carried[joint]:
+            columns.append(offsets[:, joint] / CM)
+        columns.append(_angles(local))
+    table = np.concatenate(columns, axis=1)
+    for start in range(0, pose.frames, _POSES_A_REPORT):
+        progress(start / pose.frames, "Writing poses")
+        rows = table[start : start + _POSES_A_REPORT].tolist()
+        file.write("".join(" ".join(f"{v:.6f}" for v in row) + "\n" for row in rows).encode())
+
+
+def _writable(pose: Pose, whole: Pose | None) -> tuple[Pose, Pose]:
+    """The poses with every joint turned, and those that tell how joints hang together."""
+    if not pose.positions.size:
+        raise ExportError("There is no pose to write into a BVH.")
+    if np.isnan(pose.rotations).all():
+        raise ExportError("A BVH holds rotations, which this recording has none of; write a CSV.")
+    every = whole or pose
+    never = [joint for i, joint in enumerate(pose.joints) if not every.seen[:, i].any()]
+    if never:
+        raise ExportError(
+            f"A BVH holds every joint of every pose, and {', '.join(never)} was never seen; write"
+            " a CSV."
+        )
+    without = turnless(every)
+    pose = turned_as_parents(pose, without)
+    if np.isnan(pose.positions).any() or np.isnan(pose.rotations).any():
+        raise ExportError("A BVH holds every joint and rotation of every pose; denoise it first.")
+    if sum(parent < 0 for parent in pose.parents) != 1:
+        raise ExportError("A BVH has one root; this recording has several.")
+    return pose, pose if whole is None else _complete(turned_as_parents(whole, without))
+
+
+def _complete(pose: Pose) -> Pose:
+    """Those poses of a recording in which every joint was seen."""
+    rows = ~np.isnan(pose.rotations).any(axis=(1, 2))
+    return Pose(pose.positions[rows], pose.rotations[rows], pose.joints, pose.parents, pose.rate)
+
+
+def _angles(rotations: FloatArray) -> FloatArray:
+    """(frames, 3) degrees about the axes in the order written."""
+    with catch_warnings():
+        # Where two axes fall together one of their turns is as good as the other.
+        filterwarnings("ignore", message="Gimbal lock")
+        angles = Rotation.from_quat(rotations).as_euler(_WRITTEN, degrees=True)  # type: ignore[call-overload]
+    return np.asarray(angles)
+
+
+def _offsets(pose: Pose, by: Iterable[int]) -> FloatArray:
+    """(frames, joints, 3) mm from each joint's parent, in the axes of the joints in ``by``.
+
+    Of the root its position.
+    """
+    found = pose.positions.copy()
+    for joint, (parent, axes) in enumerate(zip(pose.parents, by, strict=True)):
+        if parent >= 0:
+            bone = pose.positions[:, joint] - pose.positions[:, parent]
+            found[:, joint] = turn(inverse(pose.rotations[:, axes]), bone)
+    return found
+
+
+def _strays(offsets: FloatArray) -> FloatArray:
+    """(joints,) mm, how far they come from their usual place; a root goes where it likes."""
+    away = np.linalg.norm(offsets - np.median(offsets, axis=0), axis=2)
+    return np.asarray(away.max(axis=0))
+
+
+def _at_starts(pose: Pose) -> Pose:
+    """The same with joints where their bones begin, and a joint more at each end."""
+    above = [joint if parent < 0 else parent for joint, parent in enumerate(pose.parents)]
+    ends = sorted(set(range(len(pose.joints))) - set(pose.parents))
+    return Pose(
+        np.concatenate([pose.positions[:, above], pose.positions[:, ends]], axis=1),
+        np.concatenate([pose.rotations, pose.rotations[:, ends]], axis=1),
+        (*pose.joints, *(pose.joints[end] + END for end in ends)),
+        (*pose.parents, *ends),
+        pose.rate,
+    )
+
+
+def _describe(
+    root: int,
+    pose: Pose,
+    children: dict[int, list[int]],
+    offsets: FloatArray,
+    carried: BoolArray,
+    lines: list[str],
+    order: list[int],
+) -> None:
+    """Add a joint and all below it to the hierarchy, however deep that goes."""
+    waiting: list[tuple[int, int] | str] = [(root, 0)]
+    while waiting:
+        now = waiting.pop()
+        if isinstance(now, str):
+            lines.append(now)
+            continue
+        joint, depth = now
+        tab, parent, below = "  " * depth, pose.parents[joint], children.get(joint, [])
+        order.append(joint)
+        offset = offsets[joint] if parent >= 0 else np.zeros(3)
+        moves = "3" if carried[joint] else f"6 {' '.join(MOVES)}"
+        name = pose.joints[joint].replace(" ", "_")
+        lines += [f"{tab}{'ROOT' if parent < 0 else 'JOINT'} {name}"]
+        lines += [tab + "{", f"{tab}  OFFSET {_three(offset)}"]
+        lines.append(f"{tab}  CHANNELS {moves} Zrotation Xrotation Yrotation")
+        ends = [c for c in below if _is_end(c, pose, children) and carried[c]]
+        tips = [offsets[end] for end in ends] or ([] if below else [np.zeros(3)])
+        # What comes last is written first.
+        waiting.append(tab + "}")
+        for tip in reversed(tips):
+            site = [f"{tab}  End Site", tab + "  {", f"{tab}    OFFSET {_three(tip)}", tab + "  }"]
+            waiting.append("\n".join(site))
+        waiting += [(child, depth + 1) for child in reversed(below) if child not in ends]
+
+
+def _is_end(joint: int, pose: Pose, children: dict[int, list[int]]) -> bool:
+    """Whether a joint is nothing but the end of its parent's bone."""
+    return joint not in children and pose.joints[joint] == pose.joints[pose.parents[joint]] + END
+
+
+def _three(values: FloatArray) -> str:
+    return " ".join(f"{value:.6f}" for value in (np.round(values / CM, 6) + 0.0).tolist())

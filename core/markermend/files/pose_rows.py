@@ -1,0 +1,199 @@
+"""Rows of a table of joints, checked one by one, of files and of streams alike."""
+
+from __future__ import annotations
+
+import csv
+import re
+from dataclasses import dataclass
+from math import isfinite, nan
+
+from markermend.errors import FileFormatError
+
+COLUMNS = ("frame", "time", "joint", "parent", "x", "y", "z", "qx", "qy", "qz", "qw", "confidence")
+NUMBERS = COLUMNS[4:]
+_DELIMITERS = ",;\t"
+_OTHER_NAMES = {
+    "name": "joint",
+    "jointname": "joint",
+    "timestamp": "time",
+    "times": "time",
+    "positionx": "x",
+    "positiony": "y",
+    "positionz": "z",
+    "posx": "x",
+    "posy": "y",
+    "posz": "z",
+    "rotationx": "qx",
+    "rotationy": "qy",
+    "rotationz": "qz",
+    "rotationw": "qw",
+    "quatx": "qx",
+    "quaty": "qy",
+    "quatz": "qz",
+    "quatw": "qw",
+}
+_BLANK = ("", "na", "n/a", "null", "none", "-")
+# As the Kinect's own programs write it.
+_TRACKED = {"tracked": 1.0, "inferred": 0.5, "nottracked": 0.0}
+_MOST_FRAMES = 2.0**53
+
+
+@dataclass(frozen=True)
+class Header:
+    """The first line of a table.
+
+    Attributes
+    ----------
+    name : of the file, for what is wrong with it
+    at : place of each known column
+    width : number of columns
+    delimiter : between cells
+    """
+
+    name: str
+    at: dict[str, int]
+    width: int
+    delimiter: str
+
+    def cells(self, line: str, number: int) -> list[str]:
+        """Cells of a line; fewer than there are columns where it is cut short.
+
+        Raises
+        ------
+        FileFormatError
+            when a quote stays open, or more cells say something than there are columns
+        """
+        row = cells_of(line, self.delimiter, self.name, number)
+        if len(row) > self.width and any(cell.strip() for cell in row[self.width :]):
+            raise FileFormatError(
+                f"{self.name} is damaged: line {number} has {len(row)} cells, the header"
+                f" {self.width}."
+            )
+        return row
+
+    def frame(self, row: list[str], number: int) -> int:
+        """Number of the frame that a row belongs to.
+
+        Raises
+        ------
+        FileFormatError
+            when it is no whole number
+        """
+        cell = row[self.at["frame"]]
+        value = _plain(cell, self.delimiter)
+        if not isfinite(value) or value != int(value) or abs(value) > _MOST_FRAMES:
+            raise FileFormatError(
+                f"{self.name} is damaged: “{cell[:40]}” in line {number} is no frame number."
+            )
+        return int(value)
+
+    def joint(self, row: list[str], number: int) -> str:
+        """Name of the joint that a row is about.
+
+        Raises
+        ------
+        FileFormatError
+            when it has none
+        """
+        name = row[self.at["joint"]].strip()
+        if not name:
+            raise FileFormatError(f"{self.name} is damaged: line {number} names no joint.")
+        return name
+
+    def time(self, row: list[str]) -> float:
+        """Seconds; NaN where the row has none, or not as a number."""
+        return _plain(row[self.at["time"]], self.delimiter) if "time" in self.at else nan
+
+    def values(self, row: list[str], number: int) -> list[float]:
+        """Position, rotation and confidence of a row; NaN where it has none.
+
+        Raises
+        ------
+        FileFormatError
+            when a cell says something that is no number
+        """
+        found = [nan] * len(NUMBERS)
+        for i, column in enumerate(NUMBERS):
+            if column not in self.at:
+                continue
+            cell = row[self.at[column]]
+            try:
+                found[i] = float(cell)
+            except ValueError:
+                found[i] = _plain(cell, self.delimiter)
+                if found[i] == found[i] or cell.strip().lower() in _BLANK:
+                    continue
+                word = re.sub(r"[^a-z]", "", cell.lower())
+                if column != "confidence" or word not in _TRACKED:
+                    raise FileFormatError(
+                        f"{self.name} is damaged: line {number} says “{cell[:40]}” where {column}"
+                        " should be a number."
+                    ) from None
+                found[i] = _TRACKED[word]
+        return found
+
+
+def cells_of(line: str, delimiter: str, name: str, number: int) -> list[str]:
+    """Cells of a line.
+
+    Raises
+    ------
+    FileFormatError
+        when a quote stays open, or a cell is endless
+    """
+    if '"' not in line:
+        return line.split(delimiter)
+    if line.count('"') % 2:
+        raise FileFormatError(
+            f'{name} is damaged: line {number} opens a quote (") that it does not close.'
+        )
+    try:
+        return next(csv.reader([line], delimiter=delimiter))
+    except csv.Error as error:
+        raise FileFormatError(
+            f"{name} is damaged: line {number} does not read as cells of a table."
+        ) from error
+
+
+def header_of(line: str, name: str, number: int = 1) -> Header:
+    """Read the line that names the columns, which stand in any order.
+
+    Parameters
+    ----------
+    line : the first that says something
+    name : of the file, for what is wrong with it
+    number : of the line
+
+    Raises
+    ------
+    FileFormatError
+        when a column is missing that every table of joints has
+    """
+    delimiter = max(_DELIMITERS, key=line.count)
+    head = cells_of(line, delimiter, name, number)
+    plain = [re.sub(r"[^a-z]", "", re.sub(r"[\[(].*", "", cell.lower())) for cell in head]
+    at = {_OTHER_NAMES.get(cell, cell): i for i, cell in enumerate(plain)}
+    missing = [column for column in ("frame", "joint", "x", "y", "z") if column not in at]
+    if missing:
+        raise FileFormatError(
+            f"{name} is no table of joints: it lacks the column “{missing[0]}”; it should have"
+            f" {', '.join(COLUMNS)}."
+        )
+    return Header(name, at, len(head), delimiter)
+
+
+def says_nothing(line: str) -> bool:
+    """Whether a line is blank or a comment."""
+    return not line.strip() or line.startswith("#")
+
+
+def _plain(cell: str, delimiter: str) -> float:
+    """Value of a cell, with a decimal comma where commas do not stand between cells; else NaN."""
+    try:
+        return float(cell)
+    except ValueError:
+        pass
+    try:
+        return nan if delimiter == "," else float(cell.replace(",", "."))
+    except ValueError:
+        return nan
