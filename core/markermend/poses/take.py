@@ -85,8 +85,10 @@ def as_pose(take: Take, *, progress: Progress | None = None) -> Pose:
         as it was read but for samples that were changed. Where a joint was seen and only moved a
         little, as by smoothing, joints keep their rotations but for the least turn that lets their
         bones point where these do now. Elsewhere a joint has the rotation that restoring gives it,
-        and so has its parent, which no sensor can know without it; what was filled has confidence
-        :data:`~markermend.poses.restore.INFERRED`.
+        and so has its parent, which no sensor can know without it. What was worked out, not seen
+        or wrong, has confidence :data:`~markermend.poses.restore.INFERRED`; what was measured and
+        is only told of the other joint now, as left and right that were swapped, has that of its
+        measurement.
 
     Raises
     ------
@@ -107,7 +109,8 @@ def as_pose(take: Take, *, progress: Progress | None = None) -> Pose:
     confidence = pose.confidence.copy()
     if told is not None:
         rotations = np.where(turned[..., None], told.pose.rotations, rotations)
-        confidence[anew & (~pose.seen | mended(told))] = INFERRED
+        worked_out = told.filled | ~told.pose.seen
+        confidence[anew] = np.where(worked_out, INFERRED, told.pose.confidence)[anew]
     confidence[~take.present] = 0.0
     done = pose.with_samples(take.positions, rotations, confidence)
     return replace(done, joints=take.labels)
