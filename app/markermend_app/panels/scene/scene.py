@@ -28,6 +28,7 @@ from markermend_app.panels.scene.buttons import SceneButtons
 from markermend_app.panels.scene.camera import Camera
 from markermend_app.panels.scene.follow import Follower
 from markermend_app.panels.scene.looks import Looks, marker_colours
+from markermend_app.panels.scene.proposed import proposed_body
 from markermend_app.panels.scene.seen import Seen
 from markermend_app.panels.scene.select import Outline, nearest
 from markermend_app.panels.scene.stage import Stage, set_stage
@@ -85,6 +86,7 @@ class Scene(QWidget):
             document.proposal_changed,
         ):
             signal.connect(self._redraw)
+        document.proposals.ready.connect(self._redraw)
         document.shown_changed.connect(self._shown_changed)
         theme.watcher.changed.connect(self.update)
         self._opened()
@@ -221,6 +223,7 @@ class Scene(QWidget):
         rings, least = self.seen.rings(), self.looks.least
         discs = paint.Discs(now, self.seen.radius, shown, rings, colours, least)
         self._at = paint.paint_discs(sight, discs)
+        self._paint_proposed(sight, now)
         spots = self._paint_ghost(sight, now)
         followed = [take.index(s) for s in self._document.preview.references]
         paint.paint_followed(sight, spots[followed])
@@ -245,6 +248,12 @@ class Scene(QWidget):
         t, off = theme.current(), self.seen.off(now) & self.looks.lengths
         paint.paint_links(sight, now, self.seen.links[~off], t.bones, 1.6)
         paint.paint_links(sight, now, self.seen.links[off], t.axes["x"], 2.4)
+
+    def _paint_proposed(self, sight: paint.Sight, now: FloatArray) -> None:
+        """Paint the bones of joints where the proposed repairs would put them."""
+        placed, proposed = proposed_body(self._document, now)
+        links = self.seen.links
+        paint.paint_proposed(sight, placed, links[proposed[links].any(axis=1)])
 
     def _paint_other(
         self,
