@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
-from PySide6.QtWidgets import QFileDialog, QLabel
+from PySide6.QtWidgets import QFileDialog, QLabel, QMessageBox
 
 import markermend as mm
 from markermend.artifact import Status
@@ -17,6 +17,9 @@ from markermend.poses.nuitrack import JOINTS, to_nuitrack
 from markermend_app.dialogs.export import ExportChoice
 from markermend_app.dialogs.file_filters import export_filter, open_filter
 from markermend_app.panels.markers.marker_model import NAME
+from markermend_app.panels.scene import paint
+from markermend_app.panels.scene.proposed import proposed_body
+from markermend_app.style import theme
 from markermend_app.window import MainWindow
 
 WAIT = 60_000
@@ -187,3 +190,102 @@ def test_no_name_is_proposed_that_cannot_be_written(
     assert Path(name).name == proposed
     # The files listed are of the kind proposed.
     assert kinds.partition("(*")[2].startswith(Path(proposed).suffix)
+
+
+def test_restoring_is_compared_with_the_others_and_stands_first(opened, qtbot):
+    document, comparison = opened.document, opened.comparison
+    gap = next(a for a in document.session.artifacts if a.marker == "head")
+    document.select(gap.id)
+    comparison.start(["C"])
+    qtbot.waitUntil(lambda: comparison.candidates is not None, timeout=WAIT)
+    restored = next(c for c in comparison.candidates if c.method == "skeleton")
+    # Both were tried where the head was seen, so that the figures can be compared.
+    assert restored.trials > 0
+    assert {"local_regression", "spline"} <= {c.method for c in comparison.candidates}
+    assert all(c.error_mm is not None for c in comparison.candidates if c.trials)
+    comparison.stop()
+
+
+def test_bones_of_what_is_proposed_are_drawn_in_space(opened, qtbot):
+    document, scene = opened.document, opened.scene
+    take = document.session.original
+    gap = next(a for a in document.session.artifacts if a.marker == "head")
+    document.select(gap.id)
+    document.go_to(gap.start + 2)
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    now = document.session.positions[document.frame]
+    placed, proposed = proposed_body(document, now)
+    head = take.index("head")
+    assert np.isnan(now[head]).all()
+    assert proposed[head]
+    np.testing.assert_array_equal(placed[head], document.proposal.patches[0].values[2])
+    drawn = []
+    as_it_is = paint.paint_proposed
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(paint, "paint_proposed", lambda s, p, n: drawn.append(n) or as_it_is(s, p, n))
+        scene.grab()
+    assert sorted((head, take.index("neck"))) in [sorted(pair) for pair in drawn[0].tolist()]
+    document.go_to(gap.stop + 5)
+    assert not proposed_body(document, document.session.positions[document.frame])[1].any()
+
+
+def test_what_ties_swapped_joints_is_no_bone(opened, qtbot):
+    """Lines from before to after a repair have a colour that no segment has."""
+    document, scene = opened.document, opened.scene
+    swap = next(a for a in document.session.artifacts if a.counterpart)
+    document.select(swap.id)
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    document.repair_current()
+    document.select(None)
+    document.go_to(swap.start + 1)
+    tie = theme.current().warning
+
+    def tied():
+        image = scene.grab().toImage()
+        picture = (
+            image.pixelColor(x, y) for x in range(image.width()) for y in range(image.height())
+        )
+        return sum(abs(c.red() - tie.red()) + abs(c.green() - tie.green()) < 40 for c in picture)
+
+    with_ties = tied()
+    scene.looks.ghost = False
+    assert with_ties > tied() + 5
+
+
+def test_where_bones_are_rigid_a_dialog_says_which_joints_are_off(
+    window, shared_data, tmp_path, qtbot
+):
+    (tmp_path / "02.asf").write_bytes((shared_data / "poses" / "02.asf").read_bytes())
+    lines = (shared_data / "poses" / "02_01.amc").read_text().splitlines()
+    at, kept = 0, []
+    for line in lines:
+        at = int(line) if line.isdigit() else at
+        if not (100 <= at < 140 and line.startswith("ltibia ")):
+            kept.append(line)
+    (tmp_path / "02_01.amc").write_text("\n".join(kept) + "\n")
+    window.commands.open_path(tmp_path / "02_01.amc")
+    qtbot.waitUntil(lambda: window.document.proposal is not None, timeout=WAIT)
+    for artifact in window.document.session.with_status(Status.PENDING):
+        window.document.select(artifact.id)
+        window.document.choose_method("linear")
+        qtbot.waitUntil(lambda: window.document.proposal is not None, timeout=WAIT)
+        window.document.repair_current()
+    exporter = window.commands._exporter
+    assert exporter.export_to(tmp_path / "out.amc", ExportChoice(False, False), wait=True)
+    (box,) = window.findChildren(QMessageBox)
+    assert "out.amc" in box.text()
+    assert "ltibia" in box.informativeText() or "lfoot" in box.informativeText()
+    assert " mm" in box.informativeText()
+    box.close()
+
+
+def test_an_export_that_failed_is_not_said_to_be_done(opened, tmp_path, monkeypatch):
+    said = []
+    exporter = opened.commands._exporter
+    exporter.said.connect(said.append)
+    monkeypatch.setattr("markermend_app.dialogs.ask.show_problem", lambda *_: None)
+    choice = ExportChoice(False, False)
+    assert exporter.export_to(tmp_path / "one.csv", choice, wait=True)
+    assert not exporter.export_to(tmp_path / "two.amc", choice, wait=True)
+    assert said[0].startswith("Exported to")
+    assert said[-1] == "two.amc was not written."

@@ -19,13 +19,16 @@ from PySide6.QtWidgets import (
 
 import markermend
 from markermend.errors import MarkermendError
+from markermend.files import Export
 from markermend.take import Take
+from markermend_app import units
 from markermend_app.telling import told
 from markermend_app.words import tr as _tr
 
 Buttons = QMessageBox.StandardButton
 Role = QMessageBox.ButtonRole
 Ends = QDialogButtonBox.StandardButton
+_MOST_OFF = 8
 
 
 def show_problem(parent: QWidget, error: Exception) -> None:
@@ -54,6 +57,26 @@ def tell_damaged(parent: QWidget, take: Take) -> None:
     found = " ".join(map(told, take.warnings))
     kept = _tr("The original is never replaced; repairs can be exported to another file.")
     box.setInformativeText(f"{found} {kept}".strip())
+    box.open()
+
+
+def tell_off(parent: QWidget, export: Export) -> None:
+    """Say which joints are not where they were reviewed, in a file whose bones are rigid."""
+    box = QMessageBox(parent)
+    box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    box.setIcon(QMessageBox.Icon.Warning)
+    box.setWindowTitle(_tr("Export"))
+    text = _tr("{0} is written, but some joints are not where you reviewed them there.")
+    box.setText(text.format(export.path.name))
+    most = [f"{joint} {units.length(mm)}" for joint, mm in export.off[:_MOST_OFF]]
+    if len(export.off) > _MOST_OFF:
+        most.append(_tr("{0} more").format(len(export.off) - _MOST_OFF))
+    why = _tr(
+        "Its bones are rigid, so that joints come only as near as these allow, also those beside "
+        "a repair that you left as they were. At most they are off by: {0}. A CSV or C3D file has "
+        "every joint where you see it."
+    )
+    box.setInformativeText(why.format(", ".join(most)))
     box.open()
 
 
