@@ -11,12 +11,15 @@ from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QFileDialog, QLabel, QMessageBox
 
 import markermend as mm
-from markermend.artifact import Status
+from markermend.artifact import Kind, Status
 from markermend.poses.breaking import break_pose
 from markermend.poses.nuitrack import JOINTS, to_nuitrack
 from markermend_app.dialogs.export import ExportChoice
 from markermend_app.dialogs.file_filters import export_filter, open_filter
+from markermend_app.panels.inspector.artifact import ArtifactPage
 from markermend_app.panels.markers.marker_model import NAME
+from markermend_app.panels.markers.naming import paired_name
+from markermend_app.panels.queue.model import MARKER
 from markermend_app.panels.scene import paint
 from markermend_app.panels.scene.proposed import proposed_body
 from markermend_app.style import theme
@@ -289,3 +292,42 @@ def test_an_export_that_failed_is_not_said_to_be_done(opened, tmp_path, monkeypa
     assert not exporter.export_to(tmp_path / "two.amc", choice, wait=True)
     assert said[0].startswith("Exported to")
     assert said[-1] == "two.amc was not written."
+
+
+def test_a_mix_up_is_told_of_both_of_its_joints(opened, qtbot):
+    document, queue = opened.document, opened.queue
+    swap = next(a for a in document.session.artifacts if a.counterpart)
+    part = swap.marker.removeprefix("left_")
+    assert queue.model.text(swap, MARKER) == f"L/R {part}"
+    both = f"{swap.marker} ↔ {swap.counterpart}"
+    row = queue.model.index(queue.model.row_of(swap.id), MARKER)
+    assert row.data(Qt.ItemDataRole.ToolTipRole).startswith(both)
+    model = opened.tree._model
+    qtbot.waitUntil(lambda: bool(model.node(model.index_of(swap.marker)).own))
+    assert model.node(model.index_of(swap.counterpart)).own[Kind.STEP] == 1
+    overview = opened.overview
+    at = [overview._rows.row_of[JOINTS.index(m)] for m in swap.markers]
+    assert {(swap.start, swap.stop, r) for r in at} <= set(map(tuple, overview._place.tolist()))
+    document.select(swap.id)
+    document.go_to(swap.start)
+    assert {JOINTS.index(m) for m in swap.markers} <= set(opened.scene.seen.rings())
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    document.repair_current()
+    assert document.session.history[-1] == f"Repair step on {both}"
+    document.select(swap.id)
+    assert opened.inspector.findChild(ArtifactPage).title.text() == both
+
+
+@pytest.mark.parametrize(
+    ("names", "told"),
+    [
+        (("left_ankle", "right_ankle"), "L/R ankle"),
+        (("rtibia", "ltibia"), "L/R tibia"),
+        (("LeftArm", "RightArm"), "L/R Arm"),
+        (("left_ankle", "right_knee"), "left_ankle ↔ right_knee"),
+        (("left_hip", "left_hip2"), "left_hip ↔ left_hip2"),
+        (("lhand",), "lhand"),
+    ],
+)
+def test_joints_that_change_places_have_a_short_name(names, told):
+    assert paired_name(names) == told

@@ -133,13 +133,14 @@ def paint_artifacts(
     inks: dict[tuple[Status, Kind, float], QColor] = {}
     for a in sorted(artifacts, key=lambda a: a.status is not Status.REJECTED):
         if a.stop > start and a.start < stop:
-            top, bottom = edges[rows.row_of[column_of[a.marker]]]
             left = (a.start - start) * scale
             right = max((a.stop - start) * scale, left + 1.5)
             kind = a.status, a.kind, a.confidence
             if kind not in inks:
                 inks[kind] = _ink(a, look)
-            painter.fillRect(QRectF(left, top, right - left, bottom - top), inks[kind])
+            for marker in a.markers:
+                top, bottom = edges[rows.row_of[column_of[marker]]]
+                painter.fillRect(QRectF(left, top, right - left, bottom - top), inks[kind])
     painter.end()
 
 
