@@ -178,6 +178,11 @@ class Document(Looking):
         return None if self.current is None else self.preview.get(self.current)
 
     @property
+    def joints(self) -> bool:
+        """Whether the take is a skeleton recording, whose markers are joints."""
+        return self.session is not None and self.session.original.skeleton
+
+    @property
     def method(self) -> str:
         """The method previewed: ``"auto"`` or a name."""
         return self.preview.method

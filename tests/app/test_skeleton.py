@@ -8,21 +8,25 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
-from PySide6.QtWidgets import QFileDialog, QLabel, QMessageBox
+from PySide6.QtWidgets import QFileDialog, QLabel, QMenu, QMessageBox
 
 import markermend as mm
 from markermend.artifact import Kind, Status
 from markermend.poses.breaking import break_pose
 from markermend.poses.nuitrack import JOINTS, to_nuitrack
+from markermend_app.actions.palette import entries, ranked
 from markermend_app.dialogs.export import ExportChoice
 from markermend_app.dialogs.file_filters import export_filter, open_filter
+from markermend_app.dialogs.preferences import Preferences
 from markermend_app.panels.inspector.artifact import ArtifactPage
+from markermend_app.panels.markers.marker_menu import add_marker_verbs
 from markermend_app.panels.markers.marker_model import NAME
 from markermend_app.panels.markers.naming import paired_name
 from markermend_app.panels.queue.model import MARKER
 from markermend_app.panels.scene import paint
 from markermend_app.panels.scene.proposed import proposed_body
 from markermend_app.style import theme
+from markermend_app.telling import _read, told
 from markermend_app.window import MainWindow
 
 WAIT = 60_000
@@ -331,3 +335,66 @@ def test_a_mix_up_is_told_of_both_of_its_joints(opened, qtbot):
 )
 def test_joints_that_change_places_have_a_short_name(names, told):
     assert paired_name(names) == told
+
+
+def test_actions_speak_of_joints_and_those_without_use_rest(opened, window, qtbot):
+    actions = opened.actions_by_name
+    assert actions["rename_marker"].text() == "Rename joint…"
+    assert "joint" in actions["choose_references"].toolTip()
+    assert not actions["detect_slow"].isEnabled()
+    assert "Only for takes of markers" in actions["detect_slow"].toolTip()
+    found = entries(actions, opened.document)
+    names = [entry.text for entry in ranked("joint", found)]
+    assert "By hand: Rename joint…" in names
+    assert "left_wrist" in names
+    menu = QMenu()
+    opened.document.show(["head"])
+    add_marker_verbs(menu, opened.document, lambda _: None)
+    assert any(action.text().startswith("Merge joint…") for action in menu.actions())
+    opened.scene.looks.fill(menu, None, lambda _: None, lambda: None, joints=True)
+    assert "Joints in one colour" in [action.text() for action in menu.actions()]
+    assert opened.scene.buttons.trails.toolTip() == "Trails of all joints"
+
+
+def test_actions_speak_of_markers_again(opened, take_path, qtbot):
+    opened.document.session.mark_exported()
+    opened.commands.open_path(take_path)
+    qtbot.waitUntil(lambda: not opened.document.joints, timeout=WAIT)
+    actions = opened.actions_by_name
+    assert actions["rename_marker"].text() == "Rename marker…"
+    assert actions["detect_slow"].isEnabled()
+    assert opened.scene.buttons.trails.toolTip() == "Trails of all markers"
+
+
+def test_the_dial_rests_where_it_changes_nothing(qtbot):
+    page = Preferences()
+    qtbot.addWidget(page)
+    assert page.dial.isEnabled()
+    page.dial_does_nothing()
+    page._read_detection()
+    assert not page.dial.isEnabled()
+    assert not page.preset.isEnabled()
+    assert "joints" in page.dial.toolTip()
+
+
+def test_what_is_accepted_only_is_told_when_all_is_decided(opened, qtbot):
+    session = opened.document.session
+    ids = [a.id for a in session.artifacts]
+    opened.document.accept(ids[:1])
+    opened.document.reject(ids[1:])
+    said = opened.queue._hint
+    qtbot.waitUntil(lambda: "are decided" in said.text())
+    assert "1 is accepted but not repaired; Ctrl+R repairs" in said.text()
+
+
+def test_a_bvh_with_gaps_says_which_they_are(opened, tmp_path, monkeypatch):
+    told_of = []
+    monkeypatch.setattr(
+        "markermend_app.dialogs.ask.show_problem", lambda _, error: told_of.append(str(error))
+    )
+    exporter = opened.commands._exporter
+    assert not exporter.export_to(tmp_path / "out.bvh", ExportChoice(False, False), wait=True)
+    (text,) = told_of
+    assert "not known: head 30" in text
+    assert told(text) == text
+    assert _read(text) is not None

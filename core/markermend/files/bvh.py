@@ -27,6 +27,7 @@ _MOVES = {"Xposition": 0, "Yposition": 1, "Zposition": 2}
 _TURNS = {"Xrotation": "X", "Yrotation": "Y", "Zrotation": "Z"}
 _WRITTEN = "ZXY"
 _POSES_A_REPORT = 1024
+_MOST_NAMED = 8
 
 
 class _Joint:
@@ -183,8 +184,13 @@ def write_bvh(
         raise ExportError("There is no pose to write into a BVH.")
     if np.isnan(pose.rotations).all(axis=(0, 2)).any():
         raise ExportError("A BVH holds rotations, which this recording has none of; write a CSV.")
-    if np.isnan(pose.positions).any() or np.isnan(pose.rotations).any():
-        raise ExportError("A BVH holds every joint and rotation of every pose; denoise it first.")
+    gaps = np.asarray(np.isnan(pose.positions).any(axis=2) | np.isnan(pose.rotations).any(axis=2))
+    if gaps.any():
+        raise ExportError(
+            "A BVH holds every joint of every pose. Frames in which joints are not known:"
+            f" {_in_words(pose, gaps)}. Repair these gaps first, in the window by F, or all of them"
+            " by markermend clean; or write a CSV."
+        )
     if sum(parent < 0 for parent in pose.parents) != 1:
         raise ExportError("A BVH has one root; this recording has several.")
     told = pose if whole is None else _complete(whole)
@@ -217,6 +223,13 @@ def write_bvh(
         progress(start / pose.frames, "Writing poses")
         rows = table[start : start + _POSES_A_REPORT].tolist()
         file.write("".join(" ".join(f"{v:.6f}" for v in row) + "\n" for row in rows).encode())
+
+
+def _in_words(pose: Pose, gaps: BoolArray) -> str:
+    """Which joints are not known, and in how many frames."""
+    times = np.count_nonzero(gaps, axis=0).tolist()
+    there = [f"{joint} {n}" for joint, n in zip(pose.joints, times, strict=True) if n]
+    return ", ".join(there[:_MOST_NAMED]) + (" …" if len(there) > _MOST_NAMED else "")
 
 
 def _complete(pose: Pose) -> Pose:

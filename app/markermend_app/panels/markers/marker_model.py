@@ -51,13 +51,14 @@ class MarkerModel(QStandardItemModel):
         self._by_label: dict[str, Node] = {}
         self._twice: dict[Node, Counter[Kind]] = {}
         self._shown: tuple[str, ...] = ()
+        self._missing_tip = self.tr("Share of the frames in which the marker is missing")
         self._small = QFont()
         self._small.setPointSize(theme.SMALL_PT)
         self.setHorizontalHeaderLabels([self.tr("Marker"), self.tr("Open"), "%"])
         tip = Qt.ItemDataRole.ToolTipRole
         for column, text in (
             (OPEN, self.tr("Artifacts that are not decided yet, by class")),
-            (MISSING, self.tr("Share of the frames in which the marker is missing")),
+            (MISSING, self._missing_tip),
         ):
             self.setHeaderData(column, Qt.Orientation.Horizontal, text, tip)
         align = Qt.ItemDataRole.TextAlignmentRole
@@ -66,6 +67,11 @@ class MarkerModel(QStandardItemModel):
     def set_heading(self, text: str) -> None:
         """Say what the rows are."""
         self.setHeaderData(NAME, Qt.Orientation.Horizontal, text)
+
+    def set_missing_tip(self, text: str) -> None:
+        """Say what the share of missing frames is of; empty for markers."""
+        tip = Qt.ItemDataRole.ToolTipRole
+        self.setHeaderData(MISSING, Qt.Orientation.Horizontal, text or self._missing_tip, tip)
 
     def set_root(self, root: Node) -> None:
         """Show other rows; what is missing of markers that stay is known already."""

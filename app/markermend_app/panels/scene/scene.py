@@ -117,7 +117,8 @@ class Scene(QWidget):
             point_at(self._document, marker)
             add_marker_verbs(menu, self._document, self.do)
             menu.addSeparator()
-        self.looks.fill(menu, self._vertical, self.set_vertical, self.update)
+        joints = self._document.joints
+        self.looks.fill(menu, self._vertical, self.set_vertical, self.update, joints=joints)
 
     # What is seen
 
@@ -165,6 +166,7 @@ class Scene(QWidget):
             self._vertical, self._afresh = None, True
             self.follower.start()
         self.buttons.setVisible(session is not None)
+        self.buttons.say_joints(self._document.joints)
         self.drop_tool()
         self.seen.forget()
         self._entering.ask()
@@ -236,7 +238,9 @@ class Scene(QWidget):
         square = f"{self.stage.unit * units.FACTORS[units.unit()]:g} {units.unit()}"
         paint.paint_note(sight, self.tr("One square: {0}").format(square))
         if self._choosing:
-            paint.paint_title(sight, self.tr("Click the markers to follow"), t.accent)
+            text = self.tr("Click the markers to follow")
+            text = self.tr("Click the joints to follow") if take.skeleton else text
+            paint.paint_title(sight, text, t.accent)
         elif self.before:
             paint.paint_title(sight, self.tr("Before repair"), t.muted)
         if self._outline is not None:
