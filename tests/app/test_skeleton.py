@@ -8,14 +8,23 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
-from PySide6.QtWidgets import QFileDialog, QLabel, QMenu, QMessageBox
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QFileDialog,
+    QLabel,
+    QMenu,
+    QMessageBox,
+    QPlainTextEdit,
+    QPushButton,
+)
 
 import markermend as mm
 from markermend.artifact import Kind, Status
 from markermend.poses.breaking import break_pose
 from markermend.poses.nuitrack import JOINTS, to_nuitrack
+from markermend.review import hand
 from markermend_app.actions.palette import entries, ranked
-from markermend_app.dialogs.export import ExportChoice
+from markermend_app.dialogs.export import ExportChoice, ExportDialog
 from markermend_app.dialogs.file_filters import export_filter, open_filter
 from markermend_app.dialogs.preferences import Preferences
 from markermend_app.panels.inspector.artifact import ArtifactPage
@@ -398,3 +407,57 @@ def test_a_bvh_with_gaps_says_which_they_are(opened, tmp_path, monkeypatch):
     assert "not known: head 30" in text
     assert told(text) == text
     assert _read(text) is not None
+
+
+def test_restoring_is_named_where_it_is_the_best(opened, qtbot):
+    document = opened.document
+    methods = opened.inspector.findChild(ArtifactPage).methods
+    gap = next(a for a in document.session.artifacts if a.kind is Kind.GAP)
+    document.select(gap.id)
+    assert methods.buttons["auto"].text() == "Best: Restore skeleton"
+    assert methods.buttons["swap"].text() == "6 Swap joints"
+    assert not methods.buttons["swap"].isEnabled()
+    assert opened.inspector.findChild(ArtifactPage).sureness.text().startswith("certain")
+    document.select(next(a for a in document.session.artifacts if a.counterpart).id)
+    assert methods.buttons["swap"].isEnabled()
+    assert "%" in opened.inspector.findChild(ArtifactPage).sureness.text()
+
+
+def test_the_overview_is_in_the_order_of_the_tree(opened):
+    rows = opened.overview._rows
+    names = [JOINTS[column] for column in rows.columns]
+    place = {name: names.index(name) for name in names}
+    assert place["left_elbow"] == place["left_shoulder"] + 1
+    assert place["left_wrist"] == place["left_elbow"] + 1
+    assert place["left_ankle"] == place["left_knee"] + 1
+    assert sorted(rows.row_of) == list(range(len(JOINTS)))
+    assert [name for name, *_ in rows.groups] == names
+
+
+def test_the_export_dialog_of_joints(qtbot, opened):
+    document = opened.document
+    pending = document.session.with_status(Status.PENDING)
+    dialog = ExportDialog(opened, pending, [], [], 0, True, joints=True)
+    qtbot.addWidget(dialog)
+    dialog.show()
+    boxes = [box for box in dialog.findChildren(QCheckBox) if box.isVisible()]
+    assert not any("C3D" in box.text() for box in boxes)
+    show = next(b for b in dialog.findChildren(QPushButton) if b.text() == "Show list")
+    show.setFocus()
+    qtbot.keyClick(show, Qt.Key.Key_Return)
+    assert dialog.isVisible()
+    assert dialog.findChild(QPlainTextEdit).isVisible()
+
+
+def test_a_review_without_repairs_is_not_said_to_have_some(opened, monkeypatch):
+    asked = []
+    monkeypatch.setattr(
+        "markermend_app.dialogs.ask.QMessageBox.exec", lambda box: asked.append(box.text())
+    )
+    document = opened.document
+    document.reject([document.session.artifacts[0].id])
+    assert not opened.commands.let_go()
+    assert asked[-1].startswith("You changed no sample of sensor.csv")
+    document.do(lambda s: hand.cut(s, "head", 10, 20))
+    assert not opened.commands.let_go()
+    assert asked[-1].startswith("Your repairs of sensor.csv are not exported")

@@ -80,13 +80,22 @@ def tell_off(parent: QWidget, export: Export) -> None:
     box.open()
 
 
-def ask_unexported(parent: QWidget, path: Path | None) -> str:
-    """Ask what becomes of work not yet exported: ``export, keep, discard`` or ``cancel``."""
+def ask_unexported(parent: QWidget, path: Path | None, changed: bool = True) -> str:
+    """Ask what becomes of work not yet exported: ``export, keep, discard`` or ``cancel``.
+
+    Parameters
+    ----------
+    parent : the window
+    path : of the take
+    changed : whether samples were changed, rather than intervals decided and notes written only
+    """
     box = QMessageBox(parent)
     box.setIcon(QMessageBox.Icon.Question)
     box.setWindowTitle(_tr("Work not yet exported"))
     name = path.name if path else _tr("this take")
-    box.setText(_tr("Your repairs of {0} are not exported yet.").format(name))
+    repaired = _tr("Your repairs of {0} are not exported yet.")
+    looked_at = _tr("You changed no sample of {0}, but its review would be lost.")
+    box.setText((repaired if changed else looked_at).format(name))
     box.setInformativeText(
         _tr("Keep the review to go on later: it is saved beside the take, with its full history.")
     )

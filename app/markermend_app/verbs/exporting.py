@@ -74,6 +74,7 @@ class Exporter(QObject):
             settings.flag("record_repairs", False),
             empty=not session.artifacts and not session.history,
             region=session.region,
+            joints=document.joints,
         )
         if choice is None:
             return False
