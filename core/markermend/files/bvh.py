@@ -229,7 +229,8 @@ def _in_words(pose: Pose, gaps: BoolArray) -> str:
     """Which joints are not known, and in how many frames."""
     times = np.count_nonzero(gaps, axis=0).tolist()
     there = [f"{joint} {n}" for joint, n in zip(pose.joints, times, strict=True) if n]
-    return ", ".join(there[:_MOST_NAMED]) + (" …" if len(there) > _MOST_NAMED else "")
+    more = len(there) - _MOST_NAMED
+    return ", ".join(there[:_MOST_NAMED]) + (f" (+ {more})" if more > 0 else "")
 
 
 def _complete(pose: Pose) -> Pose:
