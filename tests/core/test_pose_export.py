@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import markermend as mm
+from markermend.artifact import Artifact, Kind
 from markermend.poses.breaking import break_pose
 from markermend.poses.faults import SWAPPED
 from markermend.poses.nuitrack import to_nuitrack
@@ -55,6 +56,19 @@ def test_confidence_tells_what_was_worked_out_from_what_was_measured(broken, tmp
         rows = rows[(rows >= fault.start) & (rows < fault.stop)]
         assert rows.size
         assert set(confidence[rows, fault.joint]) == {1.0 if fault.kind == SWAPPED else INFERRED}
+
+
+def test_what_is_exchanged_in_a_noisy_recording_was_measured(walk, tmp_path):
+    places = walk.positions + np.random.default_rng(0).normal(0.0, 8.0, walk.positions.shape)
+    sides = [walk.joints.index(name) for name in ("left_wrist", "right_wrist")]
+    places[100:130, sides] = places[100:130, sides[::-1]]
+    mm.write_pose(walk.with_samples(places, walk.rotations), tmp_path / "noisy.csv")
+    take = mm.read(tmp_path / "noisy.csv")
+    swap = Artifact("left_wrist", "xyz", 100, 130, Kind.STEP, counterpart="right_wrist")
+    clean = mm.repair(take, [swap], method="swap")
+    assert changed_joints(clean)[100:130, sides].all()
+    mm.write(clean, tmp_path / "out.csv")
+    assert (mm.read_pose(tmp_path / "out.csv").confidence[100:130, sides] == 1.0).all()
 
 
 def test_rows_of_a_table_that_nothing_touched_keep_their_bytes(broken, tmp_path):
