@@ -25,7 +25,7 @@ def table_strings() -> list[str]:
     from markermend.repairs import REPAIRS
     from markermend.smoothers import SMOOTHERS
     from markermend_app import detection, report_words, telling
-    from markermend_app.actions import synonyms
+    from markermend_app.actions import joints, synonyms
     from markermend_app.actions import table as actions
     from markermend_app.dialogs import params_form
     from markermend_app.panels.inspector import artifact_text
@@ -36,6 +36,7 @@ def table_strings() -> list[str]:
     found += [name.lower() for name in theme.KIND_NAME.values()]
     for spec in actions.ACTIONS:
         found += [spec.text, spec.tip or spec.text.rstrip("…"), *spec.menu.lstrip("|").split("/")]
+    found += [text for texts in joints.TEXTS.values() for text in texts]
     found += synonyms.SYNONYMS.values()
     for method in (*REPAIRS.values(), *SMOOTHERS.values()):
         found += [method.label, method.summary]

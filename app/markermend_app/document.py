@@ -24,7 +24,7 @@ from markermend_app.following import Following
 from markermend_app.looking import Looking
 from markermend_app.style import theme
 from markermend_app.telling import told
-from markermend_app.walk import open_after
+from markermend_app.walk import open_after, same_moment
 
 AHEAD = 3
 """Artifacts after the current one whose repairs are proposed ahead of time."""
@@ -178,6 +178,11 @@ class Document(Looking):
         return None if self.current is None else self.preview.get(self.current)
 
     @property
+    def joints(self) -> bool:
+        """Whether the take is a skeleton recording, whose markers are joints."""
+        return self.session is not None and self.session.original.skeleton
+
+    @property
     def method(self) -> str:
         """The method previewed: ``"auto"`` or a name."""
         return self.preview.method
@@ -200,8 +205,9 @@ class Document(Looking):
         artifact, session = self.current, self.session
         if artifact is None or session is None or self.mesh is None:
             return
-        ahead = (session.artifact(i) for i in open_after(session, self.queue, artifact.id)[:AHEAD])
-        self.preview.want(session, self.mesh, artifact, tuple(ahead))
+        ahead = [session.artifact(i) for i in open_after(session, self.queue, artifact.id)[:AHEAD]]
+        beside = same_moment(session, artifact) if session.original.skeleton else ()
+        self.preview.want(session, self.mesh, artifact, tuple(dict.fromkeys((*ahead, *beside))))
 
     def _proposal_came(self, artifact_id: str) -> None:
         """Show a proposal that was waited for, or use it when F was pressed already."""

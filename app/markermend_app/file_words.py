@@ -75,6 +75,8 @@ PROBLEMS = (
     "“{0}” is a folder; name a file in it.",
     "“{0}” may not be read; check its permissions.",
     "“{0}” cannot be opened: {1}.",
+    "A BVH holds every joint of every pose. Frames in which joints are not known: {0}. Repair "
+    "these gaps first, in the window by F, or all of them by markermend clean; or write a CSV.",
     "{0} could not be written: {1}; nothing was changed, choose another place or free some space.",
 )
 """Why a file cannot be opened or written."""

@@ -45,6 +45,8 @@ class Preferred(QObject):
     def open(self) -> None:
         """Show the page."""
         page = Preferences(self._window)
+        if self._document.joints:
+            page.dial_does_nothing()
         page.changed.connect(self.take)
         page.exec()
 

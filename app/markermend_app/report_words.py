@@ -17,6 +17,7 @@ from markermend_app.words import tr
 FORMS = (
     # What the take is.
     "{0} frames at {1} Hz ({2} s), {3} markers. {4}, Markermend {5}.",
+    "{0} frames at {1} Hz ({2} s), {3} joints. {4}, Markermend {5}.",
     "This is about frames {0}–{1} only; what lies outside is not counted.",
     "Detected by “{0}”",
     "Searched for {0}",

@@ -139,6 +139,10 @@ _FILES = (
 _FORMS: Mapping[str, str] = {
     "Detect (sudden)": "Find gaps, peaks, noise and steps",
     "Detect (all kinds)": "Find artifacts of all classes",
+    # Here nobody can say which it is.
+    "{0} needs its skeleton: put the ASF file beside it, named {1}.asf, or say which it is.": (
+        "{0} needs its skeleton: put the ASF file beside it, named {1}.asf, and open it again."
+    ),
     **{form: form for form in (*_FILES, *_OF_METHODS, *_SAME)},
 }
 """Forms as the engine writes them, and as they are told."""

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from markermend.artifact import Status
+from markermend.artifact import Artifact, Status, within
 from markermend.review.session import Session
 from markermend.review.step import Step, artifacts_of
+
+_MOST_BESIDE = 8
 
 
 def open_after(
@@ -29,6 +31,13 @@ def open_after(
         i = order.index(artifact_id)
         order = order[i + 1 :] + order[:i]
     return tuple(i for i in order if i in pending)
+
+
+def same_moment(session: Session, artifact: Artifact) -> tuple[Artifact, ...]:
+    """Others that are not repaired yet and share frames with an artifact, the first few."""
+    waiting = session.listed_with(Status.PENDING, Status.ACCEPTED)
+    same = within(waiting, (artifact.start, artifact.stop))
+    return tuple(a for a in same if a.id != artifact.id)[:_MOST_BESIDE]
 
 
 def about(session: Session, queue: Sequence[str], step: Step, current: str | None) -> str | None:

@@ -17,6 +17,7 @@ from markermend.errors import DataError
 from markermend.take import AXES, Take
 
 PAIRED = " ↔ "
+_OF_ALL = (None, "", "swap", "skeleton")
 """Between the names of markers that change places."""
 
 
@@ -215,9 +216,11 @@ def trusted_samples(take: Take, artifacts: Iterable[Artifact]) -> BoolArray:
 def changed_markers(artifact: Artifact, method: str | None) -> tuple[str, ...]:
     """Name the markers a repair is about: of a mix-up all, unless it was repaired on one alone.
 
+    An exchange changes both sides, and so does restoring a skeleton.
+
     Parameters
     ----------
     artifact : of any class
     method : that repaired it, None or empty where nothing did
     """
-    return (artifact.marker,) if method not in (None, "", "swap") else artifact.markers
+    return artifact.markers if method in _OF_ALL else (artifact.marker,)

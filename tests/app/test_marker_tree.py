@@ -167,6 +167,26 @@ def test_joints_that_hold_others_count_their_own():
     assert "1 gap" in index.data(Qt.ItemDataRole.ToolTipRole)
 
 
+def test_a_mix_up_counts_for_both_joints_and_once_above_them():
+    root = Node("")
+    hip = root.add(Node("hip", label="hip"))
+    sides = [hip.add(Node(name, label=name)) for name in ("left", "right")]
+    model = MarkerModel(lambda labels: None, lambda labels: None)
+    model.set_root(root)
+    swap = Artifact("left", "xyz", 5, 9, Kind.STEP, counterpart="right")
+    gap = Artifact("left", "xyz", 50, 90, Kind.GAP)
+    for open_ones, of_hip in (
+        ([swap], {Kind.STEP: 1}),
+        ([swap, gap], {Kind.STEP: 1, Kind.GAP: 1}),
+        ([gap], {Kind.GAP: 1}),
+        ([swap], {Kind.STEP: 1}),
+        ([], {}),
+    ):
+        model.set_counts(open_ones)
+        assert hip.counts == of_hip
+        assert [Kind.STEP in side.own for side in sides] == [swap in open_ones] * 2
+
+
 def test_worst_first_is_flat_and_sorted_by_open_artifacts(qtbot, tree, document):
     qtbot.mouseClick(tree.worst_first, Qt.MouseButton.LeftButton)
     names = visible(tree)

@@ -113,3 +113,14 @@ def test_a_review_is_read_while_another_window_holds_it(cleaned: Path) -> None:
     assert read.history == file.session.history
     file.discard()
     assert read_review(take).history == ()
+
+
+def test_files_are_listed_as_they_are_named(tmp_path, shared_data):
+    names = ("b.csv", "c.csv", "a.csv")
+    for name in names:
+        (tmp_path / name).write_text("frame,time,joint,parent,x,y,z\n0,0,a,,1,2,3\n")
+    more = tmp_path / "more"
+    more.mkdir()
+    (more / "z.trc").touch()
+    given = [more, *(tmp_path / name for name in names)]
+    assert [item.path.name for item in takes_to_review(given)] == [*names, "z.trc"]

@@ -23,6 +23,11 @@ def editable(document: Document) -> bool:
     return document.editable
 
 
+def of_markers(document: Document) -> bool:
+    """Decisions can be made, and it is no skeleton recording."""
+    return document.editable and not document.joints
+
+
 def current(document: Document) -> bool:
     """An artifact is under review, to be decided."""
     return document.editable and document.current is not None

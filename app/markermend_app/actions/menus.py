@@ -10,11 +10,13 @@ from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QWidget
 
 from markermend_app.actions import shortcuts
 from markermend_app.actions.action import current
+from markermend_app.actions.joints import TEXTS, text_of, tip_of
 from markermend_app.actions.table import ACTIONS
 from markermend_app.document import Document
 from markermend_app.style import theme
 from markermend_app.words import tr
 
+_JOINTS = "joints"
 _SPEC = {spec.name: spec for spec in ACTIONS}
 
 
@@ -54,6 +56,7 @@ def build(owner: QWidget, document: Document, run: Callable[[str], None]) -> dic
                 if method.key is not None:
                     made[f"method_{method.key}"].setText(tr(method.label))
 
+    document.opened.connect(lambda: _speak(made, joints=document.joints))
     document.current_changed.connect(name_methods)
     for signal in (
         document.opened,
@@ -70,6 +73,17 @@ def build(owner: QWidget, document: Document, run: Callable[[str], None]) -> dic
     return made
 
 
+def _speak(made: Mapping[str, QAction], *, joints: bool) -> None:
+    """Speak of joints, or of markers, once another kind of take is open."""
+    if joints == bool(made["detect"].property(_JOINTS)):
+        return
+    for name, action in made.items():
+        action.setProperty(_JOINTS, joints)
+        if name in TEXTS:
+            action.setText(text_of(_SPEC[name], joints=joints))
+    give_keys(made)
+
+
 def give_icons(made: dict[str, QAction]) -> None:
     """Draw the actions' icons in the theme's colour."""
     for spec in ACTIONS:
@@ -77,19 +91,19 @@ def give_icons(made: dict[str, QAction]) -> None:
             made[spec.name].setIcon(theme.icon(spec.icon))
 
 
-def give_keys(made: dict[str, QAction]) -> None:
+def give_keys(made: Mapping[str, QAction]) -> None:
     """Give the actions the keys in effect, and name them in their tooltips."""
     keys = shortcuts.table()
     for spec in ACTIONS:
         action = made[spec.name]
         action.setShortcuts([QKeySequence(key) for key in keys[spec.name]])
-        action.setToolTip(hint_of(spec.name))
+        action.setToolTip(hint_of(spec.name, joints=bool(action.property(_JOINTS))))
 
 
-def hint_of(name: str) -> str:
-    """What an action does, in one sentence, and its key."""
+def hint_of(name: str, *, joints: bool = False) -> str:
+    """What an action does to markers or joints, in one sentence, and its key."""
     spec, key = _SPEC[name], shortcuts.first(name)
-    tip = tr(spec.tip or spec.text.rstrip("…"))
+    tip = tip_of(spec, joints=joints)
     return f"{tip}  ({key})" if key else tip
 
 
@@ -118,14 +132,16 @@ def fill_toolbar(bar: QToolBar, made: Mapping[str, QAction]) -> None:
             bar.addAction(made[spec.name])
 
 
-def entry(menu: QMenu, name: str, do: Callable[[], object], text: str = "") -> QAction:
+def entry(
+    menu: QMenu, name: str, do: Callable[[], object], text: str = "", *, joints: bool = False
+) -> QAction:
     """Put an action into a context menu, done to what the menu was opened on.
 
     Text, icon and key are those of the table; the key itself belongs to the window's action.
     """
     spec = _SPEC[name]
     key = shortcuts.first(name)
-    words = text or tr(spec.text)
+    words = text or text_of(spec, joints=joints)
     action = menu.addAction(theme.icon(spec.icon), f"{words}\t{key}" if key else words)
     action.setObjectName(name)
     action.triggered.connect(lambda _checked=False: do())

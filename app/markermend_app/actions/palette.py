@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from markermend_app.actions import shortcuts
+from markermend_app.actions.joints import tip_of
 from markermend_app.actions.synonyms import SYNONYMS
 from markermend_app.actions.table import ACTIONS
 from markermend_app.document import Document
@@ -74,17 +75,18 @@ def entries(made: Mapping[str, QAction], document: Document) -> list[Entry]:
         path = [part for part in path if not action.text().startswith(part)]
         words = ": ".join((*path, action.text()))
         key = shortcuts.first(spec.name)
-        also = f"{tr(spec.tip)} {tr(SYNONYMS.get(spec.name, ''))}"
+        tip = f"{tip_of(spec, joints=document.joints)} {tr(spec.tip)}"
+        also = f"{tip} {tr(SYNONYMS.get(spec.name, ''))}"
         do: Callable[[], object] = action.trigger
         found.append(Entry(words, key, action.icon(), action.isEnabled(), do, also))
     session = document.session
     if session is None:
         return found
     take = session.original
-    marker = theme.icon("marker")
+    marker, aside = theme.icon("marker"), tr("joint") if take.skeleton else tr("marker")
     for label in take.labels:
         do = partial(document.show, (label,))
-        found.append(Entry(label, tr("marker"), marker, True, do))
+        found.append(Entry(label, aside, marker, True, do, aside))
     place = {artifact_id: i for i, artifact_id in enumerate(document.queue)}
     order = sorted(session.artifacts, key=lambda a: place.get(a.id, len(place)))
     for a in order:
@@ -188,6 +190,7 @@ class Palette(QDialog):
     parent : the window that it lies on
     question : to be answered, or empty
     more : what else can be found; asked for once the palette is there, or letters are typed
+    joints : whether what is open has joints instead of markers
     """
 
     def __init__(
@@ -196,12 +199,15 @@ class Palette(QDialog):
         parent: QWidget,
         question: str = "",
         more: Callable[[], Iterable[Entry]] = tuple,
+        joints: bool = False,
     ) -> None:
         super().__init__(parent, Qt.WindowType.Popup)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setObjectName("palette")
         finds = self.tr("Type a few letters") if question else ""
-        finds = finds or self.tr("Find a command, marker or artifact")
+        if not finds:
+            finds = self.tr("Find a command, marker or artifact")
+            finds = self.tr("Find a command, joint or artifact") if joints else finds
         self.setAccessibleName(question or finds)
         self._found = list(found)
         self._more = Later(lambda: self._found.extend(more()), self)

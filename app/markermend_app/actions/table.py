@@ -14,6 +14,7 @@ from markermend_app.actions.action import (
     current,
     editable,
     narrowed,
+    of_markers,
     opened,
     redoable,
     swept,
@@ -123,7 +124,7 @@ ACTIONS: tuple[Action, ...] = (
         ("Shift+D",),
         "slow",
         "Look for every class; slow drifts take some seconds longer than all the others",
-        editable,
+        of_markers,
     ),
     Action(
         "detect_on_open",

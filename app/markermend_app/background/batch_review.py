@@ -89,7 +89,7 @@ class BatchReview(QObject):
         start = str(takes_folder(self._document.path))
         names, _ = QFileDialog.getOpenFileNames(self._window, title, start, filters)
         if names:
-            self.start([Path(name) for name in names])
+            self.start([Path(name) for name in sorted(names)])
 
     def review_folder(self) -> None:
         """Ask for a folder and review the takes in it and below."""

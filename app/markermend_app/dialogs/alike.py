@@ -119,7 +119,12 @@ class AlikeDialog(QDialog):
         """The list, empty."""
         table = QTableWidget(0, 4)
         table.setHorizontalHeaderLabels(
-            [self.tr("Marker"), self.tr("Frames"), self.tr("Sure"), self.tr("What will happen")]
+            [
+                self.tr("Joint") if self._document.joints else self.tr("Marker"),
+                self.tr("Frames"),
+                self.tr("Sure"),
+                self.tr("What will happen"),
+            ]
         )
         table.setAccessibleName(self.tr("What will happen"))
         table.verticalHeader().hide()

@@ -19,13 +19,16 @@ from PySide6.QtWidgets import (
 
 import markermend
 from markermend.errors import MarkermendError
+from markermend.files import Export
 from markermend.take import Take
+from markermend_app import units
 from markermend_app.telling import told
 from markermend_app.words import tr as _tr
 
 Buttons = QMessageBox.StandardButton
 Role = QMessageBox.ButtonRole
 Ends = QDialogButtonBox.StandardButton
+_MOST_OFF = 8
 
 
 def show_problem(parent: QWidget, error: Exception) -> None:
@@ -57,13 +60,42 @@ def tell_damaged(parent: QWidget, take: Take) -> None:
     box.open()
 
 
-def ask_unexported(parent: QWidget, path: Path | None) -> str:
-    """Ask what becomes of work not yet exported: ``export, keep, discard`` or ``cancel``."""
+def tell_off(parent: QWidget, export: Export) -> None:
+    """Say which joints are not where they were reviewed, in a file whose bones are rigid."""
+    box = QMessageBox(parent)
+    box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    box.setIcon(QMessageBox.Icon.Warning)
+    box.setWindowTitle(_tr("Export"))
+    text = _tr("{0} is written, but some joints are not where you reviewed them there.")
+    box.setText(text.format(export.path.name))
+    most = [f"{joint} {units.length(mm)}" for joint, mm in export.off[:_MOST_OFF]]
+    if len(export.off) > _MOST_OFF:
+        most.append(_tr("{0} more").format(len(export.off) - _MOST_OFF))
+    why = _tr(
+        "Its bones are rigid, so that joints come only as near as these allow, also those beside "
+        "a repair that you left as they were. At most they are off by: {0}. A CSV or C3D file has "
+        "every joint where you see it."
+    )
+    box.setInformativeText(why.format(", ".join(most)))
+    box.open()
+
+
+def ask_unexported(parent: QWidget, path: Path | None, changed: bool = True) -> str:
+    """Ask what becomes of work not yet exported: ``export, keep, discard`` or ``cancel``.
+
+    Parameters
+    ----------
+    parent : the window
+    path : of the take
+    changed : whether samples were changed, rather than intervals decided and notes written only
+    """
     box = QMessageBox(parent)
     box.setIcon(QMessageBox.Icon.Question)
     box.setWindowTitle(_tr("Work not yet exported"))
     name = path.name if path else _tr("this take")
-    box.setText(_tr("Your repairs of {0} are not exported yet.").format(name))
+    repaired = _tr("Your repairs of {0} are not exported yet.")
+    looked_at = _tr("You changed no sample of {0}, but its review would be lost.")
+    box.setText((repaired if changed else looked_at).format(name))
     box.setInformativeText(
         _tr("Keep the review to go on later: it is saved beside the take, with its full history.")
     )

@@ -49,6 +49,7 @@ class ExportDialog(QDialog):
     record : whether writing down the repairs is proposed
     empty : whether nothing was found or marked at all
     region : the frames that are reviewed, a half-open interval; None for all of the take
+    joints : whether it is a skeleton recording, for which no C3D file is proposed
     """
 
     def __init__(
@@ -62,6 +63,7 @@ class ExportDialog(QDialog):
         *,
         empty: bool = False,
         region: tuple[int, int] | None = None,
+        joints: bool = False,
     ) -> None:
         super().__init__(parent)
         help_in(self)
@@ -85,6 +87,7 @@ class ExportDialog(QDialog):
             box.addWidget(self._text(text.format(len(outputs))))
         self._record = QCheckBox(self.tr("Write into a C3D file what was repaired, and how"))
         self._record.setChecked(record)
+        self._record.setVisible(not joints)
         self._mark = QCheckBox(self.tr("Name in the file the model outputs that no longer match"))
         self._mark.setChecked(bool(outputs))
         self._mark.setVisible(bool(outputs))
@@ -110,9 +113,9 @@ class ExportDialog(QDialog):
             show = buttons.addButton(self.tr("Show list"), QDialogButtonBox.ButtonRole.ActionRole)
             show.clicked.connect(self._toggle)
             others.append(show)
-        # Return exports, wherever the focus went in between.
+        # Return exports, wherever the focus went in between, but on a list to be seen first.
         for button in others:
-            button.setAutoDefault(False)
+            button.setAutoDefault(button.text() == self.tr("Show list"))
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         box.addWidget(self._details, 1)
@@ -187,9 +190,18 @@ def ask_export(
     *,
     empty: bool = False,
     region: tuple[int, int] | None = None,
+    joints: bool = False,
 ) -> ExportChoice | None:
     """Ask; None to stay."""
     dialog = ExportDialog(
-        parent, pending, accepted, outputs, first_frame, record, empty=empty, region=region
+        parent,
+        pending,
+        accepted,
+        outputs,
+        first_frame,
+        record,
+        empty=empty,
+        region=region,
+        joints=joints,
     )
     return dialog.choice if dialog.exec() == QDialog.DialogCode.Accepted else None

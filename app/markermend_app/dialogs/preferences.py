@@ -69,6 +69,7 @@ class Preferences(QDialog):
         super().__init__(parent)
         help_in(self)
         self.setWindowTitle(self.tr("Preferences"))
+        self._idle = False
         page = QWidget()
         self._form = QFormLayout(page)
         self._form.setHorizontalSpacing(16)
@@ -259,6 +260,17 @@ class Preferences(QDialog):
         self._paint_kinds()
         self._tell_keys()
 
+    def dial_does_nothing(self) -> None:
+        """Say that what is open is searched without them."""
+        text = self.tr(
+            "Only for takes of markers: joints of a skeleton recording are looked at in one way. "
+            "Close it to set this for the next take."
+        )
+        self._idle = True
+        for widget in (self.preset, self.dial, self.dial_value):
+            widget.setEnabled(False)
+            widget.setToolTip(text)
+
     def _read_detection(self) -> None:
         """Show dial and preset."""
         from markermend.presets import list_presets
@@ -279,7 +291,7 @@ class Preferences(QDialog):
         self.preset.setCurrentIndex(place)
         with QSignalBlocker(self.dial):
             self.dial.setValue(round(100 * value))
-        self.dial.setEnabled(not kept)
+        self.dial.setEnabled(not kept and not self._idle)
         self.dial_value.setText("" if kept else f"{100 * value:.0f} %")
 
     def _paint_kinds(self) -> None:

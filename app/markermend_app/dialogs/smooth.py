@@ -102,7 +102,7 @@ class SmoothDialog(QDialog):
         parent: QWidget,
     ) -> None:
         super().__init__(parent)
-        self.pictures = pictures
+        self.pictures, self._joints = pictures, take.skeleton
         help_in(self)
         from markermend.smoothers import SMOOTHERS
 
@@ -194,7 +194,10 @@ class SmoothDialog(QDialog):
         column.addWidget(self.warning)
         row = QHBoxLayout()
         for box, name in (
-            (self.marker, self.tr("Marker looked at")),
+            (
+                self.marker,
+                self.tr("Joint looked at") if self._joints else self.tr("Marker looked at"),
+            ),
             (self.axis, self.tr("Axis looked at")),
             (self.quantity, self.tr("Quantity looked at")),
         ):
@@ -349,6 +352,11 @@ class SmoothDialog(QDialog):
                 "{0} of {1} markers lose more than {2:g} % of their way, {3} most ({4} {5:.0f}). "
                 "Look whether movement went with the noise."
             )
+            if self._joints:
+                text = self.tr(
+                    "{0} of {1} joints lose more than {2:g} % of their way, {3} most "
+                    "({4} {5:.0f}). Look whether movement went with the noise."
+                )
             if len(answer.markers) == 1:
                 text = self.tr(
                     "{3} loses more than {2:g} % of its way ({4} {5:.0f}). "

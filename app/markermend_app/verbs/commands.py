@@ -180,7 +180,11 @@ class Commands(QObject):
                 # Where it cannot be saved the journal still has it, and an export has the samples.
                 self._save(document.file)
             return True
-        answer = dialogs.ask_unexported(self._window, document.path)
+        from markermend.review.standing import changed_outside
+
+        session = document.session
+        changed = changed_outside(session.original, session.take, (0, 0))
+        answer = dialogs.ask_unexported(self._window, document.path, changed)
         if answer == "cancel":
             return False
         self._lane.cancel()

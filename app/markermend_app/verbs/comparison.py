@@ -148,13 +148,16 @@ class Comparison(QObject):
         take, everything = session.take, session.artifacts
 
         def work(progress: Progress) -> Any:
-            from markermend.repairs import COMPARED, advise, evidence_for
+            from markermend.repairs import advise, compared, evidence_for
             from markermend.repairs.look_again import looked_at
 
             progress(0.0, artifact.marker)
             others = (a for a in everything if a.id != artifact.id)
-            evidence = evidence_for(take, (*others, artifact), mesh)
-            found = advise(evidence, artifact, methods=COMPARED)
+            evidence = evidence_for(take, (*others, artifact), mesh, progress=progress)
+            found = advise(evidence, artifact, methods=compared(take))
+            if take.skeleton:
+                # The detector that looks again knows markers, which do not tremble as joints do.
+                return found
             return tuple(replace(a, repair=looked_at(take, a.repair)) for a in found)
 
         def done(advice: Any) -> None:

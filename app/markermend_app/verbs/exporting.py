@@ -10,10 +10,10 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from markermend.artifact import Status
 from markermend.errors import ExportError, RangeError
-from markermend.files import TOLD_MM, Export
+from markermend.files import Export
 from markermend.progress import Progress
 from markermend.take import Take
-from markermend_app import settings, units
+from markermend_app import settings
 from markermend_app.background.jobs import Lane
 from markermend_app.background.loading import proposed_place
 from markermend_app.background.saver import Saver
@@ -74,6 +74,7 @@ class Exporter(QObject):
             settings.flag("record_repairs", False),
             empty=not session.artifacts and not session.history,
             region=session.region,
+            joints=document.joints,
         )
         if choice is None:
             return False
@@ -141,7 +142,7 @@ class Exporter(QObject):
             if session.revision == revision and complete[-1]:
                 session.mark_exported()
             self._document.history_changed.emit()
-            self.said.emit(self._summary(export))
+            self._tell(export)
             if self._document.session is session and self._document.file is not None:
                 self._save(wrote[-1] if session.revision == revision else "")
                 if overwrite and not wait:
@@ -156,6 +157,8 @@ class Exporter(QObject):
                 written.append(again)
                 return
             written.append(False)
+            # What was said of an export before is no longer the last that happened.
+            self.said.emit(self.tr("{0} was not written.").format(target.name))
             if not isinstance(error, RangeError):
                 dialogs.show_problem(self._window, error)
 
@@ -175,6 +178,12 @@ class Exporter(QObject):
             file.wrote = wrote
             self._saver.save(file, lambda error: dialogs.show_problem(self._window, error))
 
+    def _tell(self, export: Export) -> None:
+        """Say what was written, and where it is not what was seen."""
+        self.said.emit(self._summary(export))
+        if export.off:
+            dialogs.tell_off(self._window, export)
+
     def _summary(self, export: Export) -> str:
         """Say what was written."""
         one = self.tr("Exported to {0}; 1 sample differs.")
@@ -182,9 +191,6 @@ class Exporter(QObject):
         text = (one if export.samples == 1 else many).format(export.path, export.samples)
         if export.backup is not None:
             text += " " + self.tr("The original is kept as {0}.").format(export.backup.name)
-        if export.off_mm >= TOLD_MM:
-            rigid = self.tr("Its bones are rigid: a joint is up to {0} from where it was reviewed.")
-            text += " " + rigid.format(units.length(export.off_mm))
         return text
 
     def _ask_target(self, take: Take) -> Path | None:

@@ -103,7 +103,11 @@ class HandWork(QObject):
             return
         offered = exchangers(session.take, swept.marker, swept.start, swept.stop)
         beside = [name for name in self._document.shown if name != swept.marker]
-        question = self.tr("Swap {0} with which marker, {1}?").format(
+        joint, marker = (
+            self.tr("Swap {0} with which joint, {1}?"),
+            self.tr("Swap {0} with which marker, {1}?"),
+        )
+        question = (joint if self._document.joints else marker).format(
             swept.marker, self._frames(swept.start, swept.stop)
         )
         self._ask_marker(
@@ -134,6 +138,8 @@ class HandWork(QObject):
         swept = self._document.selection
         if swept is not None:
             question = self.tr("Which marker is {0} in truth, {1}?")
+            if self._document.joints:
+                question = self.tr("Which joint is {0} in truth, {1}?")
             self._ask_receiver(
                 question.format(swept.marker, self._frames(swept.start, swept.stop)),
                 swept,
@@ -175,7 +181,9 @@ class HandWork(QObject):
             merge = partial(self._merge, receiver=foremost)
             self._ask_marker(question, fitting, merge, self.tr("{0} away"))
         else:
-            question = self.tr("Merge {0} into which marker?").format(foremost)
+            joint = self.tr("Merge {0} into which joint?")
+            marker = self.tr("Merge {0} into which marker?")
+            question = (joint if self._document.joints else marker).format(foremost)
             whole = Selection(foremost, 0, session.original.frames)
             self._ask_receiver(question, whole, partial(self._merge, foremost))
 
@@ -311,6 +319,8 @@ class HandWork(QObject):
             self._ask_marker(question, offered, then, self.tr("{0} away"))
             return
         text = self.tr("No other marker is missing wherever {0} is seen; to exchange two, swap.")
+        if self._document.joints:
+            text = self.tr("No other joint is missing wherever {0} is seen; to exchange two, swap.")
         self._document.failed.emit(DataError(text.format(given.marker)))
 
     def _ask_marker(

@@ -40,6 +40,11 @@ class References(QObject):
                 "Choose the markers that {0} is to follow: by clicks in the 3D view, or by Return "
                 "in the tree."
             )
+            if self._document.joints:
+                text = self.tr(
+                    "Choose the joints that {0} is to follow: by clicks in the 3D view, or by "
+                    "Return in the tree."
+                )
             self.said.emit(text.format(current.marker))
         else:
             self.said.emit("")

@@ -112,7 +112,8 @@ def _let_go(window: MainWindow) -> None:
 def _open_palette(window: MainWindow) -> None:
     """Find an action, marker or artifact, or what a panel can show, by a few letters."""
     found = palette.entries(window.actions_by_name, window.document)
-    palette.Palette(list(found), window, more=partial(elsewhere, window)).open()
+    joints = window.document.joints
+    palette.Palette(list(found), window, more=partial(elsewhere, window), joints=joints).open()
 
 
 def _choose_method(document: Document, key: int) -> None:

@@ -50,7 +50,7 @@ class ToReview:
 
 
 def takes_to_review(given: Iterable[str | Path]) -> tuple[ToReview, ...]:
-    """List takes to be reviewed.
+    """List takes to be reviewed: files as they are named, then those of folders by their names.
 
     Parameters
     ----------
@@ -69,7 +69,9 @@ def takes_to_review(given: Iterable[str | Path]) -> tuple[ToReview, ...]:
         whole = items[0] / REVIEW if items[0].is_dir() else items[0]
         if whole.suffix.lower() == ".json" and whole.is_file():
             return _listed(whole)
-    return tuple(ToReview(source.path, source.name) for source in find_takes(items))
+    place = {item.resolve(): i for i, item in reversed(list(enumerate(items))) if item.is_file()}
+    found = sorted(find_takes(items), key=lambda source: place.get(source.path, len(items)))
+    return tuple(ToReview(source.path, source.name) for source in found)
 
 
 def take_over(session: Session, item: ToReview) -> bool:

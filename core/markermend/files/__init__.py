@@ -36,14 +36,20 @@ class Export:
     backup : where the file that was there before is kept, or None
     outputs : points that a model computed from markers that were changed: angles, moments,
         powers… in the same file, which no longer match
-    off_mm : how far the farthest joint of an AMC is from where the take has it: its bones are rigid
+    off : joints of an AMC that are at least :data:`TOLD_MM` from where the take has them, since its
+        bones are rigid, and how far at most in mm; the farthest first
     """
 
     path: Path
     samples: int
     backup: Path | None = None
     outputs: tuple[str, ...] = ()
-    off_mm: float = 0.0
+    off: tuple[tuple[str, float], ...] = ()
+
+    @property
+    def off_mm(self) -> float:
+        """How far the farthest joint is from where the take has it; 0 where none is told."""
+        return self.off[0][1] if self.off else 0.0
 
 
 def read(path: str | PathLike[str], *, progress: Progress | None = None) -> Take:
@@ -181,9 +187,9 @@ def write(
     report = progress or quiet
     # Also the check that all of the frames are there.
     part = take if frames is None else crop(take, *frames)
-    off_mm = 0.0
+    off: dict[str, float] = {}
     if take.skeleton and target.suffix.lower() in SKELETONS_WRITTEN:
-        fill, off_mm = _skeleton_writer(take, target, report, frames or (0, take.frames))
+        fill, off = _skeleton_writer(take, target, report, frames or (0, take.frames))
     else:
         before = frames[0] if frames else 0
         fill = _writer(part, target, report, as_float, record, mark_outputs, before)
@@ -195,7 +201,8 @@ def write(
     changed = tuple(s for s, n in zip(take.labels, written[0], strict=True) if n)
     patched = take.source is not None and take.source.format == "c3d"
     outputs = stale_outputs(part, changed) if patched and target.suffix.lower() == ".c3d" else ()
-    return Export(target, int(written[0].sum()), backup, outputs, off_mm)
+    far = sorted((pair for pair in off.items() if pair[1] >= TOLD_MM), key=lambda p: -p[1])
+    return Export(target, int(written[0].sum()), backup, outputs, tuple(far))
 
 
 def stale_outputs(take: Take, changed: Sequence[str] | None = None) -> tuple[str, ...]:
@@ -281,8 +288,8 @@ def _writer(
 
 def _skeleton_writer(
     take: Take, target: Path, report: Progress, frames: tuple[int, int]
-) -> tuple[Callable[[IO[bytes]], IntArray], float]:
-    """How some frames of a take of joints are written, and how far off one is there at most, mm."""
+) -> tuple[Callable[[IO[bytes]], IntArray], dict[str, float]]:
+    """How some frames of a take of joints are written, and how far off joints are there, mm."""
     from markermend.files.pose import crop_pose, pose_writer
     from markermend.poses.take import as_pose, changed_joints
 
@@ -290,14 +297,14 @@ def _skeleton_writer(
     pose = as_pose(take, progress=report)
     whole = frames == (0, take.frames)
     part = pose if whole else crop_pose(pose, *frames)
-    fill, off_mm = pose_writer(part, target, report, whole=None if whole else pose)
+    fill, off = pose_writer(part, target, report, whole=None if whole else pose)
 
     def write_joints(file: IO[bytes]) -> IntArray:
         fill(file)
         changed = changed_joints(take)[slice(*frames)]
         return np.asarray(np.count_nonzero(changed, axis=0), dtype=np.int64)
 
-    return write_joints, off_mm
+    return write_joints, off
 
 
 def _notes(take: Take, record: Sequence[str], mark_outputs: bool) -> dict[str, list[str]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Container
+from collections.abc import Collection, Container
 from math import isfinite, pi
 from pathlib import Path
 
@@ -34,7 +34,7 @@ def patched(path: Path, movement: Movement, progress: Progress) -> bytes | None:
     """A movement's file with other numbers where the movement is another.
 
     Header, comments, order of segments, endings of lines and every number that is not changed stay
-    the same bytes.
+    the same bytes. A segment that a pose leaves out gets a line where other poses have it.
 
     Parameters
     ----------
@@ -44,37 +44,81 @@ def patched(path: Path, movement: Movement, progress: Progress) -> bytes | None:
 
     Returns
     -------
-    The file's content; None where the file is not there any more or has not the lines that the
-    movement needs, as one with other poses
+    The file's content; None where the file is not there any more or has other poses
     """
     try:
         lines = path.read_bytes().splitlines(keepends=True)
     except OSError:
         return None
     told = _in_file(movement, degrees=movement.skeleton.degrees)
-    out, pose, written = [], -1, 0
-    for line in lines:
-        bare = _COMMENT.split(line, maxsplit=1)[0].removeprefix(_BYTE_ORDER_MARK)
-        name, *cells = bare.decode("latin-1").split() or [""]
-        degrees = tells_degrees(bare.decode("latin-1")) if pose < 0 else None
+    head, poses = _poses(lines, told)
+    for line in head:
+        degrees = tells_degrees(" ".join(_words(line)))
         if degrees is not None:
             told = _in_file(movement, degrees=degrees)
-        if starts_pose(name, told):
-            pose += 1
-            if pose >= movement.frames:
-                return None
-            if pose % _POSES_A_REPORT == 0:
-                progress(pose / movement.frames, "Writing poses")
-        if pose < 0 or name not in told:
+    if len(poses) != movement.frames:
+        return None
+    usual, out = _usual_order(poses, told), head
+    for pose, block in enumerate(poses):
+        if pose % _POSES_A_REPORT == 0:
+            progress(pose / movement.frames, "Writing poses")
+        values = {name: rows[pose] for name, rows in told.items() if all(map(isfinite, rows[pose]))}
+        out += _patched_pose(block, values, told, usual)
+    return b"".join(out)
+
+
+def _poses(lines: list[bytes], told: Collection[str]) -> tuple[list[bytes], list[list[bytes]]]:
+    """Lines before the first pose, and those of each, its number first."""
+    head: list[bytes] = []
+    poses: list[list[bytes]] = []
+    for line in lines:
+        words = _words(line)
+        if words and starts_pose(words[0], told):
+            poses.append([])
+        (poses[-1] if poses else head).append(line)
+    return head, poses
+
+
+def _words(line: bytes) -> list[str]:
+    """Words of a line, without its comment."""
+    bare = _COMMENT.split(line, maxsplit=1)[0].removeprefix(_BYTE_ORDER_MARK)
+    return bare.decode("latin-1").split()
+
+
+def _usual_order(poses: list[list[bytes]], told: Collection[str]) -> list[str]:
+    """Segments in the order of the pose that has most of them; others after these."""
+    fullest = max(poses, key=len, default=[])
+    there = [words[0] for words in map(_words, fullest) if words and words[0] in told]
+    return [*dict.fromkeys((*there, *told))]
+
+
+def _patched_pose(
+    block: list[bytes], values: dict[str, list[float]], told: Collection[str], usual: list[str]
+) -> list[bytes]:
+    """The lines of a pose that has these values: what it lacks comes after what it follows."""
+    out: list[bytes] = []
+    ends = dict[str, int]()
+    for line in block:
+        name, *cells = _words(line) or [""]
+        if name not in told:
             out.append(line)
-            continue
-        values = told[name][pose]
-        if all(map(isfinite, values)):
-            written += 1
-            out.append(line if _says(cells, values) else _said(line, name, values))
-    needed = sum(all(map(isfinite, values)) for rows in told.values() for values in rows)
-    fits = pose + 1 == movement.frames and written == needed
-    return b"".join(out) if fits else None
+        elif name in values:
+            row = values[name]
+            out.append(line if _says(cells, row) else _said(line, name, row))
+            ends[name] = len(out)
+    missing = [name for name in usual if name in values and name not in ends]
+    if not missing:
+        return out
+    ending = block[0][len(block[0].rstrip(b"\r\n")) :] or b"\n"
+    if not out[-1].endswith((b"\r", b"\n")):
+        # The last line of the file.
+        out[-1] += ending
+    for name in missing:
+        before = usual[: usual.index(name)]
+        place = max((ends[other] for other in before if other in ends), default=1)
+        ends = {other: end + (end > place) for other, end in ends.items()} | {name: place + 1}
+        out.insert(place, _said(ending, name, values[name]))
+    return out
 
 
 def _in_file(movement: Movement, *, degrees: bool) -> dict[str, list[list[float]]]:

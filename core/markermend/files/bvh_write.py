@@ -21,6 +21,7 @@ from markermend.progress import Progress
 _RIGID_MM = 1.0
 _WRITTEN = "ZXY"
 _POSES_A_REPORT = 1024
+_MOST_NAMED = 8
 
 
 def write_bvh(
@@ -97,11 +98,24 @@ def _writable(pose: Pose, whole: Pose | None) -> tuple[Pose, Pose]:
         )
     without = turnless(every)
     pose = turned_as_parents(pose, without)
-    if np.isnan(pose.positions).any() or np.isnan(pose.rotations).any():
-        raise ExportError("A BVH holds every joint and rotation of every pose; denoise it first.")
+    gaps = np.asarray(np.isnan(pose.positions).any(axis=2) | np.isnan(pose.rotations).any(axis=2))
+    if gaps.any():
+        raise ExportError(
+            "A BVH holds every joint of every pose. Frames in which joints are not known:"
+            f" {_in_words(pose, gaps)}. Repair these gaps first, in the window by F, or all of them"
+            " by markermend clean; or write a CSV."
+        )
     if sum(parent < 0 for parent in pose.parents) != 1:
         raise ExportError("A BVH has one root; this recording has several.")
     return pose, pose if whole is None else _complete(turned_as_parents(whole, without))
+
+
+def _in_words(pose: Pose, gaps: BoolArray) -> str:
+    """Which joints are not known, and in how many frames."""
+    times = np.count_nonzero(gaps, axis=0).tolist()
+    there = [f"{joint} {n}" for joint, n in zip(pose.joints, times, strict=True) if n]
+    more = len(there) - _MOST_NAMED
+    return ", ".join(there[:_MOST_NAMED]) + (f" (+ {more})" if more > 0 else "")
 
 
 def _complete(pose: Pose) -> Pose:

@@ -16,7 +16,7 @@ from markermend.files.bvh_read import read_bvh
 from markermend.files.bvh_write import write_bvh
 from markermend.files.opening import named, not_opened
 from markermend.files.pose_csv import Table, read_pose_csv, write_pose_csv
-from markermend.poses.inverse import farthest_off, inverse_kinematics
+from markermend.poses.inverse import how_far_off, inverse_kinematics
 from markermend.poses.pose import Pose
 from markermend.poses.skeleton import Movement, forward_kinematics
 from markermend.progress import Progress, part, quiet
@@ -113,7 +113,7 @@ def write_pose(pose: Pose, path: str | PathLike[str], *, progress: Progress | No
     target = Path(path)
     fill, off_mm = pose_writer(pose, target, progress or quiet)
     write_whole(target, fill, backup=False)
-    return off_mm
+    return max(off_mm.values(), default=0.0)
 
 
 def crop_pose(pose: Pose, start: int, stop: int) -> Pose:
@@ -145,20 +145,20 @@ def crop_pose(pose: Pose, start: int, stop: int) -> Pose:
 
 def pose_writer(
     pose: Pose, target: Path, report: Progress, *, whole: Pose | None = None
-) -> tuple[Callable[[IO[bytes]], None], float]:
+) -> tuple[Callable[[IO[bytes]], None], dict[str, float]]:
     """Choose by a name's ending how a recording is written, or a part of the ``whole`` one.
 
     The other parameters and errors are those of :func:`write_pose`.
 
     Returns
     -------
-    What writes it, and how far off in mm the farthest joint is there: the bones of an AMC are rigid
+    What writes it, and how far off in mm joints are there at most: the bones of an AMC are rigid
     """
     match target.suffix.lower():
         case ".csv":
-            return lambda file: write_pose_csv(pose, file, report), 0.0
+            return lambda file: write_pose_csv(pose, file, report), {}
         case ".bvh":
-            return lambda file: write_bvh(pose, file, report, whole=whole), 0.0
+            return lambda file: write_bvh(pose, file, report, whole=whole), {}
         case ".amc":
             if not isinstance(pose.source, Movement):
                 raise ExportError(
@@ -167,8 +167,8 @@ def pose_writer(
                 )
             turning, writing = part(report, 0.0, 0.7), part(report, 0.7, 1.0)
             movement = inverse_kinematics(pose, pose.source, progress=turning)
-            off_mm = farthest_off(movement, pose)
-            return lambda file: write_amc(movement, file, writing), off_mm
+            off = dict(zip(pose.joints, how_far_off(movement, pose).tolist(), strict=True))
+            return lambda file: write_amc(movement, file, writing), off
         case _:
             raise ExportError(
                 f"{target.name} should end in {', '.join(WRITABLE)}, to tell what to write."

@@ -3,8 +3,9 @@
 The columns are ``frame`` (from 0), ``time`` in seconds, ``joint``, ``parent`` (empty for the root),
 ``x``, ``y``, ``z`` in mm, the rotation ``qx``, ``qy``, ``qz``, ``qw`` and ``confidence``. A joint
 that was not seen is at 0, 0, 0 with rotation 0, 0, 0, 1 and confidence 0; one that was seen, but
-not how it is turned, has rotation 0, 0, 0, 0. What was read from such a
-table and not changed since is written to the last digit, what was computed to a micrometre.
+not how it is turned, has rotation 0, 0, 0, 0. What was read from such a table and not changed since
+is written to the last digit, what was computed to a micrometre. Where the file that was read has
+all of these columns, its rows that are not changed are written as there.
 """
 
 from __future__ import annotations
@@ -18,9 +19,10 @@ from typing import IO
 
 import numpy as np
 
-from markermend.arrays import FloatArray
+from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import FileFormatError
 from markermend.files.plausible import FARTHEST, read_as_missing
+from markermend.files.pose_csv_patch import patched
 from markermend.files.pose_rows import COLUMNS, NUMBERS, Header, header_of, says_nothing
 from markermend.files.text import read_lines
 from markermend.poses.nuitrack import PARENT_OF, usual_name
@@ -29,6 +31,7 @@ from markermend.progress import Progress, quiet
 from markermend.rates import rate_of
 
 _SENSOR_RATE = 30.0
+_SAME = 1e-9
 _FRAMES_A_REPORT = 256
 # Nobody records joints so slowly: times that grow by more a pose are no seconds.
 _SLOWEST_S = 1.0
@@ -44,10 +47,14 @@ class Table:
     ----------
     written : (frames, joints, 8) position, rotation and confidence; NaN where it has none
     read : the same as the recording holds it, with rotations of length 1
+    file : that they are from, where it has every column and its own times hold
+    header : of that file
     """
 
     written: FloatArray
     read: FloatArray
+    file: Path | None = None
+    header: Header | None = None
 
 
 def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None = None) -> Pose:
@@ -100,7 +107,8 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
         confidence,
         warnings=(*warnings, *guess, *read_as_missing(int(wild.sum()))),
     )
-    return replace(pose, source=Table(values, _numbers_of(pose)))
+    own = path if rate is None and set(COLUMNS) <= set(header.at) else None
+    return replace(pose, source=Table(values, _numbers_of(pose), own, header))
 
 
 def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> None:
@@ -112,13 +120,20 @@ def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> None:
     file : written from its beginning
     progress : told the share of poses written
     """
-    file.write((",".join(COLUMNS) + "\n").encode())
     names = [quoted(joint) for joint in pose.joints]
     above = [names[parent] if parent >= 0 else "" for parent in pose.parents]
     values, table = _numbers_of(pose), pose.source
     written = np.full(values.shape, np.nan)
     if isinstance(table, Table) and table.read.shape == values.shape:
-        written = np.where(values == table.read, table.written, np.nan)
+        # A rotation that is made as long as 1 once more is the same.
+        same = np.abs(values - table.read) <= _SAME
+        content = _over_its_file(pose, table, values, ~same, progress)
+        if content is not None:
+            file.write(content)
+            return
+        written = np.where(same, table.written, np.nan)
+        values = np.where(np.isfinite(written), written, values)
+    file.write((",".join(COLUMNS) + "\n").encode())
     for frame in range(pose.frames):
         if frame % _FRAMES_A_REPORT == 0:
             progress(frame / pose.frames, "Writing poses")
@@ -126,6 +141,15 @@ def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> None:
         for joint in np.flatnonzero(np.isfinite(written[frame]).any(axis=1)):
             lines[joint] = _exactly(lines[joint], written[frame, joint])
         file.write("".join(lines).encode())
+
+
+def _over_its_file(
+    pose: Pose, table: Table, values: FloatArray, changed: BoolArray, progress: Progress
+) -> bytes | None:
+    """What was read, with what is changed; None where that cannot be."""
+    if table.file is None or table.header is None:
+        return None
+    return patched(table.file, table.header, pose.joints, table.written, values, changed, progress)
 
 
 def rows_of(

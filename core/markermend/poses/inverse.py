@@ -58,11 +58,12 @@ def inverse_kinematics(pose: Pose, source: Movement, *, progress: Progress = qui
     return Movement(source.skeleton, channels, pose.frames, source.file)
 
 
-def farthest_off(movement: Movement, pose: Pose) -> float:
-    """How far from a recording the farthest joint stands that a movement has, in mm."""
+def how_far_off(movement: Movement, pose: Pose) -> FloatArray:
+    """(joints,) how far from a recording a movement has each joint at most, in mm."""
     placed = forward_kinematics(movement, pose.rate)
-    away = np.linalg.norm(placed.positions - pose.positions, axis=2)[placed.seen & pose.seen]
-    return float(away.max(initial=0.0))
+    away = np.linalg.norm(placed.positions - pose.positions, axis=2)
+    away = np.where(placed.seen & pose.seen, away, 0.0)
+    return np.asarray(away.max(axis=0, initial=0.0))
 
 
 def _changes(pose: Pose, source: Movement) -> tuple[BoolArray, BoolArray]:

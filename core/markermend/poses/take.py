@@ -85,8 +85,10 @@ def as_pose(take: Take, *, progress: Progress | None = None) -> Pose:
         as it was read but for samples that were changed. Where a joint was seen and only moved a
         little, as by smoothing, joints keep their rotations but for the least turn that lets their
         bones point where these do now. Elsewhere a joint has the rotation that restoring gives it,
-        and so has its parent, which no sensor can know without it; what was filled has confidence
-        :data:`~markermend.poses.restore.INFERRED`.
+        and so has its parent, which no sensor can know without it. What was worked out, not seen
+        or wrong, has confidence :data:`~markermend.poses.restore.INFERRED`; what was measured and
+        is only told of the other joint now, as left and right that were swapped, has that of its
+        measurement.
 
     Raises
     ------
@@ -107,7 +109,10 @@ def as_pose(take: Take, *, progress: Progress | None = None) -> Pose:
     confidence = pose.confidence.copy()
     if told is not None:
         rotations = np.where(turned[..., None], told.pose.rotations, rotations)
-        confidence[anew & (~pose.seen | mended(told))] = INFERRED
+        worked_out = told.filled | ~told.pose.seen
+        confidence[anew] = np.where(worked_out, INFERRED, told.pose.confidence)[anew]
+        exchanged = _of_another(take, anew)
+        confidence = np.where(exchanged > 0, exchanged, confidence)
     confidence[~take.present] = 0.0
     done = pose.with_samples(take.positions, rotations, confidence)
     return replace(done, joints=take.labels)
@@ -206,6 +211,17 @@ def _put_by(told: Restored, take: Take, joint: int, rows: slice) -> bool:
 def _apart(a: FloatArray, b: FloatArray) -> FloatArray:
     """(...) mm between positions (..., 3); NaN where either is not known."""
     return np.asarray(np.sqrt(np.sum((a - b) ** 2, axis=-1)))
+
+
+def _of_another(take: Take, some: BoolArray) -> FloatArray:
+    """(frames, joints) confidence of the joint whose measurement a sample has; 0 where of none."""
+    pose = pose_of(take)
+    found = np.zeros(some.shape)
+    for joint in np.flatnonzero(some.any(axis=0)):
+        rows = np.flatnonzero(some[:, joint])
+        same = (pose.positions[rows] == take.positions[rows, joint][:, None]).all(axis=2)
+        found[rows, joint] = np.where(same, pose.confidence[rows], 0.0).max(axis=1)
+    return found
 
 
 def changed_joints(take: Take) -> BoolArray:

@@ -19,7 +19,7 @@ from markermend.repairs import (  # noqa: F401, importing a module registers its
     swap,
     tits2018,
 )
-from markermend.repairs.advice import COMPARED, Advice, advise
+from markermend.repairs.advice import COMPARED, Advice, advise, compared
 from markermend.repairs.choice import choose
 from markermend.repairs.gaps import fill, find_gaps
 from markermend.repairs.proposing import propose, propose_from
@@ -36,6 +36,7 @@ __all__ = [
     "Repair",
     "advise",
     "choose",
+    "compared",
     "evidence_for",
     "fill",
     "find_gaps",

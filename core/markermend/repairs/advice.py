@@ -16,12 +16,16 @@ from markermend.repairs.body_frame import rank_references
 from markermend.repairs.choice import choose
 from markermend.repairs.registry import REPAIRS, Evidence, Repair, find_method
 from markermend.repairs.result import axes_of, without_own
+from markermend.take import Take
 
 CANDIDATES = ("local_regression", "kalman", "spline", "pchip", "makima", "linear")
 """Methods that invent what was not seen; they can be measured by hiding what was."""
 
 COMPARED = (*CANDIDATES, "rigid", "pattern", "cyclic", "savgol")
 """Methods an operator may want to see beside each other; those with no answer come last."""
+
+OF_JOINTS = "skeleton"
+"""The method that comes first for joints of a skeleton recording."""
 
 MODELS = ("glr", "lgrnn", "li", "lpr", "pca", "pma", "pma_all", "pma_no_pca", "ffnn_loose")
 """Methods without an error of their own that are quick enough to be measured while someone waits.
@@ -91,9 +95,9 @@ def advise(
 
     Returns
     -------
-    One for each method, best first; the usual choice (:func:`markermend.repairs.choose`) stays
-    before others that are not better by a fifth. A swap whose counterpart is known is first: it
-    invents nothing.
+    One for each method, best first; the usual choice (:func:`markermend.repairs.choose`, for
+    joints of a skeleton recording its restoring) stays before others that are not better by a
+    fifth. A swap whose counterpart is known is first: it invents nothing.
     """
     own = without_own(evidence, artifact)
     names = candidates(own, artifact) if methods is None else tuple(methods)
@@ -108,8 +112,13 @@ def advise(
         if choose(artifact) == "swap":
             method = find_method("swap")
             advice.insert(0, Advice(method.run(own, artifact, method.params()), 0))
-    usual = choose(artifact)
+    usual = OF_JOINTS if own.take.skeleton else choose(artifact)
     return tuple(sorted(advice, key=lambda a: _rank(a, usual)))
+
+
+def compared(take: Take) -> tuple[str, ...]:
+    """Methods an operator may want to see beside each other in a take."""
+    return (OF_JOINTS, *COMPARED) if take.skeleton else COMPARED
 
 
 def candidates(evidence: Evidence, artifact: Artifact) -> tuple[str, ...]:

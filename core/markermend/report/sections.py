@@ -106,9 +106,10 @@ def _section(
     """Everything about one take."""
     q = quality(name, before, after, done, region)
     found, mended = len(done), sum(o.method is not None for o in done)
+    names = "joints" if before.skeleton else "markers"
     facts = (
         f"{before.frames:,} frames at {before.rate:g} Hz ({before.duration_s:.1f} s), "
-        f"{q.markers} markers. {_searched(method)}, Markermend {mm.__version__}."
+        f"{q.markers} {names}. {_searched(method)}, Markermend {mm.__version__}."
     )
     narrowed = []
     if region is not None:

@@ -87,7 +87,7 @@ def repair(session: Session, artifact: Artifact, proposal: Repair) -> Change:
         if a is not None or i in open_
     }
     notes = SetNotes(overwritten(session.state, proposal.patches))
-    what = f"Repair {describe([artifact])}"
+    what = f"Repair {describe([artifact], proposal.method)}"
     if swap:
         what = f"Swap {artifact.marker} and {artifact.counterpart}"
     return session.perform(f"{what} by hand", Group((SetArtifacts(answered), *edits, notes)))

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from markermend.artifact import Artifact, Kind, Status
+from markermend.artifact import PAIRED, Artifact, Kind, Status, changed_markers
 from markermend.artifact_json import rounded
 from markermend.errors import DataError
 from markermend.review.edits import Edit, RepairNote, SetArtifacts, SetNotes, SetSamples
@@ -72,10 +72,10 @@ def by_hand(old: Artifact, new: Artifact, rate: float) -> Artifact:
     return replace(new, why="its frames were set by hand")
 
 
-def describe(artifacts: Sequence[Artifact]) -> str:
-    """Name artifacts in a history label."""
+def describe(artifacts: Sequence[Artifact], method: str | None = None) -> str:
+    """Name artifacts in a history label, a mix-up by all of its markers that a method changes."""
     if len(artifacts) == 1:
-        return f"{artifacts[0].kind} on {artifacts[0].marker}"
+        return f"{artifacts[0].kind} on {PAIRED.join(changed_markers(artifacts[0], method))}"
     return f"{len(artifacts)} artifacts"
 
 

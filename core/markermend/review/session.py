@@ -252,7 +252,8 @@ class Session:
         known = self.artifacts
         for artifact, (_, proposal) in zip(chosen, repairs, strict=True):
             edits.extend(repairing(artifact, proposal, known))
-        return self.perform(label or f"Repair {describe(chosen)}", Group(tuple(edits)))
+        method = repairs[0][1].method if len(repairs) == 1 else None
+        return self.perform(label or f"Repair {describe(chosen, method)}", Group(tuple(edits)))
 
     def mark(self, artifact: Artifact) -> Change:
         """Add an artifact by hand."""

@@ -28,6 +28,18 @@
         <translation>Das Original wird nie ersetzt; Reparaturen lassen sich in eine andere Datei exportieren.</translation>
     </message>
     <message>
+        <source>{0} is written, but some joints are not where you reviewed them there.</source>
+        <translation>{0} ist geschrieben, aber einige Gelenke sind dort nicht, wo Sie sie durchgesehen haben.</translation>
+    </message>
+    <message>
+        <source>{0} more</source>
+        <translation>{0} weitere</translation>
+    </message>
+    <message>
+        <source>Its bones are rigid, so that joints come only as near as these allow, also those beside a repair that you left as they were. At most they are off by: {0}. A CSV or C3D file has every joint where you see it.</source>
+        <translation>Seine Knochen sind starr, sodass Gelenke nur so nahe kommen, wie diese es zulassen, auch solche neben einer Reparatur, die Sie ließen, wie sie waren. Sie liegen höchstens daneben um: {0}. Eine CSV- oder C3D-Datei hat jedes Gelenk dort, wo Sie es sehen.</translation>
+    </message>
+    <message>
         <source>Work not yet exported</source>
         <translation>Arbeit noch nicht exportiert</translation>
     </message>
@@ -38,6 +50,10 @@
     <message>
         <source>Your repairs of {0} are not exported yet.</source>
         <translation>Ihre Reparaturen an {0} sind noch nicht exportiert.</translation>
+    </message>
+    <message>
+        <source>You changed no sample of {0}, but its review would be lost.</source>
+        <translation>Sie haben an {0} keinen Messwert geändert, aber die Durchsicht ginge verloren.</translation>
     </message>
     <message>
         <source>Keep the review to go on later: it is saved beside the take, with its full history.</source>
@@ -94,6 +110,10 @@
     <message>
         <source>marker</source>
         <translation>Marker</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>Gelenk</translation>
     </message>
     <message>
         <source>{0} on {1}, frames {2}–{3}</source>
@@ -936,6 +956,78 @@
         <translation>Tastatur und Maus</translation>
     </message>
     <message>
+        <source>Find a command, joint or artifact…</source>
+        <translation>Befehl, Gelenk oder Artefakt finden…</translation>
+    </message>
+    <message>
+        <source>Narrow down the joints, or the review queue while the keyboard is there</source>
+        <translation>Die Gelenke eingrenzen, oder die Prüfliste, solange die Tastatur dort ist</translation>
+    </message>
+    <message>
+        <source>Look for joints that are missing, frozen, away or on the other side</source>
+        <translation>Nach Gelenken suchen, die fehlen, stillstehen, woanders oder auf der anderen Seite sind</translation>
+    </message>
+    <message>
+        <source>Only for takes of markers: “Detect artifacts” looks for all that is known of joints</source>
+        <translation>Nur für Aufnahmen von Markern: „Artefakte suchen“ sucht nach allem, was von Gelenken bekannt ist</translation>
+    </message>
+    <message>
+        <source>Where the rest of the body says the joint should be</source>
+        <translation>Wo das Gelenk nach dem übrigen Körper sein müsste</translation>
+    </message>
+    <message>
+        <source>Replace the swept range of the joint by the best repair</source>
+        <translation>Den überstrichenen Bereich des Gelenks durch die beste Reparatur ersetzen</translation>
+    </message>
+    <message>
+        <source>Take the noise out of the swept range, a joint, its group or the take, seen before</source>
+        <translation>Das Rauschen aus dem überstrichenen Bereich, einem Gelenk, seiner Gruppe oder der Aufnahme nehmen, mit Vorschau</translation>
+    </message>
+    <message>
+        <source>Swap selection with another joint…</source>
+        <translation>Auswahl mit anderem Gelenk tauschen…</translation>
+    </message>
+    <message>
+        <source>Exchange the swept range with that of another joint, from here to there</source>
+        <translation>Den überstrichenen Bereich mit dem eines anderen Gelenks tauschen, von hier bis dort</translation>
+    </message>
+    <message>
+        <source>Give selection to another joint…</source>
+        <translation>Auswahl einem anderen Gelenk geben…</translation>
+    </message>
+    <message>
+        <source>The swept range has the wrong name: it becomes part of another joint</source>
+        <translation>Der überstrichene Bereich hat den falschen Namen: Er wird Teil eines anderen Gelenks</translation>
+    </message>
+    <message>
+        <source>Rename joint…</source>
+        <translation>Gelenk umbenennen…</translation>
+    </message>
+    <message>
+        <source>Give the foremost joint another name in the whole take</source>
+        <translation>Dem vordersten Gelenk in der ganzen Aufnahme einen anderen Namen geben</translation>
+    </message>
+    <message>
+        <source>Merge joint…</source>
+        <translation>Gelenk zusammenführen…</translation>
+    </message>
+    <message>
+        <source>Give all of the foremost joint to another one that is missing there</source>
+        <translation>Das ganze vorderste Gelenk einem anderen geben, das dort fehlt</translation>
+    </message>
+    <message>
+        <source>Choose the joints to follow</source>
+        <translation>Gelenke wählen, denen gefolgt wird</translation>
+    </message>
+    <message>
+        <source>Click joints in the 3D view, or press Return on them in the tree; the repair follows these only</source>
+        <translation>Gelenke in der 3D-Ansicht anklicken oder im Baum die Eingabetaste auf ihnen drücken; die Reparatur folgt nur diesen</translation>
+    </message>
+    <message>
+        <source>Make one of those selected in the queue, else of this one and the next on its joint</source>
+        <translation>Aus den in der Prüfliste gewählten eines machen, sonst aus diesem und dem nächsten an seinem Gelenk</translation>
+    </message>
+    <message>
         <source>load import read file c3d trc csv bvh amc</source>
         <translation>laden importieren lesen Datei c3d trc csv bvh amc</translation>
     </message>
@@ -1688,6 +1780,10 @@
         <translation>Artefakte aller Klassen gesucht</translation>
     </message>
     <message>
+        <source>{0} needs its skeleton: put the ASF file beside it, named {1}.asf, and open it again.</source>
+        <translation>{0} braucht sein Skelett: Legen Sie die ASF-Datei als {1}.asf daneben und öffnen Sie es noch einmal.</translation>
+    </message>
+    <message>
         <source>{0} samples have the residual word 65535, which is -1 without its sign; they were read as missing.</source>
         <translation>{0} Werte haben das Residuenwort 65535, also -1 ohne Vorzeichen; sie wurden als fehlend gelesen.</translation>
     </message>
@@ -1902,6 +1998,10 @@
     <message>
         <source>“{0}” cannot be opened: {1}.</source>
         <translation>„{0}“ lässt sich nicht öffnen: {1}.</translation>
+    </message>
+    <message>
+        <source>A BVH holds every joint of every pose. Frames in which joints are not known: {0}. Repair these gaps first, in the window by F, or all of them by markermend clean; or write a CSV.</source>
+        <translation>Eine BVH hat jedes Gelenk in jeder Haltung. Frames, in denen Gelenke nicht bekannt sind: {0}. Reparieren Sie erst diese Lücken, im Fenster mit F oder alle mit markermend clean; oder schreiben Sie eine CSV.</translation>
     </message>
     <message>
         <source>{0} could not be written: {1}; nothing was changed, choose another place or free some space.</source>
@@ -2268,6 +2368,10 @@
         <translation>{0} Frames mit {1} Hz ({2} s), {3} Marker. {4}, Markermend {5}.</translation>
     </message>
     <message>
+        <source>{0} frames at {1} Hz ({2} s), {3} joints. {4}, Markermend {5}.</source>
+        <translation>{0} Frames mit {1} Hz ({2} s), {3} Gelenke. {4}, Markermend {5}.</translation>
+    </message>
+    <message>
         <source>This is about frames {0}–{1} only; what lies outside is not counted.</source>
         <translation>Hier geht es nur um Frames {0}–{1}; was außerhalb liegt, ist nicht mitgezählt.</translation>
     </message>
@@ -2628,6 +2732,10 @@
         <translation>Marker in einer Farbe</translation>
     </message>
     <message>
+        <source>Joints in one colour</source>
+        <translation>Gelenke in einer Farbe</translation>
+    </message>
+    <message>
         <source>Coloured by group</source>
         <translation>Farbe nach Gruppe</translation>
     </message>
@@ -2867,6 +2975,10 @@
         <source>Point of the model</source>
         <translation>Punkt des Modells</translation>
     </message>
+    <message>
+        <source>L/R {0}</source>
+        <translation>L/R {0}</translation>
+    </message>
 </context>
 <context>
     <name>AlikeDialog</name>
@@ -2889,6 +3001,10 @@
     <message>
         <source>Marker</source>
         <translation>Marker</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Gelenk</translation>
     </message>
     <message>
         <source>Frames</source>
@@ -3000,6 +3116,14 @@
     <message>
         <source>No reason was given.</source>
         <translation>Es wurde kein Grund angegeben.</translation>
+    </message>
+    <message>
+        <source>certain: nothing was recorded</source>
+        <translation>sicher: nichts aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>marked by hand</source>
+        <translation>von Hand markiert</translation>
     </message>
     <message>
         <source>nearly certain</source>
@@ -3325,6 +3449,10 @@
         <translation>{0} wird exportiert</translation>
     </message>
     <message>
+        <source>{0} was not written.</source>
+        <translation>{0} wurde nicht geschrieben.</translation>
+    </message>
+    <message>
         <source>Exported to {0}; 1 sample differs.</source>
         <translation>Nach {0} exportiert; 1 Wert unterscheidet sich.</translation>
     </message>
@@ -3335,10 +3463,6 @@
     <message>
         <source>The original is kept as {0}.</source>
         <translation>Das Original bleibt als {0} erhalten.</translation>
-    </message>
-    <message>
-        <source>Its bones are rigid: a joint is up to {0} from where it was reviewed.</source>
-        <translation>Die Knochen darin sind starr: ein Gelenk liegt bis zu {0} neben der durchgesehenen Stelle.</translation>
     </message>
     <message>
         <source>Export repaired take</source>
@@ -3379,6 +3503,10 @@
         <translation>Mit welchem Marker {0} tauschen, {1}?</translation>
     </message>
     <message>
+        <source>Swap {0} with which joint, {1}?</source>
+        <translation>Mit welchem Gelenk {0} tauschen, {1}?</translation>
+    </message>
+    <message>
         <source>jumps {0} at the edges</source>
         <translation>springt {0} an den Rändern</translation>
     </message>
@@ -3387,12 +3515,20 @@
         <translation>Welcher Marker ist {0} in Wahrheit, {1}?</translation>
     </message>
     <message>
+        <source>Which joint is {0} in truth, {1}?</source>
+        <translation>Welches Gelenk ist {0} in Wahrheit, {1}?</translation>
+    </message>
+    <message>
         <source>Which unlabelled trajectory belongs to {0}?</source>
         <translation>Welche unbenannte Trajektorie gehört zu {0}?</translation>
     </message>
     <message>
         <source>{0} away</source>
         <translation>{0} entfernt</translation>
+    </message>
+    <message>
+        <source>Merge {0} into which joint?</source>
+        <translation>{0} mit welchem Gelenk zusammenführen?</translation>
     </message>
     <message>
         <source>Merge {0} into which marker?</source>
@@ -3413,6 +3549,10 @@
     <message>
         <source>No other marker is missing wherever {0} is seen; to exchange two, swap.</source>
         <translation>Kein anderer Marker fehlt überall dort, wo {0} zu sehen ist; um zwei auszutauschen, tauschen.</translation>
+    </message>
+    <message>
+        <source>No other joint is missing wherever {0} is seen; to exchange two, swap.</source>
+        <translation>Kein anderes Gelenk fehlt überall dort, wo {0} zu sehen ist; um zwei auszutauschen, tauschen.</translation>
     </message>
     <message>
         <source>frames {0}–{1}</source>
@@ -3619,6 +3759,10 @@
         <translation>Marker</translation>
     </message>
     <message>
+        <source>Share of the frames in which the joint is missing</source>
+        <translation>Anteil der Frames, in denen das Gelenk fehlt</translation>
+    </message>
+    <message>
         <source>Filter joints</source>
         <translation>Gelenke filtern</translation>
     </message>
@@ -3656,6 +3800,14 @@
     <message>
         <source>{0} (key {1})</source>
         <translation>{0} (Taste {1})</translation>
+    </message>
+    <message>
+        <source>Best: {0}</source>
+        <translation>Am besten: {0}</translation>
+    </message>
+    <message>
+        <source>Swap joints</source>
+        <translation>Gelenke tauschen</translation>
     </message>
     <message>
         <source>Working out the repair… {0}</source>
@@ -3783,6 +3935,10 @@
     <message>
         <source>Find a command, marker or artifact</source>
         <translation>Befehl, Marker oder Artefakt finden</translation>
+    </message>
+    <message>
+        <source>Find a command, joint or artifact</source>
+        <translation>Befehl, Gelenk oder Artefakt finden</translation>
     </message>
     <message>
         <source>Nothing fits these letters.</source>
@@ -3971,6 +4127,10 @@
         <translation>Alle Tasten auf einem Blatt, jede änderbar, mit Vorlagen.</translation>
     </message>
     <message>
+        <source>Only for takes of markers: joints of a skeleton recording are looked at in one way. Close it to set this for the next take.</source>
+        <translation>Nur für Aufnahmen von Markern: Gelenke einer Skelettaufnahme werden auf eine Art untersucht. Schließen Sie sie, um dies für die nächste Aufnahme einzustellen.</translation>
+    </message>
+    <message>
         <source>Preset “{0}”</source>
         <translation>Vorgabe „{0}“</translation>
     </message>
@@ -4130,6 +4290,10 @@
         <source>Choose the markers that {0} is to follow: by clicks in the 3D view, or by Return in the tree.</source>
         <translation>Die Marker wählen, denen {0} folgen soll: durch Klicks in der 3D-Ansicht oder die Eingabetaste im Baum.</translation>
     </message>
+    <message>
+        <source>Choose the joints that {0} is to follow: by clicks in the 3D view, or by Return in the tree.</source>
+        <translation>Die Gelenke wählen, denen {0} folgen soll: durch Klicks in der 3D-Ansicht oder die Eingabetaste im Baum.</translation>
+    </message>
 </context>
 <context>
     <name>RegionOfInterest</name>
@@ -4174,6 +4338,14 @@
     <message>
         <source>Repair, each by its best method</source>
         <translation>Reparieren, jedes mit seinem besten Verfahren</translation>
+    </message>
+    <message>
+        <source>{0} is accepted but not repaired; {1} repairs what is accepted.</source>
+        <translation>{0} ist angenommen, aber nicht repariert; {1} repariert, was angenommen ist.</translation>
+    </message>
+    <message>
+        <source>{0} are accepted but not repaired; {1} repairs what is accepted.</source>
+        <translation>{0} sind angenommen, aber nicht repariert; {1} repariert, was angenommen ist.</translation>
     </message>
     <message>
         <source>Open a take to review its artifacts here.</source>
@@ -4243,6 +4415,10 @@
         <translation>Die Marker anklicken, denen gefolgt wird</translation>
     </message>
     <message>
+        <source>Click the joints to follow</source>
+        <translation>Die Gelenke anklicken, denen gefolgt wird</translation>
+    </message>
+    <message>
         <source>Before repair</source>
         <translation>Vor der Reparatur</translation>
     </message>
@@ -4262,12 +4438,28 @@
         <translation>Spuren aller Marker</translation>
     </message>
     <message>
+        <source>Trails of all joints</source>
+        <translation>Spuren aller Gelenke</translation>
+    </message>
+    <message>
         <source>Names of all markers</source>
         <translation>Namen aller Marker</translation>
     </message>
     <message>
+        <source>Names of all joints</source>
+        <translation>Namen aller Gelenke</translation>
+    </message>
+    <message>
+        <source>Select joints with a box (Esc ends it)</source>
+        <translation>Gelenke mit einem Rahmen auswählen (Esc beendet)</translation>
+    </message>
+    <message>
         <source>Select markers with a box (Esc ends it)</source>
         <translation>Marker mit einem Rahmen auswählen (Esc beendet)</translation>
+    </message>
+    <message>
+        <source>Select joints with a lasso (Esc ends)</source>
+        <translation>Gelenke mit einem Lasso auswählen (Esc beendet)</translation>
     </message>
     <message>
         <source>Select markers with a lasso (Esc ends)</source>
@@ -4438,6 +4630,10 @@
         <translation>Betrachteter Marker</translation>
     </message>
     <message>
+        <source>Joint looked at</source>
+        <translation>Betrachtetes Gelenk</translation>
+    </message>
+    <message>
         <source>Axis looked at</source>
         <translation>Betrachtete Achse</translation>
     </message>
@@ -4460,6 +4656,10 @@
     <message>
         <source>{0} of {1} markers lose more than {2:g} % of their way, {3} most ({4} {5:.0f}). Look whether movement went with the noise.</source>
         <translation>{0} von {1} Markern verlieren mehr als {2:g} % ihres Wegs, am meisten {3} ({4} {5:.0f}). Prüfe, ob mit dem Rauschen Bewegung verschwand.</translation>
+    </message>
+    <message>
+        <source>{0} of {1} joints lose more than {2:g} % of their way, {3} most ({4} {5:.0f}). Look whether movement went with the noise.</source>
+        <translation>{0} von {1} Gelenken verlieren mehr als {2:g} % ihres Wegs, am meisten {3} ({4} {5:.0f}). Prüfe, ob mit dem Rauschen Bewegung verschwand.</translation>
     </message>
     <message>
         <source>{3} loses more than {2:g} % of its way ({4} {5:.0f}). Look whether movement went with the noise.</source>

@@ -158,8 +158,16 @@ class ArtifactPage(QWidget):
         self.confidence.setUpdatesEnabled(False)
         self.confidence.setValue(round(100 * a.confidence))
         self.confidence.setUpdatesEnabled(True)
-        self.sureness.setText(f"{100 * a.confidence:.0f} %, {self._words(a.confidence)}")
+        self.sureness.setText(self._sureness(a))
         self.why.setText(told(a.why) or self.tr("No reason was given."))
+
+    def _sureness(self, a: Artifact) -> str:
+        """How sure it is that something is wrong; of what is plain nobody has to be told."""
+        if a.kind is Kind.GAP and a.confidence >= 1.0:
+            return self.tr("certain: nothing was recorded")
+        if a.why == "marked by hand":
+            return self.tr("marked by hand")
+        return f"{100 * a.confidence:.0f} %, {self._words(a.confidence)}"
 
     def _words(self, confidence: float) -> str:
         """Confidence for people."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from markermend.artifact import Artifact, Status
+from markermend.artifact import PAIRED, Artifact, Status
 from markermend.take import Take
 from markermend_app.style import theme
 from markermend_app.telling import told
@@ -19,7 +19,7 @@ STATUS_NAME = {
 def describe(take: Take, artifact: Artifact) -> str:
     """Marker, class, frames as the file counts them, confidence, decision; and why, below."""
     text = _tr("{marker} · {kind} · frames {first}–{last} · {sure:.0%} sure · {status}").format(
-        marker=artifact.marker,
+        marker=PAIRED.join(artifact.markers),
         kind=theme.kind_name(artifact.kind),
         first=take.frame_number(artifact.start),
         last=take.frame_number(artifact.stop - 1),

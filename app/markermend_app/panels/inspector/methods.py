@@ -136,10 +136,13 @@ class MethodList(QWidget):
             self._fill()
         offered = a.status is not Status.REPAIRED and self._document.editable
         chosen = self._document.method
+        self._speak()
         # An exclusive group keeps one checked, but none is while one of the list is chosen.
         self._group.setExclusive(False)
         for name, button in self.buttons.items():
-            button.setEnabled(offered)
+            # Joints change places only in a mix-up that was found.
+            idle = name == "swap" and self._document.joints and a.counterpart is None
+            button.setEnabled(offered and not idle)
             with QSignalBlocker(button):
                 button.setChecked(name == chosen)
         self._group.setExclusive(True)
@@ -148,9 +151,8 @@ class MethodList(QWidget):
         self.outcome.setText(self._promise())
         # A low panel has no room for all of it.
         self.outcome.setToolTip(self.outcome.text())
-        proposal, session = self._document.proposal, self._document.session
-        skeleton = session is not None and session.original.skeleton
-        most = _DOUBTFUL_JOINT_MM if skeleton else _DOUBTFUL_MM
+        proposal = self._document.proposal
+        most = _DOUBTFUL_JOINT_MM if self._document.joints else _DOUBTFUL_MM
         doubtful = (
             offered
             and proposal is not None
@@ -160,6 +162,18 @@ class MethodList(QWidget):
         if self.outcome.property("role") != role:
             self.outcome.setProperty("role", role)
             self.outcome.style().polish(self.outcome)
+
+    def _speak(self) -> None:
+        """Name what differs where joints are repaired."""
+        from markermend.repairs import REPAIRS
+
+        joints, best, swap = self._document.joints, self.buttons["auto"], self.buttons["swap"]
+        text = self.tr("Best for this artifact")
+        if joints:
+            text = self.tr("Best: {0}").format(tr(REPAIRS["skeleton"].label))
+        best.setText(text)
+        text = self.tr("Swap joints") if joints else tr(REPAIRS["swap"].label)
+        swap.setText(f"{REPAIRS['swap'].key} {text}")
 
     def _tell(self, doing: str) -> None:
         """Say how far a method is that takes seconds."""

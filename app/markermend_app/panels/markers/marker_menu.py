@@ -32,11 +32,13 @@ def add_marker_verbs(menu: QMenu, document: Document, do: Callable[[str], None])
     menu.addAction(literal(document.shown[0])).setEnabled(False)
     menu.addSeparator()
     for name in ("rename_marker", "merge_marker", "smooth"):
-        entry(menu, name, partial(do, name)).setEnabled(document.editable)
+        entry(menu, name, partial(do, name), joints=document.joints).setEnabled(document.editable)
     swept = document.selection
     if swept is not None and swept.marker != document.shown[0]:
         menu.addSeparator()
         text = tr("Selection on {marker}").format(marker=swept.marker)
         menu.addAction(literal(text)).setEnabled(False)
         for name in ("swap_selection", "move_selection"):
-            entry(menu, name, partial(do, name)).setEnabled(document.editable)
+            entry(menu, name, partial(do, name), joints=document.joints).setEnabled(
+                document.editable
+            )

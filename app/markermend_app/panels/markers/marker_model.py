@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter, defaultdict
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from itertools import zip_longest
 from typing import Any
 
@@ -49,14 +49,16 @@ class MarkerModel(QStandardItemModel):
         self._root = Node("")
         self._items: dict[Node, list[QStandardItem]] = {}
         self._by_label: dict[str, Node] = {}
+        self._twice: dict[Node, Counter[Kind]] = {}
         self._shown: tuple[str, ...] = ()
+        self._missing_tip = self.tr("Share of the frames in which the marker is missing")
         self._small = QFont()
         self._small.setPointSize(theme.SMALL_PT)
         self.setHorizontalHeaderLabels([self.tr("Marker"), self.tr("Open"), "%"])
         tip = Qt.ItemDataRole.ToolTipRole
         for column, text in (
             (OPEN, self.tr("Artifacts that are not decided yet, by class")),
-            (MISSING, self.tr("Share of the frames in which the marker is missing")),
+            (MISSING, self._missing_tip),
         ):
             self.setHeaderData(column, Qt.Orientation.Horizontal, text, tip)
         align = Qt.ItemDataRole.TextAlignmentRole
@@ -66,10 +68,15 @@ class MarkerModel(QStandardItemModel):
         """Say what the rows are."""
         self.setHeaderData(NAME, Qt.Orientation.Horizontal, text)
 
+    def set_missing_tip(self, text: str) -> None:
+        """Say what the share of missing frames is of; empty for markers."""
+        tip = Qt.ItemDataRole.ToolTipRole
+        self.setHeaderData(MISSING, Qt.Orientation.Horizontal, text or self._missing_tip, tip)
+
     def set_root(self, root: Node) -> None:
         """Show other rows; what is missing of markers that stay is known already."""
         self.removeRows(0, self.rowCount())
-        self._root, self._items = root, {}
+        self._root, self._items, self._twice = root, {}, {}
         before, self._by_label = self._by_label, {n.label: n for n in root.all_markers()}
         for label, node in self._by_label.items():
             node.missing = before[label].missing if label in before else None
@@ -77,12 +84,22 @@ class MarkerModel(QStandardItemModel):
             self.appendRow(self._grown(node))
 
     def set_counts(self, artifacts: Iterable[Artifact]) -> None:
-        """Count open artifacts, for markers and for everything above them."""
+        """Count open artifacts, for markers and for everything above them.
+
+        A mix-up is told of each of its markers, and of what holds these once.
+        """
         counts: dict[str, Counter[Kind]] = defaultdict(Counter)
+        twice: dict[Node, Counter[Kind]] = defaultdict(Counter)
         for a in artifacts:
             if a.status is Status.PENDING:
-                counts[a.marker][a.kind] += 1
-        changed: dict[Node, None] = {}
+                for marker in a.markers:
+                    counts[marker][a.kind] += 1
+                for node in self._holding_several(a.markers):
+                    twice[node][a.kind] += 1
+        # Counts never go below nothing, so that what was left out is put back first.
+        for row, told in self._twice.items():
+            row.counts = row.counts + told
+        changed: dict[Node, None] = dict.fromkeys((*self._twice, *twice))
         nothing: Counter[Kind] = Counter()
         for label, node in self._by_label.items():
             before, now = node.own, counts.get(label, nothing)
@@ -93,7 +110,22 @@ class MarkerModel(QStandardItemModel):
                 row.counts = row.counts - before + now
                 changed[row] = None
                 row = row.parent
+        for row, told in twice.items():
+            row.counts = row.counts - told
+        self._twice = twice
         self._write(OPEN, changed)
+
+    def _holding_several(self, labels: Sequence[str]) -> list[Node]:
+        """Rows that hold more than one of some markers, once for each beyond the first."""
+        if len(labels) < 2:
+            return []
+        above: Counter[Node] = Counter()
+        for label in labels:
+            row = self._by_label.get(label)
+            while row is not None and row.parent is not None:
+                above[row] += 1
+                row = row.parent
+        return [row for row, times in above.items() for _ in range(times - 1)]
 
     def open_counts(self) -> list[Counter[Kind]]:
         """Counts of the markers that have open artifacts."""

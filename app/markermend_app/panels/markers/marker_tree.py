@@ -190,6 +190,8 @@ class MarkerTree(QWidget):
             dock.setWindowTitle(name)
         self.view.setAccessibleName(name)
         self._model.set_heading(self.tr("Joint") if skeleton else self.tr("Marker"))
+        missing = self.tr("Share of the frames in which the joint is missing")
+        self._model.set_missing_tip(missing if skeleton else "")
         self.filter.set_text(self.tr("Filter joints") if skeleton else self.tr("Filter markers"))
 
     def _expand(self) -> None:

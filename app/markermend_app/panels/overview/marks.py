@@ -14,6 +14,7 @@ from markermend_app.style import theme
 
 TICK_PX = 90
 _BAND = 5.0
+_BELOW = 2.0
 
 
 def paint_groups(painter: QPainter, rows: Rows, area: QRectF) -> None:
@@ -26,7 +27,8 @@ def paint_groups(painter: QPainter, rows: Rows, area: QRectF) -> None:
         tint = theme.blend(look.window, look.muted, 0.55 if i % 2 else 0.25)
         painter.fillRect(QRectF(area.left() - _BAND - 1, top, _BAND, bottom - top), tint)
         line = (top + bottom - metrics.height()) / 2
-        if line >= free_from:
+        # Below the picture stands what it is of.
+        if line >= free_from and line + metrics.height() <= area.bottom() + _BELOW:
             width = area.left() - _BAND - 10
             text = metrics.elidedText(name, Qt.TextElideMode.ElideRight, int(width))
             painter.setPen(look.muted)

@@ -82,6 +82,7 @@ class Overview(QWidget):
         self._held: tuple[float, tuple[float, float]] | None = None
         self._rows: Rows | None = None
         self._artifacts: tuple[Artifact, ...] = ()
+        self._lying: list[Artifact] = []
         self._image: QImage | None = None
         self._missing = Missing()
         self._column_of: dict[str, int] = {}
@@ -162,10 +163,13 @@ class Overview(QWidget):
             self._artifacts = ()
         else:
             self._artifacts = session.artifacts
+            # A mix-up lies on the rows of all of its markers.
+            self._lying = [a for a in self._artifacts for _ in a.markers]
             self._place = np.array(
                 [
-                    (a.start, a.stop, rows.row_of[self._column_of[a.marker]])
+                    (a.start, a.stop, rows.row_of[self._column_of[marker]])
                     for a in self._artifacts
+                    for marker in a.markers
                 ],
                 dtype=np.int64,
             ).reshape(-1, 3)
@@ -230,7 +234,7 @@ class Overview(QWidget):
             return None
         away = self._places.away(at, self._place)
         nearest = int(np.argmin(away))
-        return self._artifacts[nearest] if away[nearest] <= _REACH_PX else None
+        return self._lying[nearest] if away[nearest] <= _REACH_PX else None
 
     # What the mouse says
 
@@ -432,6 +436,7 @@ class Overview(QWidget):
             marks.paint_region(painter, places, *self._edges.region)
         current = self.document.current
         if current is not None:
-            row = rows.row_of[self._column_of[current.marker]]
-            marks.paint_current(painter, places.box(row, current.start, current.stop))
+            for marker in current.markers:
+                row = rows.row_of[self._column_of[marker]]
+                marks.paint_current(painter, places.box(row, current.start, current.stop))
         marks.paint_cursor(painter, places, self.document.frame)

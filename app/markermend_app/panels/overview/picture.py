@@ -14,7 +14,7 @@ from PySide6.QtGui import QColor, QImage, QPainter
 
 from markermend.arrays import FloatArray
 from markermend.artifact import Artifact, Kind, Status
-from markermend.mesh import Mesh
+from markermend.mesh import Group, Mesh
 from markermend_app.style import theme
 from markermend_app.telling import told_group
 from markermend_app.words import tr
@@ -44,10 +44,10 @@ class Rows:
 
 
 def arrange(markers: int, mesh: Mesh | None) -> Rows:
-    """Put markers of a group together, in the mesh's order; those without one come last."""
+    """Put markers of a group together, in the tree's order; those without one come last."""
     columns: list[int] = []
     groups: list[tuple[str, int, int]] = []
-    for group in () if mesh is None else mesh.groups:
+    for group in () if mesh is None else _as_in_the_tree(mesh):
         groups.append((told_group(group.name), len(columns), len(columns) + len(group.markers)))
         columns += group.markers
     rest = sorted(set(range(markers)) - set(columns))
@@ -57,6 +57,19 @@ def arrange(markers: int, mesh: Mesh | None) -> Rows:
     row_of = np.empty(markers, dtype=np.int64)
     row_of[columns] = np.arange(markers)
     return Rows(tuple(columns), tuple(row_of.tolist()), tuple(groups))
+
+
+def _as_in_the_tree(mesh: Mesh) -> list[Group]:
+    """Groups, each followed by all that hang on it."""
+    below: dict[int | None, list[int]] = {}
+    for i, group in enumerate(mesh.groups):
+        below.setdefault(group.parent, []).append(i)
+    order, waiting = list[Group](), below.get(None, [])[::-1]
+    while waiting:
+        i = waiting.pop()
+        order.append(mesh.groups[i])
+        waiting += below.get(i, [])[::-1]
+    return order
 
 
 def row_edges(rows: int, height: int) -> list[tuple[int, int]]:
@@ -133,13 +146,14 @@ def paint_artifacts(
     inks: dict[tuple[Status, Kind, float], QColor] = {}
     for a in sorted(artifacts, key=lambda a: a.status is not Status.REJECTED):
         if a.stop > start and a.start < stop:
-            top, bottom = edges[rows.row_of[column_of[a.marker]]]
             left = (a.start - start) * scale
             right = max((a.stop - start) * scale, left + 1.5)
             kind = a.status, a.kind, a.confidence
             if kind not in inks:
                 inks[kind] = _ink(a, look)
-            painter.fillRect(QRectF(left, top, right - left, bottom - top), inks[kind])
+            for marker in a.markers:
+                top, bottom = edges[rows.row_of[column_of[marker]]]
+                painter.fillRect(QRectF(left, top, right - left, bottom - top), inks[kind])
     painter.end()
 
 

@@ -81,7 +81,7 @@ def sweep_menu(
         "swap_selection",
         "move_selection",
     ):
-        entry(menu, name, partial(do, name)).setEnabled(document.editable)
+        entry(menu, name, partial(do, name), joints=document.joints).setEnabled(document.editable)
     menu.addSeparator()
     entry(menu, "region_selection", partial(do, "region_selection")).setEnabled(document.editable)
     entry(menu, "clear_selection", partial(do, "clear_selection"))

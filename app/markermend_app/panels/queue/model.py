@@ -23,7 +23,7 @@ from markermend.take import Take
 from markermend_app import units
 from markermend_app.panels.inspector.artifact_text import describe
 from markermend_app.panels.markers.badge import dot_icon
-from markermend_app.panels.markers.naming import short_names
+from markermend_app.panels.markers.naming import paired_name, short_names
 from markermend_app.style import theme
 from markermend_app.telling import told, told_repair
 
@@ -262,7 +262,9 @@ class QueueModel(QAbstractTableModel):
         """The marker, and those it changes places with, unless it was repaired by itself."""
         note = self._notes.get(a.id)
         markers = changed_markers(a, note.method if note else None)
-        return PAIRED.join(self._names.get(m, m) for m in markers)
+        names = [self._names.get(m, m) for m in markers]
+        joints = self._take is not None and self._take.skeleton
+        return paired_name(names) if joints else PAIRED.join(names)
 
     def _repair_text(self, a: Artifact) -> str:
         """How a repaired artifact was repaired."""

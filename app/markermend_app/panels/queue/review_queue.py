@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
 )
 
 from markermend.artifact import Status
+from markermend.review.session import Session
 from markermend_app.actions import shortcuts
 from markermend_app.actions.menus import entry
 from markermend_app.document import Document
@@ -325,6 +326,26 @@ class ReviewQueue(QWidget):
         self._doing = label
         self._explain()
 
+    def _all_decided(self, session: Session) -> str:
+        """Say how to go on when nothing is open, and what is left as it is."""
+        count, way = len(session.listed), shortcuts.way_to("export")
+        if count == 1:
+            text = self.tr("The only artifact is decided. {0} exports the repaired take.")
+            text = text.format(way)
+        else:
+            text = self.tr("All {0} artifacts are decided. {1} exports the repaired take.")
+            text = text.format(count, way)
+        waiting = len(session.listed_with(Status.ACCEPTED))
+        if waiting:
+            one = self.tr("{0} is accepted but not repaired; {1} repairs what is accepted.")
+            many = self.tr("{0} are accepted but not repaired; {1} repairs what is accepted.")
+            left = one if waiting == 1 else many
+            text += " " + left.format(waiting, shortcuts.way_to("repair_accepted"))
+        outside = len(session.artifacts) - count
+        if outside:
+            text += " " + self.tr("Outside the region of interest: {0}.").format(outside)
+        return text
+
     def _explain(self) -> None:
         """Say why nothing is listed."""
         session = self._document.session
@@ -350,16 +371,7 @@ class ReviewQueue(QWidget):
                 reviews_all = self.tr("{0} reviews the whole take.")
                 text += " " + reviews_all.format(shortcuts.way_to("region_whole"))
         elif not session.listed_with(Status.PENDING) and self.filters.statuses == OPEN:
-            count, way = len(session.listed), shortcuts.way_to("export")
-            if count == 1:
-                text = self.tr("The only artifact is decided. {0} exports the repaired take.")
-                text = text.format(way)
-            else:
-                text = self.tr("All {0} artifacts are decided. {1} exports the repaired take.")
-                text = text.format(count, way)
-            outside = len(session.artifacts) - count
-            if outside:
-                text += " " + self.tr("Outside the region of interest: {0}.").format(outside)
+            text = self._all_decided(session)
         else:
             text = self.tr("No artifact matches these filters.")
         self._hint.setText(text)

@@ -30,11 +30,11 @@ class SceneButtons(QWidget):
         self._column.setSpacing(0)
         self.fit = self._button("frame", self.tr("Show everything (double click)"), False)
         self.follow = self._button("body", self.tr("Keep the body in the middle"))
-        self.trails = self._button("trail", self.tr("Trails of all markers"))
-        self.labels = self._button("labels", self.tr("Names of all markers"))
+        self.trails = self._button("trail", "")
+        self.labels = self._button("labels", "")
         self._column.addSpacing(6)
-        self.box = self._button("select-box", self.tr("Select markers with a box (Esc ends it)"))
-        self.lasso = self._button("select-lasso", self.tr("Select markers with a lasso (Esc ends)"))
+        self.box = self._button("select-box", "")
+        self.lasso = self._button("select-lasso", "")
         self._column.addSpacing(6)
         self.more = self._button("more", self.tr("Colours, ghost, segments, vertical axis"), False)
         self.menu = QMenu(self.more)
@@ -50,6 +50,27 @@ class SceneButtons(QWidget):
         self.lasso.clicked.connect(lambda on: self.box.setChecked(False))
         theme.watcher.changed.connect(self._recolour)
         self._recolour()
+        self.say_joints(False)
+
+    def say_joints(self, joints: bool) -> None:
+        """Say what the buttons do to joints, or to markers."""
+        for button, of_joints, of_markers in (
+            (self.trails, self.tr("Trails of all joints"), self.tr("Trails of all markers")),
+            (self.labels, self.tr("Names of all joints"), self.tr("Names of all markers")),
+            (
+                self.box,
+                self.tr("Select joints with a box (Esc ends it)"),
+                self.tr("Select markers with a box (Esc ends it)"),
+            ),
+            (
+                self.lasso,
+                self.tr("Select joints with a lasso (Esc ends)"),
+                self.tr("Select markers with a lasso (Esc ends)"),
+            ),
+        ):
+            text = of_joints if joints else of_markers
+            button.setToolTip(text)
+            button.setAccessibleName(text)
 
     @property
     def tool(self) -> str:

@@ -61,8 +61,11 @@ class Looks:
         vertical: int | None,
         set_vertical: Callable[[int | None], None],
         changed: Callable[[], None],
+        *,
+        joints: bool = False,
     ) -> None:
         """Offer everything in a menu; ``changed`` is called when something else is to be seen."""
+        one = tr("Joints in one colour") if joints else tr("Markers in one colour")
 
         def add(text: str, checked: bool, do: Callable[[], object], to: QMenu = menu) -> None:
             action = to.addAction(text)
@@ -73,7 +76,7 @@ class Looks:
 
         for colours, text in zip(
             COLOURS,
-            (tr("Markers in one colour"), tr("Coloured by group"), tr("Coloured by damage")),
+            (one, tr("Coloured by group"), tr("Coloured by damage")),
             strict=True,
         ):
             add(text, self.colours == colours, partial(self.set_colours, colours))

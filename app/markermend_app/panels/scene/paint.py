@@ -48,7 +48,7 @@ class Sight:
 def paint_floor(sight: Sight, stage: Stage) -> None:
     """Draw the floor's squares."""
     start, stop = floor_lines(stage)
-    _paint_segments(sight, start, stop, theme.current().grid, 1.0)
+    _paint_segments(sight, start, stop, _pen(theme.current().grid, 1.0))
 
 
 def paint_links(
@@ -56,17 +56,27 @@ def paint_links(
 ) -> None:
     """Draw the body's segments; (n, 2) columns of markers."""
     if len(links):
-        _paint_segments(sight, positions[links[:, 0]], positions[links[:, 1]], color, width)
+        _paint_segments(sight, positions[links[:, 0]], positions[links[:, 1]], _pen(color, width))
+
+
+def paint_proposed(sight: Sight, positions: FloatArray, links: IntArray) -> None:
+    """Draw segments that a previewed repair would put there, dashed; (n, 2) columns of markers."""
+    if len(links):
+        pen = _pen(theme.current().accent, 1.6, Qt.PenStyle.DashLine)
+        _paint_segments(sight, positions[links[:, 0]], positions[links[:, 1]], pen)
 
 
 def paint_other(sight: Sight, now: FloatArray, other: FloatArray, color: QColor) -> None:
     """Draw where markers are in the other version: hollow, tied to where they are in this one.
 
+    What ties them is dotted and in a colour that no segment has: between left and right that were
+    swapped it is as long as a bone.
+
     Parameters
     ----------
     now, other : (n, 3) mm; NaN where a version has no sample
     """
-    _paint_segments(sight, now, other, color, 1.0)
+    _paint_segments(sight, now, other, _pen(theme.current().warning, 1.2, Qt.PenStyle.DotLine))
     painter = sight.painter
     painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.setPen(_pen(color, 1.6))
@@ -75,13 +85,11 @@ def paint_other(sight: Sight, now: FloatArray, other: FloatArray, color: QColor)
         painter.drawEllipse(QPointF(x, y), 5.0, 5.0)
 
 
-def _paint_segments(
-    sight: Sight, start: FloatArray, stop: FloatArray, color: QColor, width: float
-) -> None:
+def _paint_segments(sight: Sight, start: FloatArray, stop: FloatArray, pen: QPen) -> None:
     """Draw separate lines; one path of many crossing lines takes several times as long."""
     ends = sight.camera.segments(start, stop, sight.width, sight.height)
     ends = ends[~np.isnan(ends).any(axis=(1, 2))].reshape(-1, 4)
-    sight.painter.setPen(_pen(color, width))
+    sight.painter.setPen(pen)
     sight.painter.drawLines([QLineF(*line) for line in ends.tolist()])
 
 

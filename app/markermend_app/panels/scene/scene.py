@@ -28,6 +28,7 @@ from markermend_app.panels.scene.buttons import SceneButtons
 from markermend_app.panels.scene.camera import Camera
 from markermend_app.panels.scene.follow import Follower
 from markermend_app.panels.scene.looks import Looks, marker_colours
+from markermend_app.panels.scene.proposed import proposed_body
 from markermend_app.panels.scene.seen import Seen
 from markermend_app.panels.scene.select import Outline, nearest
 from markermend_app.panels.scene.stage import Stage, set_stage
@@ -85,6 +86,7 @@ class Scene(QWidget):
             document.proposal_changed,
         ):
             signal.connect(self._redraw)
+        document.proposals.ready.connect(self._redraw)
         document.shown_changed.connect(self._shown_changed)
         theme.watcher.changed.connect(self.update)
         self._opened()
@@ -115,7 +117,8 @@ class Scene(QWidget):
             point_at(self._document, marker)
             add_marker_verbs(menu, self._document, self.do)
             menu.addSeparator()
-        self.looks.fill(menu, self._vertical, self.set_vertical, self.update)
+        joints = self._document.joints
+        self.looks.fill(menu, self._vertical, self.set_vertical, self.update, joints=joints)
 
     # What is seen
 
@@ -163,6 +166,7 @@ class Scene(QWidget):
             self._vertical, self._afresh = None, True
             self.follower.start()
         self.buttons.setVisible(session is not None)
+        self.buttons.say_joints(self._document.joints)
         self.drop_tool()
         self.seen.forget()
         self._entering.ask()
@@ -221,6 +225,7 @@ class Scene(QWidget):
         rings, least = self.seen.rings(), self.looks.least
         discs = paint.Discs(now, self.seen.radius, shown, rings, colours, least)
         self._at = paint.paint_discs(sight, discs)
+        self._paint_proposed(sight, now)
         spots = self._paint_ghost(sight, now)
         followed = [take.index(s) for s in self._document.preview.references]
         paint.paint_followed(sight, spots[followed])
@@ -233,7 +238,9 @@ class Scene(QWidget):
         square = f"{self.stage.unit * units.FACTORS[units.unit()]:g} {units.unit()}"
         paint.paint_note(sight, self.tr("One square: {0}").format(square))
         if self._choosing:
-            paint.paint_title(sight, self.tr("Click the markers to follow"), t.accent)
+            text = self.tr("Click the markers to follow")
+            text = self.tr("Click the joints to follow") if take.skeleton else text
+            paint.paint_title(sight, text, t.accent)
         elif self.before:
             paint.paint_title(sight, self.tr("Before repair"), t.muted)
         if self._outline is not None:
@@ -245,6 +252,12 @@ class Scene(QWidget):
         t, off = theme.current(), self.seen.off(now) & self.looks.lengths
         paint.paint_links(sight, now, self.seen.links[~off], t.bones, 1.6)
         paint.paint_links(sight, now, self.seen.links[off], t.axes["x"], 2.4)
+
+    def _paint_proposed(self, sight: paint.Sight, now: FloatArray) -> None:
+        """Paint the bones of joints where the proposed repairs would put them."""
+        placed, proposed = proposed_body(self._document, now)
+        links = self.seen.links
+        paint.paint_proposed(sight, placed, links[proposed[links].any(axis=1)])
 
     def _paint_other(
         self,

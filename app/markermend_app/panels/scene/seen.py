@@ -85,9 +85,10 @@ class Seen:
             return {}
         if self._open is None:
             found, index = session.listed_with(Status.PENDING), session.original.index
-            places = [(a.start, a.stop, index(a.marker)) for a in found]
+            every = [(a, marker) for a in found for marker in a.markers]
+            places = [(a.start, a.stop, index(marker)) for a, marker in every]
             table = np.array(places, dtype=np.int64).reshape(-1, 3)
-            self._open = table, tuple(a.kind for a in found)
+            self._open = table, tuple(a.kind for a, _ in every)
         table, kinds = self._open
         hit = np.flatnonzero((table[:, 0] <= frame) & (frame < table[:, 1]))
         return {int(table[i, 2]): kinds[i] for i in hit.tolist()}
