@@ -7,7 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from markermend.arrays import BoolArray, runs
+from markermend.poses.bridging import bridged
 from markermend.poses.exchanging import changed_back
+from markermend.poses.jumping import carried_off
 from markermend.poses.misplacing import misplaced
 from markermend.poses.pose import Pose
 
@@ -38,7 +40,7 @@ class Fault:
 
 
 def mend_faults(pose: Pose) -> tuple[Pose, tuple[Fault, ...]]:
-    """Take out what is wrong: swaps are undone, other faults become joints that were not seen.
+    """Take out what is wrong: what can be undone is, the rest was not seen then.
 
     Parameters
     ----------
@@ -52,14 +54,17 @@ def mend_faults(pose: Pose) -> tuple[Pose, tuple[Fault, ...]]:
     pose = _hidden(pose, vanished)
     frozen = _frozen(pose)
     pose = _hidden(pose, frozen)
+    carried = carried_off(pose)
+    pose = _carried_back(pose, carried)
     pose, swapped = changed_back(pose)
     wrong = misplaced(pose)
-    kinds = {VANISHED: vanished, FROZEN: frozen, SWAPPED: swapped, MISPLACED: wrong}
+    where = wrong | (carried[:, None] & pose.seen)
+    kinds = {VANISHED: vanished, FROZEN: frozen, SWAPPED: swapped, MISPLACED: where}
     faults = [
         Fault(kind, joint, start, stop)
-        for kind, where in kinds.items()
+        for kind, mask in kinds.items()
         for joint in range(len(pose.joints))
-        for start, stop in runs(where[:, joint]).tolist()
+        for start, stop in runs(mask[:, joint]).tolist()
     ]
     return _hidden(pose, wrong), tuple(sorted(faults, key=lambda f: (f.start, f.joint)))
 
@@ -70,6 +75,17 @@ def _hidden(pose: Pose, wrong: BoolArray) -> Pose:
         return pose
     confidence = np.where(wrong, 0.0, pose.confidence)
     return pose.with_samples(pose.positions, pose.rotations, confidence)
+
+
+def _carried_back(pose: Pose, carried: BoolArray) -> Pose:
+    """The recording with the body on its root's way wherever it was elsewhere as a whole."""
+    if not carried.any():
+        return pose
+    root = pose.order[0]
+    path = pose.positions[:, root]
+    known = np.repeat((pose.seen[:, root] & ~carried)[:, None], 3, axis=1)
+    back = np.where(carried[:, None], bridged(path, known) - path, 0.0)
+    return pose.with_samples(pose.positions + back[:, None], pose.rotations, pose.confidence)
 
 
 def _vanished(pose: Pose) -> BoolArray:

@@ -12,12 +12,16 @@ from markermend.poses.pose import Pose
 
 # A step is a jump when it differs by this share of a mean bone from those in this time around it.
 _JUMP, _AROUND_S, _LEAST_AROUND = 0.25, 0.05, 2
+# No joint changes its speed by so much from one frame to the next, and no body all at once.
+_FASTEST_MM_S, _FASTEST_BODY_MM_S = 25_000.0, 8_000.0
 # A joint comes back within this time, and but for this share of the jump to where it would be.
 _AWAY_S, _BACK = 1.0, 0.5
 # Meanwhile bones are broken when, from one frame to the next, their length changes by this share
 # of it, and by so many times the standard deviation of what it usually changes.
 _BREAKS, _UNUSUAL = 0.05, 6.0
 _DEVIATION = 0.6745
+# A body goes as one when joints jump as the root does but for this share.
+_TOGETHER = 0.3
 # A joint goes along when it makes the same jumps, and its bone is, but for this share, as long as
 # it usually is in this share of the frames.
 _ALIKE, _ALONG = 0.15, 0.8
@@ -47,6 +51,8 @@ def jumped(pose: Pose, bones: FloatArray) -> BoolArray:
     far = _bones_of(pose)
     breaks = _breaks(far, bones)
     alike = np.abs(far - bones) < _ALIKE * bones
+    root = pose.order[0]
+    hanging = [joint for joint, parent in enumerate(pose.parents) if parent == root]
     for joint in suspects:
         for out, home in _trips(odd[:, joint], leaps[:, joint], pose.rate):
             meanwhile = slice(out + 1, home + 1)
@@ -58,8 +64,39 @@ def jumped(pose: Pose, bones: FloatArray) -> BoolArray:
             ends = [
                 j for j, p in enumerate(pose.parents) if p >= 0 and (j in group) != (p in group)
             ]
-            if breaks[out, ends].any() and breaks[home, ends].any():
+            broken = bool(breaks[out, ends].any() and breaks[home, ends].any())
+            if broken or _length(odd[[out, home], joint]).min() * pose.rate > _FASTEST_MM_S:
+                # Where all that hangs on the root is elsewhere, that was turned.
+                group |= {root} if set(hanging) <= group else set()
                 away[meanwhile, sorted(group)] = True
+    return away
+
+
+def carried_off(pose: Pose) -> BoolArray:
+    """Find frames in which the whole body is elsewhere, as if a root alone had been misread.
+
+    Parameters
+    ----------
+    pose : any skeleton
+
+    Returns
+    -------
+    (frames,) bool
+    """
+    away = np.zeros(pose.frames, dtype=bool)
+    if pose.frames < 2 * _LEAST_AROUND + 1:
+        return away
+    odd = _odd_steps(pose)
+    # Joints that are not seen go nowhere.
+    moved = np.where((pose.seen[1:] & pose.seen[:-1])[..., None], odd, np.nan)
+    root, least = odd[:, pose.order[0]], _FASTEST_BODY_MM_S / pose.rate
+    leaps = _length(root) > least
+    leaps[leaps] = [
+        bool(np.nanmax(_length(m - r)) < _TOGETHER * _length(r))
+        for m, r in zip(moved[leaps], root[leaps], strict=True)
+    ]
+    for out, home in _trips(root, leaps, pose.rate):
+        away[out + 1 : home + 1] = True
     return away
 
 
