@@ -12,6 +12,7 @@ from markermend.poses.exchanging import changed_back
 from markermend.poses.jumping import carried_off
 from markermend.poses.misplacing import misplaced
 from markermend.poses.pose import Pose
+from markermend.poses.stiffening import stiff
 
 VANISHED, FROZEN, MISPLACED, SWAPPED = "vanished", "frozen", "misplaced", "swapped"
 FAULTS = (VANISHED, FROZEN, MISPLACED, SWAPPED)
@@ -52,7 +53,7 @@ def mend_faults(pose: Pose) -> tuple[Pose, tuple[Fault, ...]]:
     """
     vanished = _vanished(pose)
     pose = _hidden(pose, vanished)
-    frozen = _frozen(pose)
+    frozen = _frozen(pose) | (stiff(pose) & pose.seen)
     pose = _hidden(pose, frozen)
     carried = carried_off(pose)
     pose = _carried_back(pose, carried)
