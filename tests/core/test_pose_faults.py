@@ -18,6 +18,7 @@ from markermend.poses.prior import shipped_prior
 from markermend.poses.quaternion import turn
 from markermend.poses.restore import restore
 from markermend.poses.sensor import as_depth_sensor
+from markermend.poses.skeleton import forward_kinematics
 
 
 @pytest.fixture(scope="module")
@@ -201,6 +202,90 @@ def test_one_frame_is_enough_to_be_found(walk):
     positions[300, wrist] += aside / np.sqrt(aside @ aside) * 0.52 * np.sqrt(bone @ bone)
     found = marked(mend_faults(walk.with_samples(positions, walk.rotations))[1], walk)
     assert np.argwhere(found).tolist() == [[300, wrist]]
+
+
+@pytest.fixture(scope="module")
+def angles(shared_data):
+    return mm.read_pose(shared_data / "poses" / "02_01.amc")
+
+
+def bent(pose, change):
+    """The recording of a skeleton file whose channels were changed."""
+    channels = {name: np.array(values) for name, values in pose.source.channels.items()}
+    change(channels)
+    movement = replace(pose.source, channels=channels)
+    return replace(forward_kinematics(movement, pose.rate), source=movement)
+
+
+def test_a_limb_whose_angles_stand_still_is_frozen_with_all_that_hangs_on_it(angles):
+    def hold(channels):
+        for name in ("lfemur", "ltibia", "lfoot"):
+            channels[name][100:141] = channels[name][99]
+
+    broken = bent(angles, hold)
+    limb = angles.hanging_on(angles.index("lfemur"))
+    _, faults = mend_faults(broken)
+    assert [(f.kind, f.joint, f.start, f.stop) for f in faults] == [
+        (FROZEN, joint, 100, 141) for joint in limb
+    ]
+    off = np.sqrt(np.sum((broken.positions - angles.positions) ** 2, axis=2))[100:141, limb]
+    restored = restore(broken, prior=shipped_prior()).pose
+    left = np.sqrt(np.sum((restored.positions - angles.positions) ** 2, axis=2))[100:141, limb]
+    assert left.mean() < 0.35 * off.mean()
+
+
+def test_a_limb_that_stands_still_before_it_first_moves_is_left(angles):
+    def hold(channels):
+        for name in ("lfemur", "ltibia", "lfoot"):
+            channels[name][:80] = channels[name][80]
+
+    assert mend_faults(bent(angles, hold))[1] == ()
+
+
+@pytest.mark.parametrize("names", [("femur", "tibia", "foot"), ("humerus", "radius", "wrist")])
+def test_angles_of_left_and_right_are_swapped_back(angles, names):
+    def exchange(channels):
+        for name in names:
+            left, right = channels["l" + name], channels["r" + name]
+            left[200:226], right[200:226] = right[200:226].copy(), left[200:226].copy()
+
+    mended, faults = mend_faults(bent(angles, exchange))
+    assert {(f.kind, f.start, f.stop) for f in faults} == {(SWAPPED, 200, 226)}
+    np.testing.assert_allclose(mended.positions, angles.positions, atol=1e-9)
+    np.testing.assert_allclose(mended.rotations, angles.rotations, atol=1e-9)
+
+
+def test_a_spike_of_an_angle_is_found_and_filled(angles):
+    def turn_up(channels):
+        channels["lhumerus"][260, 0] += 70.0
+
+    broken = bent(angles, turn_up)
+    arm = angles.hanging_on(angles.index("lhumerus"))
+    found = marked(mend_faults(broken)[1], angles)
+    assert np.argwhere(found).tolist() == [[260, joint] for joint in sorted(arm)]
+    restored = restore(broken, prior=shipped_prior()).pose
+    off = np.sqrt(np.sum((restored.positions - angles.positions)[260] ** 2, axis=1))
+    assert off.max() < 5.0
+
+
+def test_a_body_that_is_carried_off_comes_back_as_it_is(angles):
+    def carry(channels):
+        channels["root"][300:311, 0] += 10.0
+
+    broken = bent(angles, carry)
+    assert np.abs(broken.positions - angles.positions).max() > 500.0
+    mended, faults = mend_faults(broken)
+    assert {(f.kind, f.start, f.stop) for f in faults} == {(MISPLACED, 300, 311)}
+    assert mended.seen.all()
+    assert np.abs(mended.positions - angles.positions).max() < 10.0
+    own, true = (p.positions - p.positions[:, [angles.order[0]]] for p in (mended, angles))
+    np.testing.assert_allclose(own, true, atol=1e-9)
+
+
+@pytest.mark.parametrize("name", ["01_01", "02_01", "02_09", "03_02", "03_03"])
+def test_clean_skeleton_files_have_no_faults(shared_data, name):
+    pose = mm.read_pose(shared_data / "poses" / f"{name}.amc")
+    assert mend_faults(pose)[1] == ()
 
 
 def test_a_body_at_rest_is_not_frozen(walk):

@@ -9,6 +9,7 @@ import numpy as np
 from markermend.arrays import BoolArray, runs
 from markermend.poses.bridging import bridged
 from markermend.poses.exchanging import changed_back
+from markermend.poses.exchanging_angles import angles_changed_back
 from markermend.poses.jumping import carried_off
 from markermend.poses.misplacing import misplaced
 from markermend.poses.pose import Pose
@@ -51,6 +52,7 @@ def mend_faults(pose: Pose) -> tuple[Pose, tuple[Fault, ...]]:
     -------
     the recording, and what was wrong with it, in the order of frames
     """
+    pose, bent = angles_changed_back(pose)
     vanished = _vanished(pose)
     pose = _hidden(pose, vanished)
     frozen = _frozen(pose) | (stiff(pose) & pose.seen)
@@ -60,7 +62,7 @@ def mend_faults(pose: Pose) -> tuple[Pose, tuple[Fault, ...]]:
     pose, swapped = changed_back(pose)
     wrong = misplaced(pose)
     where = wrong | (carried[:, None] & pose.seen)
-    kinds = {VANISHED: vanished, FROZEN: frozen, SWAPPED: swapped, MISPLACED: where}
+    kinds = {VANISHED: vanished, FROZEN: frozen, SWAPPED: swapped | bent, MISPLACED: where}
     faults = [
         Fault(kind, joint, start, stop)
         for kind, mask in kinds.items()

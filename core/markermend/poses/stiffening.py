@@ -39,7 +39,7 @@ def stiff(pose: Pose) -> BoolArray:
         others = [p for (b, j), p in paths.items() if not set(j) & set(joints)]
         # Feet and hands often stand still by themselves.
         for above in (base, joints[0]):
-            below = _below(pose, above, joints)
+            below = joints if above == base else joints[1:]
             here = steps if above == base else _steps_beside(pose, above, joints)
             here = here[:, [joints.index(j) for j in below]]
             still = here < _SAME_MM
@@ -52,7 +52,7 @@ def stiff(pose: Pose) -> BoolArray:
                 if inside and long and _farthest(others, start, stop) > _MOVED_MM:
                     throughout = still[start:stop].all(axis=0) & moves
                     for joint in np.array(below)[throughout].tolist():
-                        found[start + 1 : stop + 1, [joint, *_below(pose, joint, joints)]] = True
+                        found[start + 1 : stop + 1, pose.hanging_on(joint)] = True
     return found
 
 
@@ -64,16 +64,7 @@ def _limbs(pose: Pose) -> list[tuple[int, tuple[int, ...]]]:
         for j, parent in enumerate(pose.parents)
         if parent >= 0 and other[j] != j and other[parent] == parent
     ]
-    return [(parent, (j, *_below(pose, j, tuple(range(len(other)))))) for parent, j in first]
-
-
-def _below(pose: Pose, joint: int, among: tuple[int, ...]) -> tuple[int, ...]:
-    """Joints, of some, that hang on a joint."""
-    held = [joint]
-    for below in pose.order:
-        if pose.parents[below] in held and below in among:
-            held.append(below)
-    return tuple(held[1:])
+    return [(parent, pose.hanging_on(j)) for parent, j in first]
 
 
 def _steps_beside(pose: Pose, base: int, joints: tuple[int, ...]) -> FloatArray:
