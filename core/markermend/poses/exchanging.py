@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from markermend.arrays import BoolArray, FloatArray, runs
+from markermend.arrays import BoolArray, FloatArray, median_of_seen, runs
 from markermend.poses.normal import bone_lengths
 from markermend.poses.nuitrack import twins
 from markermend.poses.pose import Pose
@@ -143,10 +143,10 @@ def _fits(
     if pa == pb:
         back = inverse(rotations[:, pa])
         places = [turn(back, positions[:, j] - positions[:, pa]) for j in pair]
-        usual = [np.nanmedian(p, axis=0) if not np.isnan(p).all() else np.zeros(3) for p in places]
+        usual = [median_of_seen(p) for p in places]
         apart = float(_length(usual[0] - usual[1]))
         stray = [_length(places[m] - usual[n]) for m, n in ((0, 0), (1, 1), (1, 0), (0, 1))]
-        if np.nanmedian(stray[0] + stray[1]) < 2.0 * _STANDS * apart:
+        if median_of_seen(stray[0] + stray[1]) < 2.0 * _STANDS * apart:
             fits = np.nan_to_num(np.stack(stray, axis=1).reshape(-1, 2, 2))
             return fits, np.full(2, 0.5 * apart)
     lengths = [

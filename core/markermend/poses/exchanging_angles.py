@@ -53,7 +53,7 @@ def angles_changed_back(pose: Pose) -> tuple[Pose, BoolArray]:
                 for m in (movement, _changed(movement, pairs, slice(start, stop)))
             )
             apart = np.abs(here.positions - pose.positions[rows])
-            if np.nanmax(apart) > _SAME_MM or _ends(there) > _SMOOTHER * _ends(here):
+            if (apart > _SAME_MM).any() or _ends(there) > _SMOOTHER * _ends(here):
                 continue
             moved = (np.abs(there.positions - here.positions) > _SAME_MM).any(axis=2)
             positions[rows][moved], rotations[rows][moved] = (

@@ -28,9 +28,9 @@ class Fault:
 
     Attributes
     ----------
-    kind : ``"vanished"`` (at 0, 0, 0), ``"frozen"`` (stands still to the last digit while the body
-        moves), ``"misplaced"`` (where its bones cannot reach: jumped, or another person's), or
-        ``"swapped"`` (left and right)
+    kind : ``"vanished"`` (at 0, 0, 0), ``"frozen"`` (stands still to the last digit, or its limb
+        is bent no more, while the body moves), ``"misplaced"`` (where its bones cannot reach:
+        jumped, or another person's; or the whole body is), or ``"swapped"`` (left and right)
     joint : index
     start, stop : frames ``[start, stop)``
     """
@@ -46,7 +46,7 @@ def mend_faults(pose: Pose) -> tuple[Pose, tuple[Fault, ...]]:
 
     Parameters
     ----------
-    pose : any skeleton; swaps are looked for where joints have usual names
+    pose : any skeleton; swaps are looked for where names tell the sides
 
     Returns
     -------

@@ -152,8 +152,9 @@ def twins(joints: Sequence[str]) -> list[int]:
                 if rest.startswith(here)
             ]
         for m in (at[name] for name in opposite if name in at):
-            other[n], other[m] = m, n
-            break
+            if other[m] == m:
+                other[n], other[m] = m, n
+                break
     return other
 
 
