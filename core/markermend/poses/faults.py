@@ -55,11 +55,14 @@ def mend_faults(pose: Pose) -> tuple[Pose, tuple[Fault, ...]]:
     pose, bent = angles_changed_back(pose)
     vanished = _vanished(pose)
     pose = _hidden(pose, vanished)
-    frozen = _frozen(pose) | (stiff(pose) & pose.seen)
+    frozen = _frozen(pose)
     pose = _hidden(pose, frozen)
     carried = carried_off(pose)
     pose = _carried_back(pose, carried)
     pose, swapped = changed_back(pose)
+    # What changed places stood still only while nobody knew.
+    still = stiff(pose) & pose.seen
+    frozen, pose = frozen | still, _hidden(pose, still)
     wrong = misplaced(pose)
     where = wrong | (carried[:, None] & pose.seen)
     kinds = {VANISHED: vanished, FROZEN: frozen, SWAPPED: swapped | bent, MISPLACED: where}
