@@ -16,6 +16,8 @@ _SAME_MM, _FIXED = 5e-3, 0.5
 # in the axes of the joint that they hang on; and so many joints of it, or it may be by chance.
 _FRAMES, _LASTS_S, _MOVED_MM = 8, 0.1, 5.0
 _JOINTS = 2
+# Nearer than this a limb that moved would not be again by chance.
+_AGAIN_MM = 0.1
 
 
 def stiff(pose: Pose) -> BoolArray:
@@ -34,23 +36,25 @@ def stiff(pose: Pose) -> BoolArray:
     limbs = _limbs(pose)
     if pose.frames <= _FRAMES or not limbs:
         return found
-    paths = {(base, joints): _steps_beside(pose, base, joints) for base, joints in limbs}
-    for (base, joints), steps in paths.items():
+    paths = {
+        (base, joints): _length(np.diff(_beside(pose, base, joints), axis=0))
+        for base, joints in limbs
+    }
+    for base, joints in limbs:
         others = [p for (b, j), p in paths.items() if not set(j) & set(joints)]
         # Feet and hands often stand still by themselves.
         for above in (base, joints[0]):
             below = joints if above == base else joints[1:]
-            here = steps if above == base else _steps_beside(pose, above, joints)
-            here = here[:, [joints.index(j) for j in below]]
-            still = here < _SAME_MM
+            places = _beside(pose, above, below)
+            still = _length(np.diff(places, axis=0)) < _SAME_MM
             moves = still.mean(axis=0) < _FIXED
             held = (still & moves).sum(axis=1) >= _JOINTS
             for start, stop in runs(held).tolist():
-                # Before a limb first moves, or after it last does, nothing tells where it went.
-                inside = start > 0 and stop < len(held)
                 long = stop - start >= max(_FRAMES, _LASTS_S * pose.rate)
+                throughout = still[start:stop].all(axis=0) & moves
+                # Before a limb first moves, or after it last does, nothing tells where it went.
+                inside = not _at_an_end(places[:, throughout], start)
                 if inside and long and _farthest(others, start, stop) > _MOVED_MM:
-                    throughout = still[start:stop].all(axis=0) & moves
                     for joint in np.array(below)[throughout].tolist():
                         found[start + 1 : stop + 1, pose.hanging_on(joint)] = True
     return found
@@ -67,10 +71,17 @@ def _limbs(pose: Pose) -> list[tuple[int, tuple[int, ...]]]:
     return [(parent, pose.hanging_on(j)) for parent, j in first]
 
 
-def _steps_beside(pose: Pose, base: int, joints: tuple[int, ...]) -> FloatArray:
-    """(frames - 1, joints) mm that joints go in the axes of another; NaN where one is not seen."""
+def _beside(pose: Pose, base: int, joints: tuple[int, ...]) -> FloatArray:
+    """(frames, joints, 3) mm of joints in the axes of another; NaN where one is not seen."""
     apart = pose.positions[:, joints] - pose.positions[:, [base]]
-    return _length(np.diff(turn(inverse(pose.rotations[:, [base]]), apart), axis=0))
+    return turn(inverse(pose.rotations[:, [base]]), apart)
+
+
+def _at_an_end(places: FloatArray, frame: int) -> bool:
+    """Whether joints are where they are when the recording first shows them, or last does."""
+    seen = np.flatnonzero(~np.isnan(places).any(axis=(1, 2)))
+    away = _length(places[[seen[0], seen[-1]]] - places[frame])
+    return bool((away < _AGAIN_MM).all(axis=1).any())
 
 
 def _farthest(paths: list[FloatArray], start: int, stop: int) -> float:
