@@ -242,6 +242,15 @@ def test_a_limb_that_stands_still_before_it_first_moves_is_left(angles):
     assert mend_faults(bent(angles, hold))[1] == ()
 
 
+def test_where_one_limb_alone_moves_the_others_are_not_held(angles):
+    def hold(channels):
+        for name, values in channels.items():
+            if name not in ("rfemur", "rtibia", "rfoot"):
+                values[100:141] = values[99]
+
+    assert not marked(mend_faults(bent(angles, hold))[1], angles, FROZEN).any()
+
+
 @pytest.mark.parametrize("names", [("femur", "tibia", "foot"), ("humerus", "radius", "wrist")])
 def test_angles_of_left_and_right_are_swapped_back(angles, names):
     def exchange(channels):

@@ -12,8 +12,8 @@ from markermend.poses.quaternion import inverse, turn
 # What stands still in another joint's axes moves less than this from frame to frame: the last
 # digits of files with six for rotations. A joint that mostly does is fixed there.
 _SAME_MM, _FIXED = 5e-3, 0.5
-# So long a limb must stand still, in frames and in time, while what moves of the others goes so far
-# in the axes of the joint that they hang on; and so many joints of it, or it may be by chance.
+# So long a limb must stand still, in frames and in time, while other limbs' joints go so far
+# in the axes of what they hang on, by their median; and so many joints of it, or it may be by chance.
 _FRAMES, _LASTS_S, _MOVED_MM = 8, 0.1, 5.0
 _JOINTS = 2
 # Nearer than this a limb that moved would not be again by chance.
@@ -54,7 +54,7 @@ def stiff(pose: Pose) -> BoolArray:
                 throughout = still[start:stop].all(axis=0) & moves
                 # Before a limb first moves, or after it last does, nothing tells where it went.
                 inside = not _at_an_end(places[:, throughout], start)
-                if inside and long and _farthest(others, start, stop) > _MOVED_MM:
+                if inside and long and _usual_way(others, start, stop) > _MOVED_MM:
                     for joint in np.array(below)[throughout].tolist():
                         found[start + 1 : stop + 1, pose.hanging_on(joint)] = True
     return found
@@ -84,9 +84,10 @@ def _at_an_end(places: FloatArray, frame: int) -> bool:
     return bool((away < _AGAIN_MM).all(axis=1).any())
 
 
-def _farthest(paths: list[FloatArray], start: int, stop: int) -> float:
-    """Mm that the joint goes that goes farthest."""
-    return max((float(np.nansum(p[start:stop], axis=0).max()) for p in paths), default=0.0)
+def _usual_way(paths: list[FloatArray], start: int, stop: int) -> float:
+    """Mm that the joint in the middle of some goes, from the one that goes least on."""
+    ways = [np.nansum(p[start:stop], axis=0) for p in paths]
+    return float(np.median(np.concatenate(ways))) if ways else 0.0
 
 
 def _length(vectors: FloatArray) -> FloatArray:
