@@ -12,8 +12,8 @@ from markermend.poses.quaternion import inverse, turn
 # What stands still in another joint's axes moves less than this from frame to frame: the last
 # digits of files with six for rotations. A joint that mostly does is fixed there.
 _SAME_MM, _FIXED = 5e-3, 0.5
-# So long a limb must stand still, in frames and in time, while other limbs' joints go so far
-# in the axes of what they hang on, by their median; and so many joints of it, or it may be by chance.
+# So long a limb must stand still, in frames and in time, while joints of others go so far (their
+# median) beside what they hang on; and so many joints of it, or it may be by chance.
 _FRAMES, _LASTS_S, _MOVED_MM = 8, 0.1, 5.0
 _JOINTS = 2
 # Nearer than this a limb that moved would not be again by chance.
