@@ -60,3 +60,8 @@ def test_a_recording_comes_back_from_axes_that_follow_the_root():
 
 def test_every_joint_knows_the_other_side_of_the_body():
     assert twins(["left_knee", "neck", "right_knee", "right_hip"]) == [2, 1, 0, 3]
+    assert twins(["lfemur", "rfemur", "lowerback", "rfoot"]) == [1, 0, 2, 3]
+    assert twins(["mixamorig:LeftArm", "mixamorig:RightArm"]) == [1, 0]
+    assert twins(["thigh.L", "thigh.R", "Bip01 L Hand", "Bip01 R Hand"]) == [1, 0, 3, 2]
+    assert twins(["lShin", "rShin", "FootLeft", "FootRight"]) == [1, 0, 3, 2]
+    assert twins(["leftarm", "rightarm", "larm", "rarm"]) == [1, 0, 3, 2]

@@ -11,7 +11,7 @@ from markermend.artifact import Artifact, Kind
 from markermend.detectors.finding import how_long, in_mm
 from markermend.errors import DataError
 from markermend.poses.faults import FROZEN, MISPLACED, SWAPPED, VANISHED, Fault
-from markermend.poses.nuitrack import usual_name
+from markermend.poses.nuitrack import twins
 from markermend.poses.pose import Pose
 from markermend.poses.restore import Restored
 from markermend.poses.take import pose_of, restored
@@ -105,9 +105,7 @@ def _kind(off: FloatArray, sizes: FloatArray) -> Kind:
 
 
 def _other_side(take: Take, joint: int) -> str | None:
-    """The right joint to a left one, by its usual name; None where it is no left one."""
-    name = usual_name(take.labels[joint])
-    if not name.startswith("left_"):
-        return None
-    wanted = name.replace("left_", "right_", 1)
-    return next((other for other in take.labels if usual_name(other) == wanted), None)
+    """The right joint to a left one; None where it is no left one, or has none."""
+    label, other = take.labels[joint], take.labels[twins(take.labels)[joint]]
+    # Their names differ in the side alone, and left comes first in the alphabet, as l does.
+    return other if label < other else None

@@ -80,6 +80,8 @@ CMU_SEGMENTS = MappingProxyType(
 )
 """Segments of the CMU skeleton that say where each joint is, and how it is turned."""
 
+# A side as a name in one word begins, of the left and of the right.
+_GLUED = (("left", "right"), ("l", "r"))
 _OTHER_NAMES = {
     "hips": WAIST,
     "pelvis": WAIST,
@@ -94,21 +96,34 @@ _OTHER_NAMES = {
 }
 
 
+def side_of(name: str) -> tuple[str, str]:
+    """Side of the body that a word of a joint's name tells, and the name without it.
+
+    Parameters
+    ----------
+    name : ``JOINT_LEFT_SHOULDER``, ``ShoulderLeft``, ``mixamorig:LeftArm``, ``thigh.L``, ``rHand``
+
+    Returns
+    -------
+    side : ``"left"``, ``"right"``, or nothing where no word is a side
+    rest : in small letters, without what stands between words, and without the word “joint”
+    """
+    words = re.findall(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])|\d+", name)
+    parts = [w.lower() for w in words if w.lower() != "joint"]
+    for word, meant in (("left", "left"), ("right", "right"), ("l", "left"), ("r", "right")):
+        if word in parts:
+            parts.remove(word)
+            return meant, "".join(parts)
+    return "", "".join(parts)
+
+
 def usual_name(name: str) -> str:
     """Nuitrack's name of a joint as other systems write it; the name itself where it is unknown.
 
     ``JOINT_LEFT_SHOULDER``, ``ShoulderLeft``, ``LeftShoulder`` and ``l_shoulder`` are
     ``left_shoulder``.
     """
-    words = re.findall(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])|\d+", name)
-    parts = [w.lower() for w in words if w.lower() != "joint"]
-    side = ""
-    for word, meant in (("left", "left"), ("right", "right"), ("l", "left"), ("r", "right")):
-        if word in parts:
-            side = meant
-            parts.remove(word)
-            break
-    plain = "".join(parts)
+    side, plain = side_of(name)
     plain = _OTHER_NAMES.get(plain, plain)
     found = f"{side}_{plain}" if side else plain
     return found if found in PARENT_OF else name
@@ -119,18 +134,28 @@ def twins(joints: Sequence[str]) -> list[int]:
 
     Parameters
     ----------
-    joints : names, as :func:`usual_name` writes them
+    joints : names as any system writes them, both sides alike: with a word for the side
+        (:func:`side_of`), or in one word with it, as ``lfemur`` and ``rfemur`` are
     """
-    left, right = (f"{side}_" for side in _SIDES)
-    swapped = [
-        right + name.removeprefix(left)
-        if name.startswith(left)
-        else left + name.removeprefix(right)
-        if name.startswith(right)
-        else name
-        for name in joints
-    ]
-    return [joints.index(other) if other in joints else n for n, other in enumerate(swapped)]
+    told = [side_of(name) for name in joints]
+    at = {name: n for n, name in enumerate(told)}
+    other = list(range(len(joints)))
+    for n, (side, rest) in enumerate(told):
+        if side == "left":
+            opposite = [("right", rest)]
+        elif side:
+            continue
+        else:
+            opposite = [
+                ("", there + rest.removeprefix(here))
+                for here, there in _GLUED
+                if rest.startswith(here)
+            ]
+        for m in (at[name] for name in opposite if name in at):
+            if other[m] == m:
+                other[n], other[m] = m, n
+                break
+    return other
 
 
 def to_nuitrack(pose: Pose) -> Pose:

@@ -115,6 +115,14 @@ class Pose:
         except ValueError:
             raise DataError(f"The recording has no joint called “{joint}”.") from None
 
+    def hanging_on(self, joint: int) -> tuple[int, ...]:
+        """Columns of a joint and of all that hangs on it, parents first."""
+        held = [joint]
+        for below in self.order:
+            if self.parents[below] in held:
+                held.append(below)
+        return tuple(held)
+
     def with_samples(
         self, positions: FloatArray, rotations: FloatArray, confidence: FloatArray | None = None
     ) -> Pose:

@@ -261,8 +261,8 @@ def restored_without(
 
 
 def mended(told: Restored) -> BoolArray:
-    """(frames, joints) bool: left and right were swapped, and are swapped back."""
-    return _wrong(told, (SWAPPED,))
+    """(frames, joints) bool: put right as it is, as left and right that were swapped are."""
+    return _wrong(told, (SWAPPED,)) | (_wrong(told) & ~told.filled)
 
 
 def skeleton_mesh(take: Take) -> Mesh:
