@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from markermend.arrays import BoolArray, FloatArray
-from markermend.poses.quaternion import between, inverse, multiply, turn
+from markermend.poses.quaternion import between, inverse, lengths_of, multiply, turn
 
 # A bone is rigid when its length, or its place in its parent's axes, strays by less than this
 # share of its length beyond what noise explains, so many times its deviation: both ends have it.
@@ -60,7 +60,7 @@ def find_bones(
         if not both.any():
             continue
         bone = features[both, joint, :3] - features[both, parent, :3]
-        far = _length(bone)
+        far = lengths_of(bone)
         length = float(np.median(far))
         if length <= 0 or np.median(np.abs(far - length)) > _RIGID * length + _BY_NOISE * noise:
             continue
@@ -69,7 +69,7 @@ def find_bones(
         if fixed.any():
             own = turn(inverse(features[both, parent, 3:][fixed]), bone[fixed])
             place = np.median(own, axis=0)
-            if np.median(_length(own - place)) < _ATTACHED * length + _BY_NOISE * noise:
+            if np.median(lengths_of(own - place)) < _ATTACHED * length + _BY_NOISE * noise:
                 places[joint] = place
     return Bones(parents, lengths, places)
 
@@ -95,7 +95,7 @@ def wobble(positions: FloatArray, seen: BoolArray, parents: tuple[int, ...], roo
         if parent < 0:
             continue
         both = seen[:, joint] & seen[:, parent]
-        far = np.where(both, _length(positions[:, joint] - positions[:, parent]), np.nan)
+        far = np.where(both, lengths_of(positions[:, joint] - positions[:, parent]), np.nan)
         third = np.abs(np.diff(far, 3))
         if not np.isnan(third).all():
             ends = 1.0 if parent == root else 2.0
@@ -126,7 +126,7 @@ def keep_lengths(positions: FloatArray, seen: BoolArray, bones: Bones) -> FloatA
     for _ in range(_ROUNDS):
         for joint, parent, length, some, mine, its in rigid:
             bone = path[joint, some] - path[parent, some]
-            far = np.maximum(_length(bone), 1e-9)[:, None]
+            far = np.maximum(lengths_of(bone), 1e-9)[:, None]
             correction = (length - far) / far * bone
             path[joint, some] += mine * correction
             path[parent, some] -= its * correction
@@ -178,7 +178,7 @@ def fuse(features: FloatArray, bones: Bones, root: int) -> FloatArray:
         if not np.isnan(bones.places[joint, 0]) and parent != root:
             told = turn(features[:, parent, 3:], _all(bones.places[joint], bone))
             bone = (1.0 - _BY_ROTATION) * bone + _BY_ROTATION * told
-        directions[:, joint] = bone / np.maximum(_length(bone), 1e-9)[:, None] * length
+        directions[:, joint] = bone / np.maximum(lengths_of(bone), 1e-9)[:, None] * length
         system[joint, joint] += _BY_BONE
         system[parent, parent] += _BY_BONE
         system[joint, parent] -= _BY_BONE
@@ -213,8 +213,3 @@ def _only_child(bones: Bones) -> dict[int, int]:
 def _all(place: FloatArray, like: NDArray[Any]) -> FloatArray:
     """One place for each row."""
     return np.broadcast_to(place, (len(like), 3))
-
-
-def _length(vectors: FloatArray) -> FloatArray:
-    """Length of each vector."""
-    return np.asarray(np.sqrt(np.einsum("...i,...i->...", vectors, vectors)))

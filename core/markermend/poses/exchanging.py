@@ -11,7 +11,7 @@ from markermend.arrays import BoolArray, FloatArray, median_of_seen, runs
 from markermend.poses.normal import bone_lengths
 from markermend.poses.nuitrack import twins
 from markermend.poses.pose import Pose
-from markermend.poses.quaternion import inverse, turn
+from markermend.poses.quaternion import inverse, lengths_of, turn
 
 # To change places, or to change back, costs as much as a joint's way of this share of a mean bone.
 _CHANGE = 0.25
@@ -144,13 +144,13 @@ def _fits(
         back = inverse(rotations[:, pa])
         places = [turn(back, positions[:, j] - positions[:, pa]) for j in pair]
         usual = [median_of_seen(p) for p in places]
-        apart = float(_length(usual[0] - usual[1]))
-        stray = [_length(places[m] - usual[n]) for m, n in ((0, 0), (1, 1), (1, 0), (0, 1))]
+        apart = float(lengths_of(usual[0] - usual[1]))
+        stray = [lengths_of(places[m] - usual[n]) for m, n in ((0, 0), (1, 1), (1, 0), (0, 1))]
         if median_of_seen(stray[0] + stray[1]) < 2.0 * _STANDS * apart:
             fits = np.nan_to_num(np.stack(stray, axis=1).reshape(-1, 2, 2))
             return fits, np.full(2, 0.5 * apart)
     lengths = [
-        np.abs(_length(positions[:, j] - positions[:, p]) - bones[n])
+        np.abs(lengths_of(positions[:, j] - positions[:, p]) - bones[n])
         for j, p, n in ((a, pa, a), (b, pb, b), (b, pa, a), (a, pb, b))
     ]
     fits = np.nan_to_num(np.stack(lengths, axis=1).reshape(-1, 2, 2))
@@ -159,7 +159,7 @@ def _fits(
 
 def _steps(path: FloatArray) -> FloatArray:
     """(frames - 1, 2, 2) mm that each of two joints goes, as they are and if they change places."""
-    ways = [_length(there - path[:-1]) for there in (path[1:], path[1:, ::-1])]
+    ways = [lengths_of(there - path[:-1]) for there in (path[1:], path[1:, ::-1])]
     return np.stack(ways, axis=2)
 
 
@@ -190,8 +190,3 @@ def cheapest(
     for n in range(len(cost) - 1, 0, -1):
         state[n - 1] = state[n] ^ came[n, int(state[n])]
     return state
-
-
-def _length(vectors: FloatArray) -> FloatArray:
-    """Length of each vector."""
-    return np.asarray(np.sqrt(np.sum(vectors**2, axis=-1)))

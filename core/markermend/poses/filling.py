@@ -47,14 +47,14 @@ class Filled:
     variance : (frames, channels) expected squared error, 0 where known
     base : (frames, channels) all gaps crossed by what stands beside them
     gaps : all that there are
-    lasting : some gaps are so long that to fill them again from a better estimate pays
+    lasting : number of gaps that pay to be filled again from a better estimate
     """
 
     values: FloatArray
     variance: FloatArray
     base: FloatArray
     gaps: list[Gap]
-    lasting: bool
+    lasting: int
 
     def and_more(self, known: FloatArray) -> Filled:
         """The same with some channels more, which are known."""
@@ -203,7 +203,7 @@ def fill(
         estimate = estimate.copy()
         for gap in some:
             estimate[gap.part], variance[gap.part] = _fill_gap(gap, look)
-    return Filled(np.where(known, values, estimate), variance, base, gaps, bool(again))
+    return Filled(np.where(known, values, estimate), variance, base, gaps, len(again))
 
 
 def _cross_short(

@@ -9,6 +9,7 @@ from scipy.ndimage import median_filter
 
 from markermend.arrays import BoolArray, FloatArray, median_of_seen
 from markermend.poses.pose import Pose
+from markermend.poses.quaternion import lengths_of
 
 # A step is a jump when it differs by this share of a mean bone from those in this time around it.
 _JUMP, _AROUND_S, _LEAST_AROUND = 0.25, 0.05, 2
@@ -43,8 +44,9 @@ def jumped(pose: Pose, bones: FloatArray) -> BoolArray:
     away = np.zeros((pose.frames, len(pose.joints)), dtype=bool)
     if pose.frames < 2 * _LEAST_AROUND + 1:
         return away
-    odd = _odd_steps(pose)
-    leaps = _length(odd) > _JUMP * float(np.nanmean(bones))
+    least = _JUMP * float(np.nanmean(bones))
+    odd = _odd_steps(pose, least)
+    leaps = lengths_of(odd) > least
     suspects = np.flatnonzero(leaps.any(axis=0)).tolist()
     if not suspects:
         return away
@@ -65,7 +67,7 @@ def jumped(pose: Pose, bones: FloatArray) -> BoolArray:
                 j for j, p in enumerate(pose.parents) if p >= 0 and (j in group) != (p in group)
             ]
             broken = bool(breaks[out, ends].any() and breaks[home, ends].any())
-            if broken or _length(odd[[out, home], joint]).min() * pose.rate > _FASTEST_MM_S:
+            if broken or lengths_of(odd[[out, home], joint]).min() * pose.rate > _FASTEST_MM_S:
                 # Where all that hangs on the root is elsewhere, that was turned.
                 group |= {root} if set(hanging) <= group else set()
                 away[meanwhile, sorted(group)] = True
@@ -86,25 +88,36 @@ def carried_off(pose: Pose) -> BoolArray:
     away = np.zeros(pose.frames, dtype=bool)
     if pose.frames < 2 * _LEAST_AROUND + 1:
         return away
-    odd = _odd_steps(pose)
+    root, least = pose.order[0], _FASTEST_BODY_MM_S / pose.rate
+    steps = lengths_of(np.diff(pose.positions[:, root], axis=0))
+    if not (2.0 * steps > least).any():
+        return away
+    odd = _odd_steps(pose, least)
     # Joints that are not seen go nowhere.
     moved = np.where((pose.seen[1:] & pose.seen[:-1])[..., None], odd, np.nan)
-    root, least = odd[:, pose.order[0]], _FASTEST_BODY_MM_S / pose.rate
-    leaps = _length(root) > least
+    leaps = lengths_of(odd[:, root]) > least
     leaps[leaps] = [
-        bool(np.nanmax(_length(m - r)) < _TOGETHER * _length(r))
-        for m, r in zip(moved[leaps], root[leaps], strict=True)
+        bool(np.nanmax(lengths_of(m - r)) < _TOGETHER * lengths_of(r))
+        for m, r in zip(moved[leaps], odd[leaps, root], strict=True)
     ]
-    for out, home in _trips(root, leaps, pose.rate):
+    for out, home in _trips(odd[:, root], leaps, pose.rate):
         away[out + 1 : home + 1] = True
     return away
 
 
-def _odd_steps(pose: Pose) -> FloatArray:
-    """(frames - 1, joints, 3) mm by which steps differ from the usual one around them."""
+def _odd_steps(pose: Pose, least: float) -> FloatArray:
+    """(frames - 1, joints, 3) mm by which steps differ from the usual one around them.
+
+    0 for joints that never do by the ``least``: no more than twice their longest step.
+    """
     steps = np.nan_to_num(np.diff(pose.positions, axis=0))
-    around = 2 * max(round(_AROUND_S * pose.rate), _LEAST_AROUND) + 1
-    return np.asarray(steps - median_filter(steps, (around, 1, 1), mode="nearest"))
+    odd = np.zeros_like(steps)
+    far = np.flatnonzero(2.0 * lengths_of(steps).max(axis=0) > least)
+    if len(far):
+        around = 2 * max(round(_AROUND_S * pose.rate), _LEAST_AROUND) + 1
+        some = steps[:, far]
+        odd[:, far] = some - median_filter(some, (around, 1, 1), mode="nearest")
+    return odd
 
 
 def _bones_of(pose: Pose) -> FloatArray:
@@ -112,7 +125,7 @@ def _bones_of(pose: Pose) -> FloatArray:
     far = np.full((pose.frames, len(pose.joints)), np.nan)
     for joint, parent in enumerate(pose.parents):
         if parent >= 0:
-            far[:, joint] = _length(pose.positions[:, joint] - pose.positions[:, parent])
+            far[:, joint] = lengths_of(pose.positions[:, joint] - pose.positions[:, parent])
     return far
 
 
@@ -132,8 +145,8 @@ def _trips(odd: FloatArray, leaps: BoolArray, rate: float) -> Iterator[tuple[int
         for home in at[n + 1 :]:
             if home - out > _AWAY_S * rate:
                 break
-            left = _length(odd[out] + odd[home])
-            if left < _BACK * min(_length(odd[out]), _length(odd[home])):
+            left = lengths_of(odd[out] + odd[home])
+            if left < _BACK * min(lengths_of(odd[out]), lengths_of(odd[home])):
                 yield out, home
                 done = home
                 break
@@ -149,8 +162,3 @@ def _along(joint: int, same: list[int], whole: BoolArray, parents: tuple[int, ..
             if above >= 0 and whole[j] and (above in group or (j in group and above in same)):
                 group |= {j, above}
     return group
-
-
-def _length(vectors: FloatArray) -> FloatArray:
-    """Length of each vector."""
-    return np.asarray(np.sqrt(np.sum(vectors**2, axis=-1)))

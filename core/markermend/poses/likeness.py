@@ -9,8 +9,11 @@ import numpy as np
 from markermend.arrays import Float32Array, IntArray
 from markermend.poses.solving import solved
 
-MOMENTS, FEW_MOMENTS = (150, 100), (50, 30)
-"""Of a whole recording compared with a gap, as it is and mirrored; few where it is filled again."""
+MOMENTS, SOME_MOMENTS, FEW_MOMENTS = (150, 100), (100, 60), (50, 30)
+"""Of a whole recording compared with a gap, as it is and mirrored.
+
+Some are enough where gaps are so many that time counts, few where gaps are filled again.
+"""
 
 # Moments compared beside a gap: seconds each side, and how many of a second.
 _BESIDE_S, _BESIDE_HZ = 0.5, 60.0

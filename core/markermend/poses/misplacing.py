@@ -9,6 +9,7 @@ from markermend.arrays import BoolArray, FloatArray, runs
 from markermend.poses.jumping import jumped
 from markermend.poses.normal import bone_lengths
 from markermend.poses.pose import Pose, parents_first
+from markermend.poses.quaternion import lengths_of
 
 # A distance is impossible when off by this share of itself and of the mean bone.
 _OFF, _OFF_BONE = 0.15, 0.12
@@ -85,7 +86,7 @@ def _seen_from(pose: Pose, parents: tuple[int, ...], gone: BoolArray, room: floa
             pose.seen[:, joint],
         )
         bone = pose.positions[:, joint] - pose.positions[:, parent]
-        alike = np.abs(_length(bone) - bones[joint]) < _OFF * bones[joint]
+        alike = np.abs(lengths_of(bone) - bones[joint]) < _OFF * bones[joint]
         bone[wrong[:, parent]] = np.nan
         mine |= seen & _by_chance(mine, bone, _FASTEST_RAD_S / pose.rate * bones[joint] + room)
         for start, stop in runs(seen & wrong[:, parent]).tolist():
@@ -104,7 +105,7 @@ def _out_of_reach(
     ancestor, unjudged = parents[joint], pose.seen[:, joint].copy()
     usual = unjudged.copy()
     while ancestor >= 0 and unjudged.any():
-        far = _length(pose.positions[:, joint] - pose.positions[:, ancestor])
+        far = lengths_of(pose.positions[:, joint] - pose.positions[:, ancestor])
         usual &= ~wrong[:, ancestor]
         shown = far[usual & ~np.isnan(far)]
         judged = unjudged & ~wrong[:, ancestor] & ~np.isnan(far)
@@ -120,13 +121,8 @@ def _out_of_reach(
 
 def _by_chance(wrong: BoolArray, bone: FloatArray, step: float) -> BoolArray:
     """(frames,) bool: frames between wrong ones, or from which the next good one is too far."""
-    joined, far = wrong.copy(), _length(np.diff(bone, axis=0)) > step
+    joined, far = wrong.copy(), lengths_of(np.diff(bone, axis=0)) > step
     for _ in range(_BY_CHANCE):
         after, before = joined[:-2] & far[1:], joined[2:] & far[:-1]
         joined[1:-1] |= (after & ~joined[2:]) | (before & ~joined[:-2])
     return np.asarray(joined | binary_closing(joined, np.ones(_BY_CHANCE + 1, dtype=bool)))
-
-
-def _length(vectors: FloatArray) -> FloatArray:
-    """Length of each vector."""
-    return np.asarray(np.sqrt(np.sum(vectors**2, axis=-1)))

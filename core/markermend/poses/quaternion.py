@@ -105,8 +105,8 @@ def signed_like(q: FloatArray, other: FloatArray, known: BoolArray) -> FloatArra
 
 def unit(q: FloatArray) -> FloatArray:
     """Scale to length one."""
-    length = _length(q)
-    return np.asarray(q / np.where(length > 0, length, 1.0))
+    far = lengths_of(q)[..., None]
+    return np.asarray(q / np.where(far > 0, far, 1.0))
 
 
 def rotation_vector(q: FloatArray) -> FloatArray:
@@ -124,12 +124,12 @@ def between(a: FloatArray, b: FloatArray) -> FloatArray:
     ----------
     a, b : (…, 3) vectors, not zero
     """
-    a = a / _length(a)
-    b = b / _length(b)
+    a = a / lengths_of(a)[..., None]
+    b = b / lengths_of(b)[..., None]
     w = 1.0 + np.sum(a * b, axis=-1, keepdims=True)
     return unit(np.concatenate([cross(a, b), np.maximum(w, 1e-12)], axis=-1))
 
 
-def _length(vectors: FloatArray) -> FloatArray:
-    """(…, 1) length of each; sums over so few take several times as long."""
-    return np.asarray(np.sqrt(np.einsum("...i,...i->...", vectors, vectors))[..., None])
+def lengths_of(vectors: FloatArray) -> FloatArray:
+    """(…) length of each; numpy's sums over so few take several times as long."""
+    return np.asarray(np.sqrt(np.einsum("...i,...i->...", vectors, vectors)))

@@ -15,7 +15,7 @@ from markermend.poses.channels import Channels, steadied, to_channels, to_featur
 from markermend.poses.covariance import Moments
 from markermend.poses.faults import Fault, mend_faults
 from markermend.poses.filling import Filled, fill
-from markermend.poses.likeness import FEW_MOMENTS, MOMENTS
+from markermend.poses.likeness import FEW_MOMENTS, MOMENTS, SOME_MOMENTS
 from markermend.poses.normal import FEATURES, denormalise
 from markermend.poses.nuitrack import mirrored
 from markermend.poses.pose import Pose
@@ -47,6 +47,8 @@ _FIRM = 0.25
 # Lasting gaps are filled again so many times where nothing is noisy; what comes out the last time
 # counts by this beside what the others made.
 _LOOKS, _AGAIN = 2, 0.8
+# From so many such gaps on fewer moments are compared with each.
+_MANY = 150
 # Brief gaps, known better once all is smooth, make it worth to smooth a second time from there.
 _ROUNDS_WHERE_BRIEF = 2
 # Shares of what two earlier steps made in the mean of what was seen and smoothed in three ways.
@@ -210,7 +212,8 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     for look in range(1, looks + 1):
         tell(0.7 + 0.1 * look / (looks + 1), "Filling again")
         near = replace(filled, values=_columns(features, channels)[:, usable])
-        compared = MOMENTS if look == looks else FEW_MOMENTS
+        most = MOMENTS if filled.lasting < _MANY else SOME_MOMENTS
+        compared = most if look == looks else FEW_MOMENTS
         filled = filled_by(values, noise=_LEFT * level, near=near, compared=compared)
         share = 1.0 if look == 1 else _AGAIN
         told = share * filled.values + (1.0 - share) * near.values

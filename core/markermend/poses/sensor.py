@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from markermend.arrays import FloatArray
 from markermend.poses.pose import Pose
-from markermend.poses.quaternion import inverse, multiply, turn
+from markermend.poses.quaternion import inverse, lengths_of, multiply, turn
 
 RATE_HZ = 30.0
 _PROPORTION = 0.08
@@ -43,13 +42,8 @@ def as_depth_sensor(pose: Pose, *, seed: int = 1) -> Pose:
         if parent >= 0:
             bone = positions[:, joint] - positions[:, parent]
             local = turn(inverse(rotations[:, parent]), bone)
-            aside = elsewhere[joint] * np.nanmedian(_length(local))
+            aside = elsewhere[joint] * np.nanmedian(lengths_of(local))
             own = turn(rotations[:, parent], local * longer[joint] + aside)
             moved[:, joint] = moved[:, parent] + own
     turned = multiply(rotations, Rotation.from_rotvec(tilt, degrees=True).as_quat())
     return Pose(moved, turned, pose.joints, pose.parents, pose.rate / step, pose.confidence[::step])
-
-
-def _length(vectors: FloatArray) -> FloatArray:
-    """Length of each vector."""
-    return np.asarray(np.sqrt(np.sum(vectors**2, axis=-1)))

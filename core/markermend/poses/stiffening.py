@@ -7,7 +7,7 @@ import numpy as np
 from markermend.arrays import BoolArray, FloatArray, runs
 from markermend.poses.nuitrack import twins
 from markermend.poses.pose import Pose
-from markermend.poses.quaternion import inverse, turn
+from markermend.poses.quaternion import inverse, lengths_of, turn
 
 # What stands still in another joint's axes moves less than this from frame to frame: the last
 # digits of files with six for rotations. A joint that mostly does is fixed there.
@@ -37,7 +37,7 @@ def stiff(pose: Pose) -> BoolArray:
     if pose.frames <= _FRAMES or not limbs:
         return found
     paths = {
-        (base, joints): _length(np.diff(_beside(pose, base, joints), axis=0))
+        (base, joints): lengths_of(np.diff(_beside(pose, base, joints), axis=0))
         for base, joints in limbs
     }
     for base, joints in limbs:
@@ -46,7 +46,7 @@ def stiff(pose: Pose) -> BoolArray:
         for above in (base, joints[0]):
             below = joints if above == base else joints[1:]
             places = _beside(pose, above, below)
-            still = _length(np.diff(places, axis=0)) < _SAME_MM
+            still = lengths_of(np.diff(places, axis=0)) < _SAME_MM
             moves = still.mean(axis=0) < _FIXED
             held = (still & moves).sum(axis=1) >= _JOINTS
             for start, stop in runs(held).tolist():
@@ -80,7 +80,7 @@ def _beside(pose: Pose, base: int, joints: tuple[int, ...]) -> FloatArray:
 def _at_an_end(places: FloatArray, frame: int) -> bool:
     """Whether joints are where they are when the recording first shows them, or last does."""
     seen = np.flatnonzero(~np.isnan(places).any(axis=(1, 2)))
-    away = _length(places[[seen[0], seen[-1]]] - places[frame])
+    away = lengths_of(places[[seen[0], seen[-1]]] - places[frame])
     return bool((away < _AGAIN_MM).all(axis=1).any())
 
 
@@ -88,8 +88,3 @@ def _usual_way(paths: list[FloatArray], start: int, stop: int) -> float:
     """Mm that the joint in the middle of some goes, from the one that goes least on."""
     ways = [np.nansum(p[start:stop], axis=0) for p in paths]
     return float(np.median(np.concatenate(ways))) if ways else 0.0
-
-
-def _length(vectors: FloatArray) -> FloatArray:
-    """Length of each vector."""
-    return np.asarray(np.sqrt(np.sum(vectors**2, axis=-1)))
