@@ -7,10 +7,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from markermend.arrays import BoolArray, free_starts, runs
+from markermend.arrays import BoolArray, IntArray, free_starts, runs
 
 # Gaps tried at most; shorter ones are crossed by time, of which single frames tell enough.
 _MOST, _LEAST_S = 12, 0.1
+# Few tell little: with fewer than these there are others elsewhere, while all together hide no
+# more than this share of the frames.
+_FEW, _SHARE = 4, 0.25
 # Frames that must be known on either side.
 _BESIDE = 2
 # Of a long recording so many frames are tried on, which is slower by as much.
@@ -51,25 +54,45 @@ def trials_of(filled: BoolArray, rate: float) -> tuple[Trial, ...]:
 
     Returns
     -------
-    None two at the same time; each as near as there is room to what it stands for
+    None two at the same time; each as near as there is room to what it stands for, or shorter than
+    that where there is none
     """
+    least = max(round(_LEAST_S * rate), 1)
     together: dict[tuple[int, int], list[int]] = {}
     for joint in range(filled.shape[1]):
         for start, stop in runs(filled[:, joint]).tolist():
-            if stop - start >= _LEAST_S * rate:
+            if stop - start >= least:
                 together.setdefault((start, stop), []).append(joint)
     found: list[Trial] = []
     taken = np.zeros(len(filled), dtype=bool)
     places = sorted(together)
-    for start, stop in places[:: max(-(-len(places) // _MOST), 1)]:
+    chosen = places[:: max(-(-len(places) // _MOST), 1)]
+    for start, stop in chosen:
         joints = together[start, stop]
-        free = ~(taken | filled[:, joints].any(axis=1))
-        room = free_starts(free, stop - start, _BESIDE)
+        room, length = _room(~(taken | filled[:, joints].any(axis=1)), stop - start, least)
         if len(room):
             at = int(room[np.argmin(np.abs(room - start))])
-            found.append(Trial(at, at + stop - start, tuple(joints)))
-            taken[at : at + stop - start] = True
+            found.append(Trial(at, at + length, tuple(joints)))
+            taken[at : at + length] = True
+    for start, stop in chosen * _FEW:
+        joints, length = together[start, stop], stop - start
+        room = free_starts(~(taken | filled[:, joints].any(axis=1)), length, _BESIDE)
+        if len(found) < _FEW and len(room) and taken.sum() + length <= _SHARE * len(filled):
+            away = np.abs(room[:, None] - [trial.start for trial in found]).min(axis=1)
+            at = int(room[np.argmax(away)])
+            found.append(Trial(at, at + length, tuple(joints)))
+            taken[at : at + length] = True
     return tuple(found)
+
+
+def _room(free: BoolArray, length: int, least: int) -> tuple[IntArray, int]:
+    """Starts of free stretches, and how long they are: shorter where none is as long."""
+    room = free_starts(free, length, _BESIDE)
+    if not len(room):
+        longest = int(np.max(np.diff(runs(free), axis=1), initial=0)) - 2 * _BESIDE
+        if longest >= least:
+            return free_starts(free, longest, _BESIDE), longest
+    return room, length
 
 
 def hidden_in(trials: Sequence[Trial], frames: int, joints: int) -> BoolArray:
