@@ -44,11 +44,9 @@ _SURE, _ROUNDS = 2e-3, 2
 # Where nothing is noisy the way a body bends may change what was filled only so much: its squared
 # errors count as this share of themselves.
 _FIRM = 0.25
-# Lasting gaps are filled again so many times where nothing is noisy; what comes out the last time
-# counts by this beside what the others made.
-_LOOKS, _AGAIN = 2, 0.8
-# From so many such gaps on fewer moments are compared with each.
-_MANY = 150
+# Lasting gaps are filled again so many times where they are few and where they are many, once less
+# where it is noisy; from the second time on what comes out counts by this beside what it came from.
+_LOOKS, _MANY, _AGAIN = (4, 2), 150, 0.8
 # Brief gaps, known better once all is smooth, make it worth to smooth a second time from there.
 _ROUNDS_WHERE_BRIEF = 2
 # Shares of what two earlier steps made in the mean of what was seen and smoothed in three ways.
@@ -207,12 +205,13 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     tell(0.7, "Keeping bones")
     rounds = 1 if filled.lasting or level > _NOISY else _ROUNDS
     features, bones = _agreed(whole, variance, channels, pose, known_joints, level, rounds)
-    looks = 0 if not filled.lasting else 1 if level > 0 else _LOOKS
+    many = filled.lasting >= _MANY
+    looks = _LOOKS[many] - int(level > 0) if filled.lasting else 0
     rounds = 1 if level > _NOISY else _ROUNDS
     for look in range(1, looks + 1):
         tell(0.7 + 0.1 * look / (looks + 1), "Filling again")
         near = replace(filled, values=_columns(features, channels)[:, usable])
-        most = MOMENTS if filled.lasting < _MANY else SOME_MOMENTS
+        most = SOME_MOMENTS if many else MOMENTS
         compared = most if look == looks else FEW_MOMENTS
         filled = filled_by(values, noise=_LEFT * level, near=near, compared=compared)
         share = 1.0 if look == 1 else _AGAIN
