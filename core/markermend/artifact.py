@@ -17,8 +17,10 @@ from markermend.errors import DataError
 from markermend.take import AXES, Take
 
 PAIRED = " ↔ "
-_OF_ALL = (None, "", "swap", "skeleton")
 """Between the names of markers that change places."""
+
+# Repairs of a mix-up that change both sides; where nothing repaired it, it is of both, too.
+_OF_ALL = (None, "", "swap", "skeleton")
 
 
 class Kind(StrEnum):

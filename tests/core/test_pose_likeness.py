@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from markermend.poses.likeness import (
-    Alike,
+    Telling,
     by_likeness,
     moments_to_compare,
     moving,
@@ -43,15 +43,16 @@ def filled(
     hidden: np.ndarray,
     frames: np.ndarray,
     noise: float = 0.0,
-    mirrored: Alike | None = None,
+    mirrored: Telling | None = None,
 ) -> tuple[np.ndarray, np.ndarray]:
-    inside, own = (alike(poses, hidden, some) for some in (np.arange(START, STOP), frames))
+    moved = moving(np.float32(poses), RATE)[START:STOP]
     given = (np.float32(x) for x in (trust, weights))
-    return by_likeness(inside, own, *given, RATE, noise, mirrored)
+    own = telling(poses, hidden, frames)
+    return by_likeness(moved, START, own, *given, RATE, noise, mirrored)
 
 
-def alike(poses: np.ndarray, hidden: np.ndarray, frames: np.ndarray) -> Alike:
-    return Alike(moving(np.float32(poses), RATE)[frames], np.float32(hidden[frames]), frames)
+def telling(poses: np.ndarray, hidden: np.ndarray, frames: np.ndarray) -> Telling:
+    return Telling(moving(np.float32(poses), RATE)[frames], np.float32(hidden[frames]), frames)
 
 
 def test_movement_that_recurs_is_followed_where_it_bends() -> None:
@@ -117,8 +118,8 @@ def test_the_other_side_tells_of_movement_that_this_side_did_not_show() -> None:
     off = {}
     for name, mirrored in (
         ("alone", None),
-        ("both", alike(poses, hidden, elsewhere)),
-        ("aslant", alike(poses, hidden + np.array([0.8, -0.5]), elsewhere)),
+        ("both", telling(poses, hidden, elsewhere)),
+        ("aslant", telling(poses, hidden + np.array([0.8, -0.5]), elsewhere)),
     ):
         found, variance = filled(
             poses, np.ones(12), np.zeros((12, 2)), hidden, frames, mirrored=mirrored

@@ -10,6 +10,7 @@ from markermend.arrays import BoolArray, FloatArray, runs
 from markermend.poses.exchanging import cheapest
 from markermend.poses.nuitrack import twins
 from markermend.poses.pose import Pose
+from markermend.poses.quaternion import lengths_of
 from markermend.poses.skeleton import Movement, forward_kinematics
 
 # To change places costs as much as turning by this, all angles of a limb together; to stay changed
@@ -108,5 +109,5 @@ def _changed(movement: Movement, pairs: list[tuple[str, str]], rows: slice) -> M
 
 def _ends(pose: Pose) -> float:
     """Mm that all joints go in the first step and in the last."""
-    steps = np.sqrt(np.sum(np.diff(pose.positions[[0, 1, -2, -1]], axis=0)[::2] ** 2, axis=2))
+    steps = lengths_of(np.diff(pose.positions[[0, 1, -2, -1]], axis=0)[::2])
     return float(np.nansum(steps))

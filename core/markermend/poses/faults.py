@@ -13,6 +13,7 @@ from markermend.poses.exchanging_angles import angles_changed_back
 from markermend.poses.jumping import carried_off
 from markermend.poses.misplacing import misplaced
 from markermend.poses.pose import Pose
+from markermend.poses.quaternion import lengths_of
 from markermend.poses.stiffening import stiff
 
 VANISHED, FROZEN, MISPLACED, SWAPPED = "vanished", "frozen", "misplaced", "swapped"
@@ -106,7 +107,7 @@ def _frozen(pose: Pose) -> BoolArray:
     frozen = np.zeros((pose.frames, len(pose.joints)), dtype=bool)
     if pose.frames <= _FROZEN_FRAMES:
         return frozen
-    steps = np.sqrt(np.sum(np.diff(pose.positions, axis=0) ** 2, axis=2))
+    steps = lengths_of(np.diff(pose.positions, axis=0))
     turns = np.nan_to_num(np.abs(np.diff(pose.rotations, axis=0)).max(axis=2))
     still = (steps < _SAME_MM) & (turns < _SAME_MM)
     body = np.nan_to_num(np.nanmedian(np.where(np.isnan(steps), 0.0, steps), axis=1))

@@ -15,7 +15,7 @@ from markermend.poses.covariance import Moments, learn, pooled
 from markermend.poses.gaps import Gap, by_lasting, gaps_of
 from markermend.poses.likeness import (
     FEW_MOMENTS,
-    Alike,
+    Telling,
     by_likeness,
     moments_to_compare,
     moving,
@@ -170,21 +170,20 @@ def fill(
     else:
         base, gaps, variance = near.base, near.gaps, near.variance.copy()
     if not rough and near is None:
-        brief = [gap for gap in gaps if gap.length <= short]
+        shortest = [gap for gap in gaps if gap.length <= short]
         moments = pooled(learn(base, rate, range(1, short + 1)), prior)
-        _cross_short(base, variance, known, brief, moments, rate, cross)
+        _cross_short(base, variance, known, shortest, moments, rate, cross)
     lengthy = [gap for gap in gaps if gap.length > short]
-    others, again = (lengthy, []) if rough else by_lasting(lengthy, len(known), _BRIEF_S * rate)
+    brief, again = (lengthy, []) if rough else by_lasting(lengthy, len(known), _BRIEF_S * rate)
     estimate = base.copy() if near is None else np.where(known, base, near.values)
+    first = lengthy if near is None else []
     if begun is not None:
-        for gap in again:
-            part = gap.part
+        first = brief
+        for part in (gap.part for gap in again):
             estimate[part], variance[part] = begun.values[part], begun.variance[part]
-    elif near is None:
-        others = lengthy
     seen_by_channel = np.ascontiguousarray(known.T)
     so_far = np.cumsum(np.pad(seen_by_channel, ((0, 0), (1, 0))), axis=1, dtype=np.float32)
-    for some in filter(len, [others, again] if near is None else [again]):
+    for some in filter(len, [first, again]):
         single = np.asarray(estimate, dtype=np.float32)
         lengths = {gap.length for gap in some}
         look = _Look(
@@ -282,8 +281,9 @@ def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
             by = np.zeros((len(hidden), len(gap.channels)), dtype=np.float32)
             by[others] = weights
             strays, variance = by_likeness(
-                _alike(np.arange(start, stop), look.moved, look, gap, by),
-                _alike(chosen, look.moved, look, gap, by),
+                look.moved[start:stop],
+                start,
+                _telling(chosen, look.moved, look, gap, by),
                 trust,
                 by,
                 rate,
@@ -313,27 +313,27 @@ def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
     )
 
 
-def _alike(
+def _telling(
     frames: IntArray,
     moved: Float32Array,
     look: _Look,
     gap: Gap,
     by: Float32Array,
     mirror: Mirror | None = None,
-) -> Alike:
+) -> Telling:
     """Moments, and what a regression leaves of a gap's channels then."""
     poses, moved = look.estimate[frames], moved[frames]
     if mirror is not None:
         poses, moved = mirror.image(poses), mirror.image(moved)
-    return Alike(moved, poses[:, gap.channels] - poses @ by, frames)
+    return Telling(moved, poses[:, gap.channels] - poses @ by, frames)
 
 
-def _mirrored(moved: Float32Array, look: _Look, gap: Gap, by: Float32Array) -> Alike | None:
+def _mirrored(moved: Float32Array, look: _Look, gap: Gap, by: Float32Array) -> Telling | None:
     """Moments in which the other side of the body was seen, mirrored."""
     if look.mirror is None:
         return None
     there = look.frames_of(look.mirror.twins[gap.channels])
-    return _alike(some_of(there, look.compared[1]), moved, look, gap, by, look.mirror)
+    return _telling(some_of(there, look.compared[1]), moved, look, gap, by, look.mirror)
 
 
 def _regress(

@@ -72,14 +72,14 @@ def moving(poses: Float32Array, rate: float) -> Float32Array:
 
 
 @dataclass(frozen=True, eq=False)
-class Alike:
+class Telling:
     """Moments that tell of a gap.
 
     Attributes
     ----------
     moved : (moments, 2 · channels) rows of :func:`moving`, without NaN
     targets : (moments, n) what is to be predicted, as it was then
-    frames : (moments,) when that was
+    frames : (moments,) when that was, in frames
     """
 
     moved: Float32Array
@@ -88,19 +88,21 @@ class Alike:
 
 
 def by_likeness(
-    inside: Alike,
-    own: Alike,
+    moved: Float32Array,
+    start: int,
+    own: Telling,
     trust: Float32Array,
     weights: Float32Array,
     rate: float,
     noise: float = 0.0,
-    mirrored: Alike | None = None,
+    mirrored: Telling | None = None,
 ) -> tuple[Float32Array, Float32Array]:
     """Predict what was not seen by a Gaussian process over poses and time.
 
     Parameters
     ----------
-    inside : the gap, whose targets do not matter
+    moved : (length, 2 · channels) rows of :func:`moving` within the gap, without NaN
+    start : frame that the gap begins with
     own : moments in which the same was seen
     trust : (channels,) how much each is to be relied on; 0 for those to be predicted
     weights : (channels, n) regression of what is to be predicted on poses; 0 as in ``trust``
@@ -110,7 +112,7 @@ def by_likeness(
 
     Returns
     -------
-    (stop - start, n) values, and variances of their errors
+    (length, n) values, and variances of their errors
 
     Notes
     -----
@@ -121,9 +123,10 @@ def by_likeness(
     leaves out what a limb has no part in. The other side of the body moves much the same way, but
     for a constant and for what is particular to a time.
     """
-    moments, other = len(own.frames), mirrored or _nothing(own)
-    count = moments + len(other.frames)
-    rows = np.vstack([own.moved, other.moved, inside.moved])
+    other = mirrored or Telling(own.moved[:0], own.targets[:0], own.frames[:0])
+    moments, length = len(own.frames), len(moved)
+    count, inside = moments + len(other.frames), np.arange(start, start + length)
+    rows = np.vstack([own.moved, other.moved, moved])
     told = (rows.reshape(-1, len(trust)) @ weights).reshape(len(rows), -1)
     # Those that tell with each other, and below them those inside with those that tell.
     system = _likeness(_apart([rows * np.tile(trust, 2), told], count, moments))
@@ -133,7 +136,7 @@ def by_likeness(
     system[count:, its] *= _SAME_WAY
     lasts = _LASTS_S * rate
     system[mine, mine] += _PASSING * _nearness(own.frames, own.frames, lasts)
-    system[count:, mine] += _PASSING * _nearness(inside.frames, own.frames, lasts)
+    system[count:, mine] += _PASSING * _nearness(inside, own.frames, lasts)
     system[its, its] += _PASSING * _nearness(other.frames, other.frames, lasts) + _ASKEW
     system, across = system[:count], system[count:]
     usual = own.targets.mean(axis=0)
@@ -144,7 +147,6 @@ def by_likeness(
     chance[its] += _MIRRORED_CHANCE
     system[np.diag_indices(count)] += chance
     # How sure it is changes slowly.
-    length = len(inside.frames)
     places = np.append(np.arange(0, length - 1, _EVERY), length - 1)
     asked = across[places].T
     found = solved(system, np.hstack([np.vstack([left, other.targets - usual]), asked]))
@@ -153,11 +155,6 @@ def by_likeness(
     unsure = np.maximum(whole - np.sum(asked * found[:, columns:], axis=0), 0.0) / whole
     unsure = np.interp(np.arange(length), places, unsure)
     return across @ found[:, :columns] + usual, _TOO_SURE * unsure[:, None] * variance
-
-
-def _nothing(like: Alike) -> Alike:
-    """No moments."""
-    return Alike(like.moved[:0], like.targets[:0], like.frames[:0])
 
 
 def _apart(views: list[Float32Array], count: int, usual: int) -> Float32Array:

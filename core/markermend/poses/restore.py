@@ -170,9 +170,10 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     if prior is not None:
         usual = np.where(channels.known, channels.values, 0.0).sum(axis=0)
         prior = prior.signed_like(usual)
-        prior = prior if usable.all() else prior.of(usable)
         if usable.all():
             mirror = mirror_of([pose.joints[j] for j in channels.joints], usual, IN_MIRROR)
+        else:
+            prior = prior.of(usable)
     filled_by = partial(
         fill,
         known=known,
@@ -198,28 +199,27 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
         values = smooth(rough, noise[usable], pose.rate)
     tell(0.5, "Filling")
     filled = filled_by(values, noise=_LEFT * level, begun=begun)
-    whole[:, usable] = filled.values
     whole[:, ~usable] = np.nan
     variance = np.full(channels.values.shape, np.nan)
-    variance[:, usable] = _variance(filled, known, noise[usable])
+
+    def settled(filled: Filled, rounds: int) -> tuple[FloatArray, Bones]:
+        whole[:, usable] = filled.values
+        variance[:, usable] = _variance(filled, known, noise[usable])
+        return _agreed(whole, variance, channels, pose, known_joints, level, rounds)
+
     tell(0.7, "Keeping bones")
-    rounds = 1 if filled.lasting or level > _NOISY else _ROUNDS
-    features, bones = _agreed(whole, variance, channels, pose, known_joints, level, rounds)
-    many = filled.lasting >= _MANY
+    many, rounds = filled.lasting >= _MANY, 1 if level > _NOISY else _ROUNDS
     looks = _LOOKS[many] - int(level > 0) if filled.lasting else 0
-    rounds = 1 if level > _NOISY else _ROUNDS
+    features, bones = settled(filled, 1 if looks else rounds)
     for look in range(1, looks + 1):
         tell(0.7 + 0.1 * look / (looks + 1), "Filling again")
         near = replace(filled, values=_columns(features, channels)[:, usable])
-        most = SOME_MOMENTS if many else MOMENTS
-        compared = most if look == looks else FEW_MOMENTS
+        compared = FEW_MOMENTS if look < looks else SOME_MOMENTS if many else MOMENTS
         filled = filled_by(values, noise=_LEFT * level, near=near, compared=compared)
         share = 1.0 if look == 1 else _AGAIN
         told = share * filled.values + (1.0 - share) * near.values
         filled = replace(filled, values=np.where(known, filled.values, told))
-        whole[:, usable] = filled.values
-        variance[:, usable] = _variance(filled, known, noise[usable])
-        features, bones = _agreed(whole, variance, channels, pose, known_joints, level, rounds)
+        features, bones = settled(filled, rounds)
     if level > _NOISY:
         tell(0.8, "Smoothing again")
         first = features

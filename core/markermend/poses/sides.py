@@ -9,7 +9,7 @@ import numpy as np
 
 from markermend.arrays import Float32Array, FloatArray, IntArray
 from markermend.poses.normal import FEATURES
-from markermend.poses.nuitrack import MIRROR, twins, usual_name
+from markermend.poses.nuitrack import MIRROR, twins
 
 OTHER_SIDE = 0.2
 """How much a side's movement counts for the other side; the rest is its own."""
@@ -53,7 +53,7 @@ def mirror_of(joints: Sequence[str], usual: FloatArray, beside: Sequence[float])
 
 def twin_columns(joints: Sequence[str]) -> IntArray:
     """(joints · 7,) column of each feature's counterpart on the other side of the body."""
-    at_other = np.array(twins([usual_name(name) for name in joints]))
+    at_other = np.array(twins(joints))
     return np.asarray((at_other[:, None] * FEATURES + np.arange(FEATURES)).ravel())
 
 

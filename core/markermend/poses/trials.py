@@ -63,22 +63,22 @@ def trials_of(filled: BoolArray, rate: float) -> tuple[Trial, ...]:
         for start, stop in runs(filled[:, joint]).tolist():
             if stop - start >= least:
                 together.setdefault((start, stop), []).append(joint)
-    found: list[Trial] = []
-    taken = np.zeros(len(filled), dtype=bool)
     places = sorted(together)
     chosen = places[:: max(-(-len(places) // _MOST), 1)]
-    for start, stop in chosen:
-        joints = together[start, stop]
-        room, length = _room(~(taken | filled[:, joints].any(axis=1)), stop - start, least)
-        if len(room):
-            at = int(room[np.argmin(np.abs(room - start))])
-            found.append(Trial(at, at + length, tuple(joints)))
-            taken[at : at + length] = True
-    for start, stop in chosen * _FEW:
+    found: list[Trial] = []
+    taken = np.zeros(len(filled), dtype=bool)
+    for n, (start, stop) in enumerate(chosen * _FEW):
         joints, length = together[start, stop], stop - start
-        room = free_starts(~(taken | filled[:, joints].any(axis=1)), length, _BESIDE)
-        if len(found) < _FEW and len(room) and taken.sum() + length <= _SHARE * len(filled):
-            away = np.abs(room[:, None] - [trial.start for trial in found]).min(axis=1)
+        free = ~(taken | filled[:, joints].any(axis=1))
+        if n < len(chosen):
+            room, length = _room(free, length, least)
+            away = -np.abs(room - start)
+        else:
+            if len(found) >= _FEW or taken.sum() + length > _SHARE * len(filled):
+                continue
+            room = free_starts(free, length, _BESIDE)
+            away = np.min([np.abs(room - trial.start) for trial in found], axis=0)
+        if len(room):
             at = int(room[np.argmax(away)])
             found.append(Trial(at, at + length, tuple(joints)))
             taken[at : at + length] = True
