@@ -12,7 +12,7 @@ from markermend.errors import FileFormatError
 from markermend.files.plausible import FARTHEST, read_as_missing
 from markermend.files.text import number, read_lines
 from markermend.poses.pose import Pose
-from markermend.poses.quaternion import multiply, turn
+from markermend.poses.quaternion import NO_TURN, multiply, turn
 from markermend.rates import rate_of
 
 END = "_end"
@@ -228,7 +228,7 @@ def _placed(
             if name in MOVES:
                 place[:, MOVES[name]] = own[:, k]
         turns = [k for k, name in enumerate(joint.channels) if name in _TURNS]
-        local = np.tile([0.0, 0.0, 0.0, 1.0], (frames, 1))
+        local = np.tile(NO_TURN, (frames, 1))
         if turns:
             order = "".join(_TURNS[joint.channels[k]] for k in turns)
             local = Rotation.from_euler(order, own[:, turns], degrees=True).as_quat()

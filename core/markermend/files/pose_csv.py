@@ -27,6 +27,7 @@ from markermend.files.pose_rows import COLUMNS, NUMBERS, Header, header_of, says
 from markermend.files.text import read_lines
 from markermend.poses.nuitrack import PARENT_OF, usual_name
 from markermend.poses.pose import Pose
+from markermend.poses.quaternion import NO_TURN
 from markermend.progress import Progress, quiet
 from markermend.rates import rate_of
 
@@ -178,7 +179,7 @@ def _numbers_of(pose: Pose) -> FloatArray:
     """(frames, joints, 8) what is written of a recording; nothing is NaN."""
     places = np.nan_to_num(pose.positions)
     turned = ~np.isnan(pose.rotations)
-    unturned = np.where(pose.seen[..., None], 0.0, (0.0, 0.0, 0.0, 1.0))
+    unturned = np.where(pose.seen[..., None], 0.0, NO_TURN)
     turns = np.where(turned, pose.rotations, unturned)
     return np.concatenate([places, turns, pose.confidence[..., None]], axis=2)
 

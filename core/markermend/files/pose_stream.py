@@ -14,8 +14,8 @@ from markermend.files.pose_rows import COLUMNS, NUMBERS, Header, header_of, says
 from markermend.poses.live import Live
 from markermend.poses.pose import Pose
 from markermend.poses.prior import NOT_FITTING, Prior, shipped_prior
+from markermend.poses.quaternion import NO_TURN
 from markermend.poses.restore import INFERRED
-from markermend.poses.turnless import NO_TURN
 
 _STREAM = "The stream"
 _Row = tuple[int, list[str]]

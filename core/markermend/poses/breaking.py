@@ -11,6 +11,7 @@ from markermend.errors import DataError
 from markermend.poses.faults import FROZEN, MISPLACED, SWAPPED, VANISHED
 from markermend.poses.nuitrack import LIMBS
 from markermend.poses.pose import Pose
+from markermend.poses.quaternion import NO_TURN
 
 _LENGTH_S = (0.15, 0.8)
 _JUMP_MM = 400.0
@@ -85,7 +86,7 @@ def break_pose(pose: Pose, *, each: int, seed: int) -> tuple[Pose, tuple[Broken,
         touched: tuple[int, ...] = (joint,)
         match kind:
             case "vanished":
-                positions[frames, joint], rotations[frames, joint] = 0.0, (0.0, 0.0, 0.0, 1.0)
+                positions[frames, joint], rotations[frames, joint] = 0.0, NO_TURN
             case "frozen":
                 positions[frames, joint] = positions[start - 1, joint]
                 rotations[frames, joint] = rotations[start - 1, joint]

@@ -11,9 +11,8 @@ from markermend.arrays import BoolArray, FloatArray
 from markermend.poses.bridging import bridged
 from markermend.poses.normal import FEATURES, Normal, normalise
 from markermend.poses.pose import Pose
-from markermend.poses.quaternion import inverse, multiply, turn, unit, unrolled
+from markermend.poses.quaternion import NO_TURN, inverse, multiply, turn, unit, unrolled
 
-_NO_TURN = (0.0, 0.0, 0.0, 1.0)
 # A rotation this near to none is what sensors write where they know nothing.
 _UNTURNED = 1e-9
 # Axes follow the root over this time.
@@ -66,7 +65,7 @@ def to_channels(pose: Pose) -> Channels:
     joints = tuple(j for j in range(len(pose.joints)) if j != root)
     values = features[:, joints].reshape(pose.frames, -1)
     known = ~np.isnan(values)
-    itself = np.tile((0.0, 0.0, 0.0, *_NO_TURN), (pose.frames, 1))
+    itself = np.tile((0.0, 0.0, 0.0, *NO_TURN), (pose.frames, 1))
     return Channels(np.where(known, values, 0.0), known, joints, normal, itself)
 
 
@@ -126,7 +125,7 @@ def trusted_turns(pose: Pose) -> BoolArray:
     turned = np.array(pose.turned)
     roots = [j for j, parent in enumerate(pose.parents) if parent < 0]
     own = pose.rotations[:, roots]
-    blank = np.abs(np.abs(own) - _NO_TURN).max(axis=2) < _UNTURNED
+    blank = np.abs(np.abs(own) - NO_TURN).max(axis=2) < _UNTURNED
     turned[:, roots] = ~np.isnan(own[..., 3]) & ~(blank & ~turned[:, roots])
     return turned
 
@@ -135,7 +134,7 @@ def _root_path(position: FloatArray, rotation: FloatArray) -> tuple[FloatArray, 
     """(frames, 3) and (frames, 4) of the root, bridged where it was not known."""
     path = np.concatenate([position, unrolled(rotation[:, None])[:, 0]], axis=1)
     known = ~np.isnan(path)
-    for part, nothing in ((slice(0, 3), 0.0), (slice(3, 7), np.array(_NO_TURN))):
+    for part, nothing in ((slice(0, 3), 0.0), (slice(3, 7), np.array(NO_TURN))):
         if not known[:, part].any():
             path[:, part], known[:, part] = nothing, True
     path = bridged(path, known)

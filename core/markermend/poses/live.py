@@ -15,10 +15,10 @@ from markermend.poses.normal import FEATURES, bone_lengths, normalise
 from markermend.poses.nuitrack import MIRROR, mirrored
 from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior, fitting
-from markermend.poses.quaternion import inverse, multiply, turn, unit
+from markermend.poses.quaternion import NO_TURN, inverse, multiply, turn, unit
 from markermend.poses.sides import both_sides, both_sides_moved, mirror_signs, twin_columns
 from markermend.poses.solving import solved
-from markermend.poses.turnless import NO_TURN, turned_as_parents, turnless
+from markermend.poses.turnless import turned_as_parents, turnless
 
 # How long a movement is taken from the prior, how long one's own are, and how many they count for.
 _PRIOR_S, _LAGS_S, _MEMORY = 1.0, (0.008, 0.03, 0.125, 0.5, 2.0), 3000.0

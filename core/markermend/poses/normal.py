@@ -10,7 +10,7 @@ from markermend.arrays import FloatArray
 from markermend.errors import DataError
 from markermend.poses.nuitrack import JOINTS, aligned_axis, usual_name
 from markermend.poses.pose import Pose
-from markermend.poses.quaternion import inverse, multiply, turn, unit
+from markermend.poses.quaternion import NO_TURN, inverse, multiply, turn, unit
 
 FEATURES = 7
 """Of a joint: position x, y, z and rotation x, y, z, w."""
@@ -102,7 +102,7 @@ def bone_lengths(positions: FloatArray, parents: tuple[int, ...]) -> FloatArray:
 
 def _offsets(pose: Pose) -> FloatArray:
     """(joints, 4) constant rotation that lays each joint's bone along its axis."""
-    offsets = np.tile([0.0, 0.0, 0.0, 1.0], (len(pose.joints), 1))
+    offsets = np.tile(NO_TURN, (len(pose.joints), 1))
     usual = [usual_name(name) for name in pose.joints]
     # Of several children the first of Nuitrack's order, in whatever order the file has them.
     by_rank = sorted(
@@ -142,5 +142,5 @@ def _about(angles: FloatArray) -> FloatArray:
     """Quaternion of a rotation vector, in radians."""
     angle = float(np.sqrt(np.sum(angles**2)))
     if angle == 0:
-        return np.array([0.0, 0.0, 0.0, 1.0])
+        return np.array(NO_TURN)
     return np.append(np.sin(angle / 2) * angles / angle, np.cos(angle / 2))

@@ -6,6 +6,9 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray
 
+NO_TURN = (0.0, 0.0, 0.0, 1.0)
+"""The rotation that changes nothing."""
+
 
 def multiply(a: FloatArray, b: FloatArray) -> FloatArray:
     """Return the rotation that applies b first, then a."""

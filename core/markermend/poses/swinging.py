@@ -8,7 +8,7 @@ from scipy.spatial.transform import Rotation
 
 from markermend.arrays import BoolArray, FloatArray, median_of_seen
 from markermend.poses.pose import Pose
-from markermend.poses.quaternion import between, inverse, multiply, turn, upright
+from markermend.poses.quaternion import NO_TURN, between, inverse, multiply, turn, upright
 
 # A bone whose direction in a joint's axes strays by less than this, in radians and on the mean, is
 # fixed in them; by more than the other, it is not carried by that joint.
@@ -127,7 +127,7 @@ def _least(before: FloatArray, after: FloatArray) -> FloatArray:
     """(frames, 4) the least turn of bones, (frames, bones, 3) mm each; 0 where one is not known."""
     known = (before != 0).any(axis=2) & (after != 0).any(axis=2)
     first = np.argmax(known, axis=1)
-    turned = np.tile((0.0, 0.0, 0.0, 1.0), (len(before), 1))
+    turned = np.tile(NO_TURN, (len(before), 1))
     some = np.flatnonzero(known.any(axis=1))
     turned[some] = between(before[some, first[some]], after[some, first[some]])
     several = np.flatnonzero(known.sum(axis=1) > 1)

@@ -21,6 +21,7 @@ from markermend.poses.faults import FAULTS, SWAPPED
 from markermend.poses.normal import bone_lengths
 from markermend.poses.pose import Pose
 from markermend.poses.prior import shipped_prior
+from markermend.poses.quaternion import lengths_of
 from markermend.poses.restore import INFERRED, Restored, restore
 from markermend.poses.skeleton import Movement
 from markermend.poses.swinging import swung
@@ -151,7 +152,7 @@ def told_and_moved(
         return None, seen
     elsewhere = changed & (take.positions != told.pose.positions).any(axis=2)
     # What was put right is not asked how it had been turned, if it was smoothed afterwards too.
-    far, missed = (_apart(take.positions, p.positions) for p in (pose, told.pose))
+    far, missed = (lengths_of(take.positions - p.positions) for p in (pose, told.pose))
     seen &= elsewhere & ~(_wrong(told) & (missed < far))
     # A joint that is never as it was read leaves restoring nothing to go by.
     sure = seen & (elsewhere | ~pose.seen).all(axis=0)
@@ -186,7 +187,7 @@ def _little(take: Take, tried: Restored, some: BoolArray, tell: Progress | None)
     for joint in np.flatnonzero(some.any(axis=0)).tolist():
         for start, stop in runs(some[:, joint]).tolist():
             rows = slice(start, stop)
-            far = np.median(_apart(take.positions[rows, joint], pose.positions[rows, joint]))
+            far = np.median(lengths_of(take.positions[rows, joint] - pose.positions[rows, joint]))
             if far <= most and not _put_by(tried, take, joint, rows):
                 moved[rows, joint] = True
                 together.setdefault((start, stop), []).append(joint)
@@ -204,13 +205,8 @@ def _little(take: Take, tried: Restored, some: BoolArray, tell: Progress | None)
 def _put_by(told: Restored, take: Take, joint: int, rows: slice) -> bool:
     """Whether restoring put a joint where it is, rather than where it was seen."""
     now, told_there = take.positions[rows, joint], told.pose.positions[rows, joint]
-    far = np.median(_apart(now, pose_of(take).positions[rows, joint]))
-    return bool(np.median(_apart(now, told_there)) <= _AGREES * far)
-
-
-def _apart(a: FloatArray, b: FloatArray) -> FloatArray:
-    """(...) mm between positions (..., 3); NaN where either is not known."""
-    return np.asarray(np.sqrt(np.sum((a - b) ** 2, axis=-1)))
+    far = np.median(lengths_of(now - pose_of(take).positions[rows, joint]))
+    return bool(np.median(lengths_of(now - told_there)) <= _AGREES * far)
 
 
 def _of_another(take: Take, some: BoolArray) -> FloatArray:

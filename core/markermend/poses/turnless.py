@@ -6,8 +6,7 @@ import numpy as np
 
 from markermend.arrays import BoolArray
 from markermend.poses.pose import Pose
-
-NO_TURN = (0.0, 0.0, 0.0, 1.0)
+from markermend.poses.quaternion import NO_TURN
 
 
 def turnless(pose: Pose) -> BoolArray:
