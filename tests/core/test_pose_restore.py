@@ -6,11 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from arms import arm, hide
 from numpy.testing import assert_allclose
 
 import markermend as mm
 from markermend.cli import main
-from markermend.errors import DataError, ExportError, FileFormatError
+from markermend.errors import DataError
 from markermend.poses import Pose
 from markermend.poses.bones import find_bones, keep_lengths, swing
 from markermend.poses.bridging import bridged
@@ -23,35 +24,11 @@ from markermend.poses.restore import INFERRED, denoise, restore
 from markermend.poses.smoothing import noise_level, smooth, smooth_again, smooth_bands
 
 
-def arm(frames=400, rate=100.0):
-    """A body of five joints whose arm swings, and how it moves in columns."""
-    t = np.arange(frames) / rate
-    lengths = [300.0, 250.0, 200.0, 150.0]
-    angle = np.cumsum([0.4 * np.sin(2 * np.pi * (0.3 + 0.1 * k) * t + k) for k in range(4)], axis=0)
-    positions, rotations = np.zeros((frames, 5, 3)), np.zeros((frames, 5, 4))
-    rotations[..., 3] = 1.0
-    positions[:, 0] = np.stack([500 * t, 900 + 20 * np.sin(5 * t), 0 * t], axis=1)
-    for k in range(4):
-        half = angle[k] / 2
-        turned = np.stack([0 * half, 0 * half, np.sin(half), np.cos(half)], axis=1)
-        rotations[:, k] = turned
-        bone = np.broadcast_to([0.0, lengths[k], 0.0], (frames, 3))
-        positions[:, k + 1] = positions[:, k] + turn(turned, bone)
-    rotations[:, 4] = rotations[:, 3]
-    return Pose(positions, rotations, ("root", "a", "b", "c", "d"), (-1, 0, 1, 2, 3), rate)
-
-
 def test_signs_of_rotations_come_back_as_they_were_recorded():
     pose = arm()
     signs = np.where(np.random.default_rng(4).random((400, 5, 1)) < 0.5, -1.0, 1.0)
     mixed = pose.with_samples(pose.positions, signs * pose.rotations, pose.confidence)
     assert_allclose(restore(mixed).pose.rotations, mixed.rotations, atol=1e-3)
-
-
-def hide(pose, frames, joint):
-    confidence = np.array(pose.confidence)
-    confidence[frames, joint] = 0
-    return pose.with_samples(pose.positions, pose.rotations, confidence)
 
 
 def far(a, b):
@@ -356,91 +333,6 @@ def test_three_ways_of_smoothing_are_nearer_than_the_last(shared_data, monkeypat
     seen = damaged.seen.copy()
     seen[:, 0] = False
     assert far(by_three, truth)[seen].mean() < 0.998 * far(by_last, truth)[seen].mean()
-
-
-def test_csv_keeps_what_it_is_given(tmp_path):
-    pose = hide(arm(40), slice(5, 9), 2)
-    path = tmp_path / "joints.csv"
-    mm.write_pose(pose, path)
-    back = mm.read_pose(path)
-    assert back.joints == pose.joints
-    assert back.parents == pose.parents
-    assert back.rate == 100.0
-    assert (back.seen == pose.seen).all()
-    assert_allclose(back.positions, pose.positions, atol=6e-4)
-    assert_allclose(back.rotations, pose.rotations, atol=2e-6)
-    assert path.read_text().splitlines()[0].startswith("frame,time,joint,parent,x,y,z,qx")
-
-
-def test_csv_of_others(tmp_path):
-    path = tmp_path / "sensor.csv"
-    path.write_text(
-        "Frame;Name;Position X;Position Y;Position Z\n"
-        "10;JOINT_WAIST;0;900;0\n10;JOINT_TORSO;0;1100;0\n"
-        "11;JOINT_WAIST;1;900;0\n11;JOINT_TORSO;0;0;0\n12;JOINT_WAIST;2;900;0\n"
-    )
-    pose = mm.read_pose(path)
-    assert pose.frames == 3
-    assert pose.parents == (-1, 0)
-    assert pose.seen.tolist() == [[True, True], [True, False], [True, False]]
-    assert pose.rate == 30.0
-    assert "30 Hz" in pose.warnings[0]
-
-
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [
-        ("frame,joint,x,y\n0,a,1,2\n", "lacks the column “z”"),
-        ("frame,joint,x,y,z\n", "cut short"),
-        ("frame,joint,x,y,z\n0,a,1,2,3\n", "add a column “parent”"),
-        ("frame,joint,parent,x,y,z\n0,a,b,1,2,3\n", "“b” is no joint"),
-        ("frame,joint,parent,x,y,z\n0,a,,1,2,3\n9e9,a,,1,2,3\n", "frames go from"),
-        ("frame,joint,parent,x,y,z\n0,a\n1,a,,1,2,3\n", "line 2 has 2 cells"),
-        ("frame,joint,parent,x,y,z\nx,a,,1,2,3\n", "“x” in line 2 is no frame number"),
-    ],
-)
-def test_damaged_csv_gets_one_sentence(tmp_path, text, said):
-    path = tmp_path / "bad.csv"
-    path.write_text(text)
-    with pytest.raises(FileFormatError, match=said):
-        mm.read_pose(path)
-
-
-def test_unknown_targets_are_refused(tmp_path):
-    with pytest.raises(ExportError, match=r"\.csv"):
-        mm.write_pose(arm(5), tmp_path / "out.txt")
-    with pytest.raises(ExportError, match="skeleton"):
-        mm.write_pose(arm(5), tmp_path / "out.amc")
-
-
-def test_amc_goes_out_as_it_came_in(shared_data, tmp_path):
-    folder = shared_data / "poses"
-    pose = mm.read_pose(folder / "02_01.amc")
-    mm.write_pose(pose, tmp_path / "out.amc")
-    back = mm.read_pose(tmp_path / "out.amc", skeleton=folder / "02.asf")
-    assert np.abs(back.positions - pose.positions).max() < 1e-3
-
-
-def test_what_was_read_from_a_table_and_not_changed_keeps_its_last_digit(tmp_path):
-    source, target = tmp_path / "in.csv", tmp_path / "out.csv"
-    rows = ["frame,joint,parent,x,y,z,qx,qy,qz,qw,confidence"]
-    for frame in range(30):
-        rows.append(f"{frame},hip,,{0.123456789 + frame},2,3.25,0.123456789,0,0,0.9876543,0.87654")
-        rows.append(f"{frame},knee,hip,1,{-400.000123 - frame},3,0,0,0.2,0.7,1")
-    source.write_text("\n".join(rows) + "\n")
-    pose = mm.read_pose(source)
-    positions = pose.positions.copy()
-    positions[10, 1] += 1.23456789
-    mm.write_pose(pose.with_samples(positions, pose.rotations, pose.confidence), target)
-    lines = target.read_text().splitlines()
-    for n, line in enumerate(rows[1:], 1):
-        written = [float(cell) for cell in lines[n].split(",")[4:]]
-        read = [float(cell) for cell in line.split(",")[3:]]
-        if n == 22:
-            assert written[:3] == [round(v, 3) for v in positions[10, 1]]
-            assert written[3:] == read[3:]
-        else:
-            assert written == read
 
 
 def test_command_line(tmp_path, capsys):
