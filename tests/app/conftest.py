@@ -13,6 +13,8 @@ from PySide6.QtCore import QCoreApplication, QEvent, QSettings
 import markermend as mm
 from markermend.artifact import Artifact, Kind
 from markermend.mesh import Mesh, infer_mesh
+from markermend.poses.breaking import break_pose
+from markermend.poses.nuitrack import JOINTS, to_nuitrack
 from markermend.review.file import open_session
 from markermend.take import Take
 from markermend_app import settings
@@ -201,3 +203,23 @@ def bench(open_plots, damaged):
     bench = open_plots(take, artifacts)
     bench.document.show(["CLAV"])
     return bench
+
+
+@pytest.fixture
+def broken(shared_data, tmp_path):
+    """A file of joints of which each fault has some, and one joint is not seen for a while."""
+    walk = to_nuitrack(mm.read_pose(shared_data / "poses" / "02_01.amc"))
+    pose, _ = break_pose(walk, each=1, seed=4)
+    confidence = np.array(pose.confidence)
+    confidence[200:230, JOINTS.index("head")] = 0.0
+    path = tmp_path / "sensor.csv"
+    mm.write_pose(pose.with_samples(pose.positions, pose.rotations, confidence), path)
+    return path
+
+
+@pytest.fixture
+def opened(window, broken, qtbot):
+    """The window on the recording, searched."""
+    window.commands.open_path(broken)
+    qtbot.waitUntil(lambda: window.document.current is not None, timeout=3 * WAIT)
+    return window
