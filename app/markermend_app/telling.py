@@ -94,7 +94,9 @@ _SAME = (
     "stands on the other side, and {0} here, for {1}",
     "stands still while the body moves, for {0}",
     "is said to stand at 0, 0, 0 for {0}",
-    "stands up to {0} from where its bones reach, for {1}",
+    "stands up to {0} from where the rest of the body has it, for {1}",
+    "has its angles exchanged with those of {0}, for {1}",
+    "is carried off with the whole body, by up to {0}, for {1}",
     # Why there is no repair, or this one.
     "With only {0} to follow: {1}",
     "Worked out from other repairs; look at it closely. Without them: {0}",

@@ -103,6 +103,17 @@ def test_a_tap_of_the_key_says_to_hold_it(window, qtbot, monkeypatch):
     assert "Hold the key" in window.status._said.whole
 
 
+def test_letting_go_while_the_next_are_worked_out_says_nothing(window, qtbot, monkeypatch):
+    QTest.keyPress(window, Qt.Key.Key_C)
+    qtbot.waitUntil(lambda: window.comparison.candidates is not None, timeout=WAIT)
+    monkeypatch.setattr(window.comparison, "_ask", lambda artifact: None)
+    qtbot.keyClick(window, Qt.Key.Key_N)
+    assert window.comparison.candidates is None
+    QTest.keyRelease(window, Qt.Key.Key_C)
+    qtbot.waitUntil(lambda: not window.comparison.shown)
+    assert "Hold the key" not in window.status._said.whole
+
+
 def test_walking_on_while_comparing_compares_the_next(window, qtbot):
     comparison = window.comparison
     QTest.keyPress(window, Qt.Key.Key_C)

@@ -143,9 +143,9 @@ def test_no_name_is_proposed_that_cannot_be_written(
     assert kinds.partition("(*")[2].startswith(Path(proposed).suffix)
 
 
-def test_where_bones_are_rigid_a_dialog_says_which_joints_are_off(
-    window, shared_data, tmp_path, qtbot
-):
+@pytest.fixture
+def without_a_shin(window, shared_data, tmp_path, qtbot):
+    """The window with a skeleton file that lacks the angles of a shin in some frames."""
     (tmp_path / "02.asf").write_bytes((shared_data / "poses" / "02.asf").read_bytes())
     lines = (shared_data / "poses" / "02_01.amc").read_text().splitlines()
     at, kept = 0, []
@@ -156,6 +156,11 @@ def test_where_bones_are_rigid_a_dialog_says_which_joints_are_off(
     (tmp_path / "02_01.amc").write_text("\n".join(kept) + "\n")
     window.commands.open_path(tmp_path / "02_01.amc")
     qtbot.waitUntil(lambda: window.document.proposal is not None, timeout=WAIT)
+    return window
+
+
+def test_where_bones_are_rigid_a_dialog_says_which_joints_are_off(without_a_shin, tmp_path, qtbot):
+    window = without_a_shin
     for artifact in window.document.session.with_status(Status.PENDING):
         window.document.select(artifact.id)
         window.document.choose_method("linear")
@@ -167,6 +172,20 @@ def test_where_bones_are_rigid_a_dialog_says_which_joints_are_off(
     assert "out.amc" in box.text()
     assert "ltibia" in box.informativeText() or "lfoot" in box.informativeText()
     assert " mm" in box.informativeText()
+    box.close()
+
+
+def test_a_dialog_says_which_joints_an_amc_lacks(without_a_shin, tmp_path, qtbot):
+    window, document = without_a_shin, without_a_shin.document
+    foot = next(a for a in document.session.artifacts if a.marker == "lfoot")
+    document.select(foot.id)
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    document.repair_current()
+    exporter = window.commands._exporter
+    assert exporter.export_to(tmp_path / "out.amc", ExportChoice(False, False), wait=True)
+    (box,) = window.findChildren(QMessageBox)
+    assert "not in the file: lfoot. Repair what they hang on, too." in box.informativeText()
+    assert " mm" not in box.informativeText()
     box.close()
 
 

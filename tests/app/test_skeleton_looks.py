@@ -59,6 +59,16 @@ def test_restoring_is_compared_with_the_others_and_stands_first(opened, qtbot):
     comparison.stop()
 
 
+def test_what_is_compared_of_a_mix_up_is_called_as_it_is_elsewhere(opened, qtbot):
+    document, comparison = opened.document, opened.comparison
+    document.select(next(a.id for a in document.session.artifacts if a.counterpart))
+    comparison.start(["C"])
+    qtbot.waitUntil(lambda: comparison.candidates is not None, timeout=WAIT)
+    place = [c.method for c in comparison.candidates].index("swap")
+    qtbot.waitUntil(lambda: opened.candidates.rows[place][1].text() == "Swap joints", timeout=WAIT)
+    comparison.stop()
+
+
 def test_bones_of_what_is_proposed_are_drawn_in_space(opened, qtbot):
     document, scene = opened.document, opened.scene
     take = document.session.original

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import json
+
 import numpy as np
 import pytest
 
 import markermend as mm
 from markermend.artifact import Artifact, Kind
+from markermend.cli import main
 from markermend.poses.breaking import break_pose
 from markermend.poses.faults import SWAPPED
 from markermend.poses.nuitrack import to_nuitrack
@@ -135,3 +138,34 @@ def test_a_movement_with_segments_left_out_is_written_over_its_file(shared_data,
     ]
     assert names[0] == names[1]
     assert mm.read(target).present.all()
+
+
+def test_what_hangs_on_what_is_missing_is_said_not_to_be_in_the_file(shared_data, tmp_path, capsys):
+    (tmp_path / ASF).write_bytes((shared_data / "poses" / ASF).read_bytes())
+    lines, pose = [], 0
+    for line in (shared_data / "poses" / "02_03.amc").read_text().splitlines():
+        pose = int(line) if line.isdigit() else pose
+        if not (40 <= pose < 60 and line.startswith("lhumerus ")):
+            lines.append(line)
+    (tmp_path / "02_03.amc").write_text("\n".join(lines) + "\n")
+    take = mm.read(tmp_path / "02_03.amc")
+    found = mm.detect(take)
+    hand = [a for a in found if a.marker == "lhand"]
+    export = mm.write(mm.repair(take, hand), tmp_path / "hand.amc")
+    assert export.lost == ("lhand",)
+    assert export.off_mm < 1.0
+    assert not mm.read(tmp_path / "hand.amc").present[:, take.index("lhand")].all()
+    assert mm.write(mm.repair(take, hand), tmp_path / "hand.csv").lost == ()
+    whole = mm.write(mm.repair(take, found), tmp_path / "whole.amc")
+    assert whole.lost == ()
+    assert mm.read(tmp_path / "whole.amc").present.all()
+    listed, again = tmp_path / "found.json", tmp_path / "again.amc"
+    assert main(["detect", str(tmp_path / "02_03.amc"), "--json", str(listed)]) == 0
+    document = json.loads(listed.read_text())
+    document["artifacts"] = [a for a in document["artifacts"] if a["marker"] == "lhand"]
+    listed.write_text(json.dumps(document))
+    words = ["clean", tmp_path / "02_03.amc", "--artifacts", listed, "-o", again]
+    assert main([str(word) for word in words]) == 0
+    assert (
+        "Not in the file wherever what they hang on is missing: lhand." in capsys.readouterr().out
+    )

@@ -14,7 +14,7 @@ from markermend.cli import main
 from markermend.errors import DataError
 from markermend.poses import Pose
 from markermend.poses.bones import find_bones, keep_lengths, swing
-from markermend.poses.bridging import bridged
+from markermend.poses.bridging import bridged, bridging_error
 from markermend.poses.filling import fill
 from markermend.poses.noise import Noise, corrupt_pose
 from markermend.poses.normal import bone_lengths
@@ -44,6 +44,32 @@ def test_bridges_over_every_gap_follow_the_movement():
     assert (across[known] == values[known]).all()
     assert np.abs(across - values)[:190].max() < 4e-3
     assert (across[190:, 1] == values[189, 1]).all()
+
+
+@pytest.mark.parametrize("gap", [(200, 215), (200, 260), (0, 12), (390, 400), (40, 360)])
+def test_how_far_a_bridge_may_be_off_is_what_it_misses_of_such_movement(gap):
+    t = np.arange(400) / 100
+    told, missed = [], []
+    for seed in range(40):
+        shift = np.random.default_rng(seed).random(3) * 6
+        path = 100 * np.sin(2 * np.pi * 0.6 * t[:, None] + shift)
+        known = np.ones(400, dtype=bool)
+        known[slice(*gap)] = False
+        across = bridged(np.where(known[:, None], path, np.nan), np.repeat(known[:, None], 3, 1))
+        error = bridging_error(np.where(known[:, None], path, np.pi), known)
+        assert (error[known] == 0).all()
+        told.append(error[~known])
+        missed.append(np.sum((across - path)[~known] ** 2, axis=1))
+    told, missed = np.mean(told), np.sqrt(np.mean(missed))
+    # Far more is missed than what is known could tell where nearly all is hidden.
+    assert 0.5 < told / missed < (40 if gap == (40, 360) else 2.0)
+
+
+def test_a_bridge_from_few_known_frames_is_told_as_unknown():
+    known = np.zeros(30, dtype=bool)
+    known[[5, 20]] = True
+    error = bridging_error(np.zeros((30, 3)), known)
+    assert np.isnan(error[6:20]).all()
 
 
 def test_what_moves_with_others_is_filled_from_them():

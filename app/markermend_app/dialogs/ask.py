@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from PySide6.QtCore import Qt
@@ -68,16 +68,31 @@ def tell_off(parent: QWidget, export: Export) -> None:
     box.setWindowTitle(_tr("Export"))
     text = _tr("{0} is written, but some joints are not where you reviewed them there.")
     box.setText(text.format(export.path.name))
-    most = [f"{joint} {units.length(mm)}" for joint, mm in export.off[:_MOST_OFF]]
-    if len(export.off) > _MOST_OFF:
-        most.append(_tr("{0} more").format(len(export.off) - _MOST_OFF))
-    why = _tr(
-        "Its bones are rigid, so that joints come only as near as these allow, also those beside "
-        "a repair that you left as they were. At most they are off by: {0}. A CSV or C3D file has "
-        "every joint where you see it."
-    )
-    box.setInformativeText(why.format(", ".join(most)))
+    told = []
+    if export.lost:
+        lost = _tr(
+            "An angle is told from the bone above it: where that is still missing these are not in "
+            "the file: {0}. Repair what they hang on, too."
+        )
+        told.append(lost.format(_few(export.lost)))
+    if export.off:
+        why = _tr(
+            "Its bones are rigid, so that joints come only as near as these allow, also those "
+            "beside a repair that you left as they were. At most they are off by: {0}."
+        )
+        far = [f"{joint} {units.length(mm)}" for joint, mm in export.off]
+        told.append(why.format(_few(far)))
+    told.append(_tr("A CSV or C3D file has every joint where you see it."))
+    box.setInformativeText("\n\n".join(told))
     box.open()
+
+
+def _few(names: Sequence[str]) -> str:
+    """Names, and how many more there are."""
+    some, more = list(names[:_MOST_OFF]), len(names) - _MOST_OFF
+    if more > 0:
+        some.append(_tr("{0} more").format(more))
+    return ", ".join(some)
 
 
 def ask_unexported(parent: QWidget, path: Path | None, changed: bool = True) -> str:

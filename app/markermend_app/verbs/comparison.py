@@ -49,6 +49,7 @@ class Comparison(QObject):
         self.shown = False
         self.candidates: tuple[Any, ...] | None = None
         self.hopeless = 0
+        self._came = False
         self._letting_go = QTimer(self, interval=LET_GO_MS, singleShot=True)
         self._letting_go.timeout.connect(self._let_go)
         document.opened.connect(self._forget)
@@ -71,7 +72,7 @@ class Comparison(QObject):
             self.stop()
         elif self._document.current is not None:
             self._keys = frozenset(key.rpartition("+")[2] for key in keys)
-            self.shown = True
+            self.shown, self._came = True, False
             # Only while it is needed: a filter sees every event of the app.
             _app().installEventFilter(self)
             self._follow()
@@ -85,8 +86,8 @@ class Comparison(QObject):
             self.changed.emit()
 
     def _let_go(self) -> None:
-        """Hide them once the key is let go; whoever tapped it would see nothing happen."""
-        if self.shown and self.candidates is None:
+        """Hide them once the key is let go; whoever tapped it would have seen nothing happen."""
+        if self.shown and self.candidates is None and not self._came:
             self.said.emit(self.tr("Hold the key until the repairs to compare are there."))
         self.stop()
 
@@ -184,6 +185,7 @@ class Comparison(QObject):
         self._document.proposal_changed.emit()
 
     def _take(self, advice: tuple[Any, ...]) -> None:
+        self._came = True
         able = tuple(a for a in advice if a.repair.patches)
         self.candidates, self.hopeless = able[:MOST], len(advice) - len(able)
 

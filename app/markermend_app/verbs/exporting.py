@@ -181,7 +181,7 @@ class Exporter(QObject):
     def _tell(self, export: Export) -> None:
         """Say what was written, and where it is not what was seen."""
         self.said.emit(self._summary(export))
-        if export.off:
+        if export.off or export.lost:
             dialogs.tell_off(self._window, export)
 
     def _summary(self, export: Export) -> str:

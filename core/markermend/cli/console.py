@@ -223,6 +223,11 @@ def written(export: Export) -> list[str]:
             f"{count(len(export.outputs), 'model output')} in the file ({names}) may no longer "
             "match the repaired markers; compute them anew."
         )
+    if export.lost:
+        lines.append(
+            f"Not in the file wherever what they hang on is missing: {', '.join(export.lost)}."
+            " Repair that too, or write a CSV."
+        )
     return [*lines, *off_by_rigid_bones(export.off_mm)]
 
 

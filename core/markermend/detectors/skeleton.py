@@ -10,7 +10,15 @@ from markermend.arrays import FloatArray, runs
 from markermend.artifact import Artifact, Kind
 from markermend.detectors.finding import how_long, in_mm
 from markermend.errors import DataError
-from markermend.poses.faults import FROZEN, MISPLACED, SWAPPED, VANISHED, Fault
+from markermend.poses.faults import (
+    CARRIED,
+    CROSSED,
+    FROZEN,
+    MISPLACED,
+    SWAPPED,
+    VANISHED,
+    Fault,
+)
 from markermend.poses.nuitrack import twins
 from markermend.poses.pose import Pose
 from markermend.poses.restore import Restored
@@ -19,8 +27,16 @@ from markermend.progress import Progress
 from markermend.take import AXES, Take
 
 # Share of such flags that are real, (right + 1) / (all + 2): of 40, 36, 228 and 365 flags on five
-# recordings with simulated faults, 40, 36, 228 and 305 were.
-_CONFIDENCE = {VANISHED: 0.98, FROZEN: 0.97, SWAPPED: 0.99, MISPLACED: 0.84}
+# recordings with simulated faults, 40, 36, 228 and 305 were. Bodies that are carried off count as
+# joints that are, angles as limbs.
+_CONFIDENCE = {
+    VANISHED: 0.98,
+    FROZEN: 0.97,
+    SWAPPED: 0.99,
+    CROSSED: 0.99,
+    MISPLACED: 0.84,
+    CARRIED: 0.84,
+}
 # A joint that is away for longer than this has gone somewhere, rather than jumped and come back.
 _PEAK_FRAMES = 2
 # Of how far a joint is off, it moves this share from frame to frame where it jumps about.
@@ -38,9 +54,9 @@ def detect_joints(take: Take, progress: Progress | None = None) -> list[Artifact
     Returns
     -------
     Gaps where a joint was not seen; peaks, noise and steps where it stands where its bones cannot
-    reach, freezes while the body moves, or is swapped with that of the other side (said once, of
-    the left one). A recording of which nothing can be made, such as a single pose, has none but
-    gaps.
+    reach, freezes while the body moves, is carried off with it, or is swapped with that of the
+    other side (said once, of the left one). A recording of which nothing can be made, such as a
+    single pose, has none but gaps.
     """
     pose = pose_of(take)
     found = list(_unseen(take, pose))
@@ -69,19 +85,25 @@ def _artifact(take: Take, told: Restored, fault: Fault) -> Iterator[Artifact]:
         return
     amplitude, lasting = float(np.nanmax(sizes)), how_long(len(off), pose.rate)
     kind, counterpart = Kind.STEP, None
-    if fault.kind == SWAPPED:
+    if fault.kind in (SWAPPED, CROSSED):
         counterpart = _other_side(take, fault.joint)
         if counterpart is None:
             return
         why = f"stands on the other side, and {counterpart} here, for {lasting}"
+        if fault.kind == CROSSED:
+            why = f"has its angles exchanged with those of {counterpart}, for {lasting}"
     elif fault.kind == FROZEN:
         why = f"stands still while the body moves, for {lasting}"
     elif fault.kind == VANISHED:
         why = f"is said to stand at 0, 0, 0 for {lasting}"
+    elif fault.kind == CARRIED:
+        kind = _kind(off, sizes)
+        why = f"is carried off with the whole body, by up to {in_mm(amplitude)} mm, for {lasting}"
     else:
         assert fault.kind == MISPLACED
         kind = _kind(off, sizes)
-        why = f"stands up to {in_mm(amplitude)} mm from where its bones reach, for {lasting}"
+        far = in_mm(amplitude)
+        why = f"stands up to {far} mm from where the rest of the body has it, for {lasting}"
     yield Artifact(
         label,
         AXES,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from math import isfinite
 from os import PathLike
 from pathlib import Path
 from typing import IO
@@ -38,6 +39,8 @@ class Export:
         powers… in the same file, which no longer match
     off : joints of an AMC that are at least :data:`TOLD_MM` from where the take has them, since its
         bones are rigid, and how far at most in mm; the farthest first
+    lost : joints that an AMC lacks in frames in which the take has them, since what they hang on is
+        missing there
     """
 
     path: Path
@@ -45,6 +48,7 @@ class Export:
     backup: Path | None = None
     outputs: tuple[str, ...] = ()
     off: tuple[tuple[str, float], ...] = ()
+    lost: tuple[str, ...] = ()
 
     @property
     def off_mm(self) -> float:
@@ -201,8 +205,10 @@ def write(
     changed = tuple(s for s, n in zip(take.labels, written[0], strict=True) if n)
     patched = take.source is not None and take.source.format == "c3d"
     outputs = stale_outputs(part, changed) if patched and target.suffix.lower() == ".c3d" else ()
-    far = sorted((pair for pair in off.items() if pair[1] >= TOLD_MM), key=lambda p: -p[1])
-    return Export(target, int(written[0].sum()), backup, outputs, tuple(far))
+    lost = tuple(joint for joint, mm in off.items() if not isfinite(mm))
+    told = [(joint, mm) for joint, mm in off.items() if mm >= TOLD_MM and joint not in lost]
+    far = tuple(sorted(told, key=lambda pair: -pair[1]))
+    return Export(target, int(written[0].sum()), backup, outputs, far, lost)
 
 
 def stale_outputs(take: Take, changed: Sequence[str] | None = None) -> tuple[str, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from math import isfinite
 from os import PathLike
 from pathlib import Path
 from typing import IO
@@ -113,7 +114,7 @@ def write_pose(pose: Pose, path: str | PathLike[str], *, progress: Progress | No
     target = Path(path)
     fill, off_mm = pose_writer(pose, target, progress or quiet)
     write_whole(target, fill, backup=False)
-    return max(off_mm.values(), default=0.0)
+    return max(filter(isfinite, off_mm.values()), default=0.0)
 
 
 def crop_pose(pose: Pose, start: int, stop: int) -> Pose:
@@ -152,7 +153,8 @@ def pose_writer(
 
     Returns
     -------
-    What writes it, and how far off in mm joints are there at most: the bones of an AMC are rigid
+    What writes it, and how far off in mm joints are there at most: the bones of an AMC are rigid,
+    and a joint that hangs on one that is missing cannot be told, which is infinitely far
     """
     match target.suffix.lower():
         case ".csv":

@@ -7,12 +7,14 @@ from functools import lru_cache
 import numpy as np
 from scipy.linalg import solveh_banded
 
-from markermend.arrays import BoolArray, FloatArray, IntArray
+from markermend.arrays import BoolArray, FloatArray, IntArray, free_starts, runs
 
 SIDE = 2
 """Known frames on each side that a bridge stands on."""
 
 _ORDER = 2
+# Stretches that are known on which a bridge is tried, about.
+_TRIED = 40
 
 
 @lru_cache(maxsize=4096)
@@ -87,6 +89,54 @@ def bridged(values: FloatArray, known: BoolArray) -> FloatArray:
             piece[unknown] += 0.5 * _towards_curve(piece, unknown)
             out[inner, group] = piece
     return out
+
+
+def bridging_error(path: FloatArray, known: BoolArray) -> FloatArray:
+    """How far :func:`bridged` may be off, by what it misses where the path is known.
+
+    Parameters
+    ----------
+    path : (frames, n) of one point; anything where not known
+    known : (frames,) bool, true somewhere
+
+    Returns
+    -------
+    (frames,) root mean square distance, 0 where known. Where no stretch is known that is as long
+    as a gap, shorter ones are tried, and what they miss grows by the square of the length, as what
+    is missed of a movement at constant acceleration does.
+    """
+    error = np.zeros(len(path))
+    longest = max(int(np.max(np.diff(runs(known), axis=1))) - 2 * SIDE, 1)
+    for start, stop in runs(~known).tolist():
+        count = stop - start
+        if start == 0 or stop == len(path):
+            held = _held_error(path, known, count)
+            error[start:stop] = held if start else held[::-1]
+            continue
+        length = min(count, longest)
+        starts = free_starts(known, length, SIDE)
+        starts = starts[:: max(len(starts) // _TRIED, 1)]
+        if not len(starts):
+            error[start:stop] = np.nan
+            continue
+        inside = path[starts[:, None] + np.arange(length)]
+        told = np.einsum("ls,nsc->nlc", bridge(length), path[starts[:, None] + around(0, length)])
+        off = np.sqrt(np.mean(np.sum((inside - told) ** 2, axis=2), axis=0))
+        places = np.linspace(0, length - 1, count)
+        error[start:stop] = np.interp(places, np.arange(length), off) * (count / length) ** 2
+    return error
+
+
+def _held_error(path: FloatArray, known: BoolArray, count: int) -> FloatArray:
+    """(count,) root mean square way that is made in 1, 2, … frames, by what is known."""
+    lags, off = [0], [0.0]
+    for lag in np.unique(np.linspace(1, count, min(count, _TRIED)).astype(int)):
+        both = known[lag:] & known[:-lag]
+        if both.any():
+            way = (path[lag:] - path[:-lag])[both]
+            lags.append(int(lag))
+            off.append(float(np.sqrt(np.mean(np.sum(way**2, axis=1)))))
+    return np.interp(np.arange(1, count + 1), lags, off)
 
 
 def _towards_curve(line: FloatArray, unknown: IntArray) -> FloatArray:

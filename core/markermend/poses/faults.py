@@ -17,7 +17,8 @@ from markermend.poses.quaternion import lengths_of
 from markermend.poses.stiffening import stiff
 
 VANISHED, FROZEN, MISPLACED, SWAPPED = "vanished", "frozen", "misplaced", "swapped"
-FAULTS = (VANISHED, FROZEN, MISPLACED, SWAPPED)
+CROSSED, CARRIED = "given each other's angles", "carried off"
+FAULTS = (VANISHED, FROZEN, MISPLACED, SWAPPED, CROSSED, CARRIED)
 
 # Frames in a row that must be the same to the last digit, and how far the body moves meanwhile.
 _FROZEN_FRAMES, _SAME_MM, _MOVED_MM = 4, 1e-6, 2.0
@@ -31,7 +32,8 @@ class Fault:
     ----------
     kind : ``"vanished"`` (at 0, 0, 0), ``"frozen"`` (stands still to the last digit, or its limb
         is bent no more, while the body moves), ``"misplaced"`` (where its bones cannot reach:
-        jumped, or another person's; or the whole body is), or ``"swapped"`` (left and right)
+        jumped, or another person's), ``"swapped"`` (left and right, or in a file of angles
+        ``"given each other's angles"``), or ``"carried off"`` (with the whole body)
     joint : index
     start, stop : frames ``[start, stop)``
     """
@@ -65,8 +67,14 @@ def mend_faults(pose: Pose) -> tuple[Pose, tuple[Fault, ...]]:
     still = stiff(pose) & pose.seen
     frozen, pose = frozen | still, _hidden(pose, still)
     wrong = misplaced(pose)
-    where = wrong | (carried[:, None] & pose.seen)
-    kinds = {VANISHED: vanished, FROZEN: frozen, SWAPPED: swapped | bent, MISPLACED: where}
+    kinds = {
+        VANISHED: vanished,
+        FROZEN: frozen,
+        SWAPPED: swapped,
+        CROSSED: bent,
+        MISPLACED: wrong,
+        CARRIED: carried[:, None] & pose.seen & ~wrong,
+    }
     faults = [
         Fault(kind, joint, start, stop)
         for kind, mask in kinds.items()

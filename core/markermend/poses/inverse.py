@@ -12,6 +12,7 @@ from threadpoolctl import threadpool_limits
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.poses.pose import Pose
+from markermend.poses.quaternion import lengths_of
 from markermend.poses.reaching import SHIFTS, axes_of, reach
 from markermend.poses.skeleton import TURNS, Movement, Segment, forward_kinematics
 from markermend.progress import Progress, quiet
@@ -59,10 +60,13 @@ def inverse_kinematics(pose: Pose, source: Movement, *, progress: Progress = qui
 
 
 def how_far_off(movement: Movement, pose: Pose) -> FloatArray:
-    """(joints,) how far from a recording a movement has each joint at most, in mm."""
+    """(joints,) how far from a recording a movement has each joint at most, in mm.
+
+    Infinite where it lacks the joint in a frame in which it was seen.
+    """
     placed = forward_kinematics(movement, pose.rate)
-    away = np.linalg.norm(placed.positions - pose.positions, axis=2)
-    away = np.where(placed.seen & pose.seen, away, 0.0)
+    away = lengths_of(placed.positions - pose.positions)
+    away = np.where(pose.seen, np.where(placed.seen, away, np.inf), 0.0)
     return np.asarray(away.max(axis=0, initial=0.0))
 
 

@@ -11,9 +11,10 @@ from threadpoolctl import threadpool_limits
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import DataError
 from markermend.poses.bones import Bones, find_bones, fuse, keep_lengths, swing, wobble
+from markermend.poses.bridging import bridging_error
 from markermend.poses.channels import Channels, steadied, to_channels, to_features, trusted_turns
 from markermend.poses.covariance import Moments
-from markermend.poses.faults import Fault, mend_faults
+from markermend.poses.faults import CARRIED, Fault, mend_faults
 from markermend.poses.filling import Filled, fill
 from markermend.poses.likeness import FEW_MOMENTS, MOMENTS, SOME_MOMENTS
 from markermend.poses.normal import FEATURES, denormalise
@@ -133,7 +134,25 @@ def restore(
             restored = _tried(restored, part(tell, 0.9, 1.0))
     if left_handed:
         restored = replace(restored, pose=mirrored(restored.pose))
-    return replace(restored, faults=faults)
+    return _with_root_errors(replace(restored, faults=faults))
+
+
+def _with_root_errors(restored: Restored) -> Restored:
+    """Expect of a root that was bridged, and of a body carried back to it, what bridges miss by."""
+    root = restored.pose.order[0]
+    bridged = restored.filled[:, root].copy()
+    carried = np.zeros(restored.filled.shape, dtype=bool)
+    for fault in restored.faults:
+        if fault.kind == CARRIED:
+            carried[fault.start : fault.stop, fault.joint] = True
+    unsure = bridged | carried.any(axis=1)
+    if not unsure.any():
+        return restored
+    off = bridging_error(restored.pose.positions[:, root], ~unsure)
+    error = restored.error_mm.copy()
+    error[bridged, root] = off[bridged]
+    error = np.where(carried, np.hypot(error, off[:, None]), error)
+    return replace(restored, error_mm=error)
 
 
 def _tried(restored: Restored, tell: Progress) -> Restored:

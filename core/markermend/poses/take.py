@@ -257,7 +257,7 @@ def restored_without(
 
 
 def mended(told: Restored) -> BoolArray:
-    """(frames, joints) bool: put right as it is, as left and right that were swapped are."""
+    """(frames, joints) bool: put right without being filled, as left and right swapped back are."""
     return _wrong(told, (SWAPPED,)) | (_wrong(told) & ~told.filled)
 
 

@@ -36,10 +36,6 @@
         <translation>{0} weitere</translation>
     </message>
     <message>
-        <source>Its bones are rigid, so that joints come only as near as these allow, also those beside a repair that you left as they were. At most they are off by: {0}. A CSV or C3D file has every joint where you see it.</source>
-        <translation>Seine Knochen sind starr, sodass Gelenke nur so nahe kommen, wie diese es zulassen, auch solche neben einer Reparatur, die Sie ließen, wie sie waren. Sie liegen höchstens daneben um: {0}. Eine CSV- oder C3D-Datei hat jedes Gelenk dort, wo Sie es sehen.</translation>
-    </message>
-    <message>
         <source>Work not yet exported</source>
         <translation>Arbeit noch nicht exportiert</translation>
     </message>
@@ -74,6 +70,18 @@
     <message>
         <source>Export</source>
         <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>An angle is told from the bone above it: where that is still missing these are not in the file: {0}. Repair what they hang on, too.</source>
+        <translation>Ein Winkel gilt vom Knochen darüber aus: Wo der noch fehlt, stehen diese nicht in der Datei: {0}. Reparieren Sie auch, woran sie hängen.</translation>
+    </message>
+    <message>
+        <source>Its bones are rigid, so that joints come only as near as these allow, also those beside a repair that you left as they were. At most they are off by: {0}.</source>
+        <translation>Ihre Knochen sind starr, sodass Gelenke nur so nahe kommen, wie diese es zulassen, auch solche neben einer Reparatur, die Sie ließen, wie sie waren. Sie liegen höchstens daneben um: {0}.</translation>
+    </message>
+    <message>
+        <source>A CSV or C3D file has every joint where you see it.</source>
+        <translation>Eine CSV- oder C3D-Datei hat jedes Gelenk da, wo Sie es sehen.</translation>
     </message>
     <message>
         <source>Export as floats</source>
@@ -2304,10 +2312,6 @@
         <translation>steht angeblich bei 0, 0, 0, {0} lang</translation>
     </message>
     <message>
-        <source>stands up to {0} from where its bones reach, for {1}</source>
-        <translation>steht bis zu {0} von dort, wohin seine Knochen reichen, {1} lang</translation>
-    </message>
-    <message>
         <source>With only {0} to follow: {1}</source>
         <translation>Nur nach {0}: {1}</translation>
     </message>
@@ -2570,6 +2574,18 @@
     <message>
         <source>Review the same frames</source>
         <translation>Dieselben Frames durchsehen</translation>
+    </message>
+    <message>
+        <source>stands up to {0} from where the rest of the body has it, for {1}</source>
+        <translation>steht bis zu {0} von da, wo der übrige Körper es hat, {1} lang</translation>
+    </message>
+    <message>
+        <source>has its angles exchanged with those of {0}, for {1}</source>
+        <translation>hat seine Winkel mit denen von {0} vertauscht, {1} lang</translation>
+    </message>
+    <message>
+        <source>is carried off with the whole body, by up to {0}, for {1}</source>
+        <translation>ist mit dem ganzen Körper um bis zu {0} versetzt, {1} lang</translation>
     </message>
     <message>
         <source>Worked out from other repairs; look at it closely. Without them: {0}</source>
@@ -2978,6 +2994,10 @@
     <message>
         <source>L/R {0}</source>
         <translation>L/R {0}</translation>
+    </message>
+    <message>
+        <source>Swap joints</source>
+        <translation>Gelenke tauschen</translation>
     </message>
 </context>
 <context>
@@ -3804,10 +3824,6 @@
     <message>
         <source>Best: {0}</source>
         <translation>Am besten: {0}</translation>
-    </message>
-    <message>
-        <source>Swap joints</source>
-        <translation>Gelenke tauschen</translation>
     </message>
     <message>
         <source>Working out the repair… {0}</source>

@@ -14,11 +14,11 @@ from markermend_app import units
 from markermend_app.actions import shortcuts
 from markermend_app.items.curve import Curve
 from markermend_app.later import Later, OneByOne
+from markermend_app.panels.inspector.methods import label_of
 from markermend_app.panels.plots.row import PlotRow, same_objects
 from markermend_app.panels.plots.trajectories import TrajectoryPanel
 from markermend_app.style import theme
 from markermend_app.verbs.comparison import MOST, Comparison
-from markermend_app.words import tr
 
 _MARGIN = 8
 
@@ -59,8 +59,7 @@ class Candidates(QFrame):
         self._style()
         if not c.shown:
             return
-        from markermend.repairs import REPAIRS
-
+        joints = self._panel.document.joints
         for i, labels in enumerate(self.rows):
             for label in labels:
                 label.setVisible(i < len(found))
@@ -69,7 +68,7 @@ class Candidates(QFrame):
             color, chosen = theme.marker_color(i + 1), i == place
             error = found[i].error_mm
             labels[0].setPixmap(_stroke(color))
-            labels[1].setText(tr(REPAIRS[found[i].method].label))
+            labels[1].setText(label_of(found[i].method, joints=joints))
             labels[2].setText(units.give_or_take(error) if error else "–")
             for label in labels[1:]:
                 font = label.font()

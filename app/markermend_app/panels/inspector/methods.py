@@ -28,6 +28,15 @@ _DOUBTFUL_MM = 20.0
 _DOUBTFUL_JOINT_MM = 50.0
 
 
+def label_of(method: str, *, joints: bool) -> str:
+    """What a repair method is called, for joints or for markers."""
+    from markermend.repairs import REPAIRS
+
+    if joints and method == "swap":
+        return tr("Swap joints")
+    return tr(REPAIRS[method].label) if method in REPAIRS else method
+
+
 class MethodList(QWidget):
     """Radio buttons for the methods that have a key, and one drop-down list of all others.
 
@@ -170,10 +179,9 @@ class MethodList(QWidget):
         joints, best, swap = self._document.joints, self.buttons["auto"], self.buttons["swap"]
         text = self.tr("Best for this artifact")
         if joints:
-            text = self.tr("Best: {0}").format(tr(REPAIRS["skeleton"].label))
+            text = self.tr("Best: {0}").format(label_of("skeleton", joints=True))
         best.setText(text)
-        text = self.tr("Swap joints") if joints else tr(REPAIRS["swap"].label)
-        swap.setText(f"{REPAIRS['swap'].key} {text}")
+        swap.setText(f"{REPAIRS['swap'].key} {label_of('swap', joints=joints)}")
 
     def _tell(self, doing: str) -> None:
         """Say how far a method is that takes seconds."""
@@ -197,10 +205,8 @@ class MethodList(QWidget):
                 goes_on = self.tr("{0} accepts the flag, leaves the samples and goes on.")
                 text += "\n" + goes_on.format(shortcuts.way_to("repair"))
             return text
-        from markermend.repairs import REPAIRS
-
         method = proposal.method
-        text = tr(REPAIRS[method].label) if method in REPAIRS else method
+        text = label_of(method, joints=self._document.joints)
         # A swap invents nothing, so that there is nothing to be off by.
         if proposal.error_mm:
             text += self.tr(", expected error {0}").format(units.error(proposal.error_mm))
