@@ -128,8 +128,9 @@ def by_likeness(
     count, inside = moments + len(other.frames), np.arange(start, start + length)
     rows = np.vstack([own.moved, other.moved, moved])
     told = (rows.reshape(-1, len(trust)) @ weights).reshape(len(rows), -1)
+    rows *= np.tile(trust, 2)
     # Those that tell with each other, and below them those inside with those that tell.
-    system = _likeness(_apart([rows * np.tile(trust, 2), told], count, moments))
+    system = _likeness(_apart([rows, told], count, moments))
     mine, its = slice(0, moments), slice(moments, count)
     system[mine, its] *= _SAME_WAY
     system[its, mine] *= _SAME_WAY
@@ -163,29 +164,39 @@ def _apart(views: list[Float32Array], count: int, usual: int) -> Float32Array:
     Each view is (frames, n), and counts by one over the mean square of the distances it shows
     between as many of the first as are usual.
     """
-    scaled = []
-    for view in views:
-        # Far from the middle differences drown.
-        centred = view - view[:usual].mean(axis=0)
-        square = 2.0 * float(np.vdot(centred[:usual], centred[:usual])) / usual
-        scaled.append(centred * np.float32(np.sqrt(0.5 / max(square, _TINY))))
-    rows = np.hstack(scaled)
+    rows = np.hstack(views)
+    # Far from the middle differences drown.
+    rows -= rows[:usual].mean(axis=0)
+    for view in np.split(rows, np.cumsum([view.shape[1] for view in views[:-1]]), axis=1):
+        square = 2.0 * float(np.mean(view[:usual] ** 2)) * view.shape[1]
+        view *= np.float32(np.sqrt(0.5 / max(square, _TINY)))
     length = np.einsum("ij,ij->i", rows, rows)
     squared = rows @ rows[:count].T
     squared *= -2
     squared += length[:, None]
     squared += length[:count]
-    return np.asarray(np.sqrt(np.maximum(squared, 0)))
+    np.maximum(squared, 0, out=squared)
+    return np.sqrt(squared, out=squared)
 
 
 def _likeness(far: Float32Array) -> Float32Array:
-    """Matérn's covariance of order 3/2."""
-    scaled = far * np.float32(np.sqrt(3.0))
-    return np.asarray((1 + scaled) * np.exp(-scaled))
+    """Matérn's covariance of order 3/2, in the place of the distances."""
+    far *= np.float32(-np.sqrt(3.0))
+    falls = np.exp(far)
+    np.subtract(1, far, out=far)
+    far *= falls
+    return far
 
 
 def _nearness(frames: IntArray, others: IntArray, lasts: float) -> Float32Array:
     """(frames, others) Matérn's covariance of order 5/2, whose samples have a speed."""
-    gone = np.abs(frames[:, None] - others).astype(np.float32)
-    scaled = gone * np.float32(np.sqrt(5.0) / lasts)
-    return np.asarray((1 + scaled + scaled * scaled / 3) * np.exp(-scaled))
+    scaled = np.subtract(frames[:, None], others, dtype=np.float32)
+    np.abs(scaled, out=scaled)
+    scaled *= np.float32(np.sqrt(5.0) / lasts)
+    risen = scaled / 3
+    risen += 1
+    risen *= scaled
+    risen += 1
+    np.negative(scaled, out=scaled)
+    risen *= np.exp(scaled, out=scaled)
+    return risen

@@ -229,7 +229,7 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     tell(0.7, "Keeping bones")
     many, rounds = filled.lasting >= _MANY, 1 if level > _NOISY else _ROUNDS
     looks = _LOOKS[many] - int(level > 0) if filled.lasting else 0
-    features, bones = settled(filled, 1 if looks else rounds)
+    features, bones = settled(filled, int(not many) if looks else rounds)
     for look in range(1, looks + 1):
         tell(0.7 + 0.1 * look / (looks + 1), "Filling again")
         near = replace(filled, values=_columns(features, channels)[:, usable])
