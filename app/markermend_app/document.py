@@ -22,6 +22,7 @@ from markermend.review.session import Session
 from markermend_app.background.preview import Preview
 from markermend_app.following import Following
 from markermend_app.looking import Looking
+from markermend_app.rows import Rows
 from markermend_app.style import theme
 from markermend_app.telling import told
 from markermend_app.walk import open_after, same_moment
@@ -61,7 +62,7 @@ class Document(Looking):
         super().__init__(parent)
         self.file: SessionFile | None = None
         self.mesh: Mesh | None = None
-        self.queue: tuple[str, ...] = ()
+        self._rows = Rows()
         self._current: str | None = None
         self.preview = Preview(self)
         self.preview.ready.connect(self._proposal_came)
@@ -93,7 +94,7 @@ class Document(Looking):
         if self.file is not None:
             self.file.close()
         self.file, self.mesh = file, mesh
-        self.queue, self._current = (), None
+        self._rows, self._current = Rows(), None
         self.going_back.forget()
         self._look_at_nothing(0 if file is None else file.session.original.frames)
         self.preview.reset()
@@ -118,9 +119,21 @@ class Document(Looking):
             return None
         return self.session.find(self._current)
 
-    def set_queue(self, ids: Sequence[str]) -> None:
-        """Take over the order in which artifacts are walked; the review queue calls this."""
-        self.queue = tuple(ids)
+    @property
+    def together(self) -> tuple[str, ...]:
+        """Ids of what keys decide at once: the artifact under review, and the rest of its event."""
+        if self._current is None:
+            return ()
+        return self._rows.together(self._current)
+
+    @property
+    def queue(self) -> tuple[str, ...]:
+        """Ids of the rows of the review queue, in the order in which they are walked."""
+        return self._rows.ids
+
+    def set_queue(self, rows: Rows) -> None:
+        """Take over in which order artifacts are walked; the review queue calls this."""
+        self._rows = rows
 
     def select(
         self, artifact_id: str | None, *, frame: bool = True, unless_seen: bool = False
@@ -163,12 +176,9 @@ class Document(Looking):
         """Go to the next (1) or previous (-1) artifact of the queue; with none, to any marker."""
         if self.session is not None and not self.queue and not self.shown:
             self.show(self.session.original.labels[:1])
-        if self._current in self.queue:
-            i = self.queue.index(self._current) + by
-        else:
-            i = 0 if by > 0 else len(self.queue) - 1
-        if 0 <= i < len(self.queue):
-            self.select(self.queue[i])
+        row = self._rows.beside(self._current, by)
+        if row is not None:
+            self.select(row)
 
     # Proposed repairs
 
@@ -205,16 +215,23 @@ class Document(Looking):
         artifact, session = self.current, self.session
         if artifact is None or session is None or self.mesh is None:
             return
-        ahead = [session.artifact(i) for i in open_after(session, self.queue, artifact.id)[:AHEAD]]
+        row = self._rows.row_of(artifact.id)
+        ahead = [session.artifact(i) for i in open_after(session, self.queue, row)[:AHEAD]]
         beside = same_moment(session, artifact) if session.original.skeleton else ()
-        self.preview.want(session, self.mesh, artifact, tuple(dict.fromkeys((*ahead, *beside))))
+        self.preview.want(session, self.mesh, self._at_once(session), (*ahead, *beside))
+
+    def _at_once(self, session: Session) -> list[Artifact]:
+        """What is repaired at once; references chosen by hand are those of one marker."""
+        ids = self.together[:1] if self.preview.references else self.together
+        return [session.artifact(i) for i in ids]
 
     def _proposal_came(self, artifact_id: str) -> None:
         """Show a proposal that was waited for, or use it when F was pressed already."""
-        if artifact_id != self._current:
+        if artifact_id not in self.together:
             return
-        self.proposal_changed.emit()
-        if self._repair_when_ready == artifact_id and self.proposal is not None:
+        if artifact_id == self._current:
+            self.proposal_changed.emit()
+        if self._repair_when_ready == self._current and self.proposal is not None:
             self.repair_current()
 
     # Decisions
@@ -240,39 +257,47 @@ class Document(Looking):
         self.do(lambda s: s.set_status(ids, Status.PENDING))
 
     def accept_current(self) -> None:
-        """Accept the current artifact and move on."""
+        """Accept the current artifact, and the rest of its event, and move on."""
         if self._current is not None:
-            self.accept([self._current])
+            self.accept(self.together)
 
     def reject_current(self) -> None:
-        """Reject the current artifact and move on."""
+        """Reject the current artifact, and the rest of its event, and move on."""
         if self._current is not None:
-            self.reject([self._current])
+            self.reject(self.together)
 
     def repair_current(self) -> None:
-        """Replace the current artifact's samples by the previewed repair and move on.
+        """Replace the samples of what is under review by the previewed repairs and move on.
 
-        When the preview is still being made, it is used as soon as it is there. Where no method
+        When a preview is still being made, it is used as soon as it is there. Where no method
         has a repair, the flag is accepted and its samples are left, so that the review goes on.
         """
-        artifact = self.current
-        if artifact is None or not self.editable or artifact.status is Status.REPAIRED:
+        artifact, session = self.current, self.session
+        if artifact is None or session is None or not self.editable:
             return
-        proposal = self.proposal
-        if proposal is None:
+        if artifact.status is Status.REPAIRED:
+            return
+        made = [(a.id, self.preview.get(a)) for a in self._at_once(session)]
+        if any(proposal is None for _, proposal in made):
             self._repair_when_ready = artifact.id
             return
         self._repair_when_ready = None
-        following = self._following(artifact.id)
-        if not proposal.patches and self.preview.best:
-            self._leave(artifact, proposal.reason, following)
-        elif self.do(lambda s: s.repair([(artifact.id, proposal)]), moving=True):
+        ids = [i for i, _ in made]
+        following = self._following(artifact.id, besides=ids)
+        able = [one for one in made if one[1].patches]
+        if not able and self.preview.best:
+            self._leave(artifact, ids, made[0][1].reason, following)
+        elif self.do(lambda s: s.repair(able or made[:1]), moving=True):
             self._move_on(following)
+            if len(able) > 1:
+                self.said.emit(self.tr("{0} repaired.").format(len(able)))
 
-    def _leave(self, artifact: Artifact, reason: str, following: str | None) -> None:
+    def _leave(
+        self, artifact: Artifact, ids: Sequence[str], reason: str, following: str | None
+    ) -> None:
         """Accept what cannot be repaired, say why it stays as it is, and move on."""
         accepted = artifact.status is Status.ACCEPTED
-        if accepted or self.do(lambda s: s.set_status([artifact.id], Status.ACCEPTED), moving=True):
+        if accepted or self.do(lambda s: s.set_status(ids, Status.ACCEPTED), moving=True):
             self._move_on(following)
             text = self.tr("The flag on {0} is accepted, the samples are left. {1}")
             self.said.emit(text.format(artifact.marker, told(reason)))
@@ -358,7 +383,8 @@ class Document(Looking):
         """The next undecided artifact in the queue after this one, else the first one left."""
         if self.session is None:
             return None
-        return next(iter(open_after(self.session, self.queue, artifact_id, besides)), None)
+        row = self._rows.row_of(artifact_id)
+        return next(iter(open_after(self.session, self.queue, row, besides)), None)
 
     def _move_on(self, artifact_id: str | None) -> None:
         """Select the next artifact, or stay when all are decided."""

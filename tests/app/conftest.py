@@ -20,6 +20,7 @@ from markermend.take import Take
 from markermend_app import settings
 from markermend_app.background.garbage import YOUNG
 from markermend_app.document import Document
+from markermend_app.rows import Rows
 
 
 @pytest.fixture(autouse=True)
@@ -185,7 +186,7 @@ def open_plots(qtbot, tmp_path):
         qtbot.waitExposed(panel)
         if artifacts:
             document.add_detected(artifacts, "test")
-            document.set_queue([a.id for a in document.session.artifacts])
+            document.set_queue(Rows([[a.id] for a in document.session.artifacts]))
         made.append((panel, document))
         return Bench(panel, document)
 

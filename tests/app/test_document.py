@@ -8,6 +8,7 @@ from markermend.artifact import Kind, Status
 from markermend.mesh import infer_mesh
 from markermend.review.file import open_session
 from markermend_app.document import Document
+from markermend_app.rows import Rows
 
 WAIT = 20_000
 
@@ -18,7 +19,7 @@ def document(qapp, damaged, tmp_path):
     made = Document()
     made.open(open_session(take, folder=tmp_path), infer_mesh(take))
     made.add_detected(truth, "truth")
-    made.set_queue([a.id for a in made.session.artifacts])
+    made.set_queue(Rows([[a.id] for a in made.session.artifacts]))
     yield made
     made.open(None, None)
     made.proposals.close()

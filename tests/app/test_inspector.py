@@ -17,6 +17,7 @@ from markermend_app import units
 from markermend_app.document import Document
 from markermend_app.looking import Selection
 from markermend_app.panels.inspector.inspector import Inspector
+from markermend_app.rows import Rows
 
 
 @pytest.fixture
@@ -32,7 +33,7 @@ def document(tmp_path, damaged, qtbot):
     document = Document()
     document.open(open_session(take, folder=tmp_path), Mesh(take.labels, ()))
     document.add_detected(found, "paper")
-    document.set_queue([a.id for a in document.session.artifacts])
+    document.set_queue(Rows([[a.id] for a in document.session.artifacts]))
     yield document
     document.open(None, None)
     document.proposals.close()

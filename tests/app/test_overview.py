@@ -22,6 +22,7 @@ from markermend_app.background.jobs import Lane
 from markermend_app.document import Document
 from markermend_app.panels.overview.overview import Overview
 from markermend_app.panels.overview.picture import arrange, heat, residual_levels, row_edges
+from markermend_app.rows import Rows
 from markermend_app.style import theme
 
 LEFT = Qt.MouseButton.LeftButton
@@ -369,7 +370,7 @@ def test_long_takes_with_many_markers_are_quick(make):
     panel = make(Take(positions, labels, 240.0), artifacts)
     panel.grab()
     began = time.process_time()
-    panel.document.set_queue([a.id for a in artifacts])
+    panel.document.set_queue(Rows([[a.id] for a in artifacts]))
     panel.document.accept([artifacts[3].id])
     panel.grab()
     assert time.process_time() - began < 0.5

@@ -22,6 +22,7 @@ from markermend_app.panels.plots.quantity import QUANTITIES, can_show
 from markermend_app.panels.plots.range import value_range
 from markermend_app.panels.plots.row import PlotRow
 from markermend_app.panels.plots.trajectories import TrajectoryPanel
+from markermend_app.rows import Rows
 from markermend_app.style import theme
 
 LEFT = Qt.MouseButton.LeftButton
@@ -56,7 +57,7 @@ def panel(qtbot, tmp_path, damaged):
     panel.show()
     qtbot.waitExposed(panel)
     document.add_detected(artifacts, "test")
-    document.set_queue([a.id for a in document.session.artifacts])
+    document.set_queue(Rows([[a.id] for a in document.session.artifacts]))
     document.show(["CLAV"])
     yield panel
     document.open(None, None)

@@ -51,10 +51,15 @@ class Preview(QObject):
         return self.proposals.get(artifact, self.method, self.references)
 
     def want(
-        self, session: Session, mesh: Mesh, artifact: Artifact, following: Sequence[Artifact]
+        self,
+        session: Session,
+        mesh: Mesh,
+        artifacts: Sequence[Artifact],
+        following: Sequence[Artifact],
     ) -> None:
-        """Have the current artifact's proposal made, and ahead of time those of the next ones."""
-        wanted: list[Key] = [(a, AUTO, ()) for a in following]
-        if artifact.status is not Status.REPAIRED:
-            wanted.insert(0, (artifact, self.method, self.references))
-        self.proposals.want(session, mesh, wanted)
+        """Have proposals made for what is under review, and ahead of time for the next ones."""
+        now: list[Key] = [
+            (a, self.method, self.references) for a in artifacts if a.status is not Status.REPAIRED
+        ]
+        ahead: list[Key] = [(a, AUTO, ()) for a in following]
+        self.proposals.want(session, mesh, list(dict.fromkeys([*now, *ahead])))

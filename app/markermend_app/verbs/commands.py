@@ -280,12 +280,12 @@ class Commands(QObject):
     def reopen(self) -> None:
         """Take the decision on the current artifact back."""
         if self._document.current is not None:
-            self._document.reopen([self._document.current.id])
+            self._document.reopen(self._document.together)
 
     def remove(self) -> None:
         """Take the current artifact off the list."""
         if self._document.current is not None:
-            self._document.remove([self._document.current.id])
+            self._document.remove(self._document.together)
 
     def repair_accepted(self) -> None:
         """Repair every accepted artifact, as one step."""

@@ -176,7 +176,8 @@ def _apart(views: list[Float32Array], count: int, usual: int) -> Float32Array:
     squared += length[:, None]
     squared += length[:count]
     np.maximum(squared, 0, out=squared)
-    return np.sqrt(squared, out=squared)
+    np.sqrt(squared, out=squared)
+    return np.asarray(squared)
 
 
 def _likeness(far: Float32Array) -> Float32Array:
@@ -190,8 +191,7 @@ def _likeness(far: Float32Array) -> Float32Array:
 
 def _nearness(frames: IntArray, others: IntArray, lasts: float) -> Float32Array:
     """(frames, others) Matérn's covariance of order 5/2, whose samples have a speed."""
-    scaled = np.subtract(frames[:, None], others, dtype=np.float32)
-    np.abs(scaled, out=scaled)
+    scaled = np.abs(frames[:, None] - others).astype(np.float32)
     scaled *= np.float32(np.sqrt(5.0) / lasts)
     risen = scaled / 3
     risen += 1
@@ -199,4 +199,4 @@ def _nearness(frames: IntArray, others: IntArray, lasts: float) -> Float32Array:
     risen += 1
     np.negative(scaled, out=scaled)
     risen *= np.exp(scaled, out=scaled)
-    return risen
+    return np.asarray(risen)

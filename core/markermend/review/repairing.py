@@ -10,6 +10,7 @@ from markermend.artifact import PAIRED, Artifact, Kind, Status, changed_markers
 from markermend.artifact_json import rounded
 from markermend.errors import DataError
 from markermend.review.edits import Edit, RepairNote, SetArtifacts, SetNotes, SetSamples
+from markermend.review.events import events
 
 if TYPE_CHECKING:
     # The repair methods bring SciPy along; a review can be opened without it.
@@ -74,9 +75,11 @@ def by_hand(old: Artifact, new: Artifact, rate: float) -> Artifact:
 
 def describe(artifacts: Sequence[Artifact], method: str | None = None) -> str:
     """Name artifacts in a history label, a mix-up by all of its markers that a method changes."""
-    if len(artifacts) == 1:
-        return f"{artifacts[0].kind} on {PAIRED.join(changed_markers(artifacts[0], method))}"
-    return f"{len(artifacts)} artifacts"
+    first, more = artifacts[0], len(artifacts) - 1
+    if len(events(artifacts)) > 1:
+        return f"{len(artifacts)} artifacts"
+    named = f"{first.kind} on {PAIRED.join(changed_markers(first, method))}"
+    return f"{named} +{more}" if more else named
 
 
 def _parted(artifact: Artifact, left: Sequence[str], known: Iterable[Artifact]) -> list[Artifact]:

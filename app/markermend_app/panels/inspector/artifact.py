@@ -129,7 +129,9 @@ class ArtifactPage(QWidget):
             return
         take = session.original
         note = session.notes.get(a.id)
-        self.title.setText(PAIRED.join(changed_markers(a, note.method if note else None)))
+        title = PAIRED.join(changed_markers(a, note.method if note else None))
+        more = len(self._document.together) - 1
+        self.title.setText(f"{title} +{more}" if more else title)
         session, status = self._document.session, self._status_text(a)
         if session is not None and a not in session.listed:
             status += " · " + self.tr("outside the region of interest")
@@ -276,7 +278,7 @@ class Decisions(QWidget):
 
     def _reopen(self) -> None:
         if self._document.current is not None:
-            self._document.reopen([self._document.current.id])
+            self._document.reopen(self._document.together)
 
     def _refresh(self) -> None:
         """Offer what can be decided."""

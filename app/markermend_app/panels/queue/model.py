@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -18,6 +18,7 @@ from PySide6.QtCore import (
 
 from markermend.artifact import PAIRED, Artifact, Kind, Status, changed_markers
 from markermend.review.edits import RepairNote
+from markermend.review.events import events
 from markermend.review.priority import badness
 from markermend.take import Take
 from markermend_app import units
@@ -72,6 +73,11 @@ def describe_length(a: Artifact, rate: float) -> str:
 class QueueModel(QAbstractTableModel):
     """Artifacts, filtered and sorted here: a thousand decisions must not each cost a second.
 
+    Attributes
+    ----------
+    rows : the artifact that stands for each row
+    events : what is decided with each row, that artifact first
+
     Signals
     -------
     order_changed() : other artifacts are listed, or in another order
@@ -82,6 +88,7 @@ class QueueModel(QAbstractTableModel):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.rows: list[Artifact] = []
+        self.events: list[tuple[Artifact, ...]] = []
         self.rate, self.frames = 100.0, 0
         self.first_frame = 1
         self._all: tuple[Artifact, ...] = ()
@@ -151,29 +158,45 @@ class QueueModel(QAbstractTableModel):
         self._arrange()
 
     def row_of(self, artifact_id: str) -> int | None:
-        """Row of an artifact, or None when it is not listed."""
+        """Row in which an artifact is listed, or None when it is not."""
         return self._row_of.get(artifact_id)
 
     def listed(
         self, artifacts: Iterable[Artifact], notes: Mapping[str, RepairNote]
-    ) -> list[Artifact]:
-        """Those of some artifacts that are wanted, in the order that was chosen."""
-        rows = [a for a in artifacts if self._wanted(a)]
-        rows.sort(key=self._keys(notes)[self._column], reverse=self._descending)
+    ) -> list[tuple[Artifact, ...]]:
+        """Those of some artifacts that are wanted, in the order that was chosen.
+
+        Joints that went wrong together are one row, for which the worst of them stands.
+        """
+        wanted = [a for a in artifacts if self._wanted(a)]
+        rows: list[tuple[Artifact, ...]] = [(a,) for a in wanted]
+        if self._take is not None and self._take.skeleton:
+            rows = [self._worst_first(self._take, event) for event in events(wanted)]
+        key = self._keys(notes)[self._column]
+        rows.sort(key=lambda event: key(event[0]), reverse=self._descending)
         return rows
+
+    def _worst_first(self, take: Take, event: Sequence[Artifact]) -> tuple[Artifact, ...]:
+        """An event whose worst artifact comes first; of those as bad the one of the first joint."""
+
+        def key(a: Artifact) -> tuple[float, int]:
+            return -round(badness(a, self.rate, self.frames), 3), take.index(a.marker)
+
+        return tuple(sorted(event, key=key))
 
     def _arrange(self) -> None:
         """Filter and sort; rows that stay in place are only repainted."""
-        rows = self.listed(self._all, self._notes)
-        ids = [a.id for a in rows]
-        if ids == [a.id for a in self.rows]:
+        before, self.events = self.events, self.listed(self._all, self._notes)
+        rows = [event[0] for event in self.events]
+        ids = [[a.id for a in event] for event in self.events]
+        if ids == [[a.id for a in event] for event in before]:
             self.rows = rows
             if rows:
                 self.dataChanged.emit(self.index(0, 0), self.index(len(rows) - 1, COLUMNS - 1))
             return
         self.beginResetModel()
         self.rows = rows
-        self._row_of = {i: row for row, i in enumerate(ids)}
+        self._row_of = {i: row for row, event in enumerate(ids) for i in event}
         self.endResetModel()
         self.order_changed.emit()
 
@@ -256,9 +279,24 @@ class QueueModel(QAbstractTableModel):
         lines = [describe(take, a), describe_length(a, self.rate)]
         if math.isfinite(a.amplitude_mm):
             lines[1] += f", {units.length(a.amplitude_mm)}"
+        rest = [self._named(b) for b in self._with(a)]
+        if rest:
+            lines.append(self.tr("With it: {0}").format(", ".join(rest)))
         return "\n".join([*lines, *filter(None, [a.note])])
 
+    def _with(self, a: Artifact) -> tuple[Artifact, ...]:
+        """What else is decided with the row of an artifact."""
+        row = self._row_of.get(a.id)
+        return () if row is None else self.events[row][1:]
+
     def _marker_text(self, a: Artifact) -> str:
+        """Who it is, and how many others went wrong with it."""
+        more = len(self._with(a))
+        if self._take is not None and more + 1 == len(self._take.labels):
+            return self.tr("Whole body")
+        return f"{self._named(a)} +{more}" if more else self._named(a)
+
+    def _named(self, a: Artifact) -> str:
         """The marker, and those it changes places with, unless it was repaired by itself."""
         note = self._notes.get(a.id)
         markers = changed_markers(a, note.method if note else None)

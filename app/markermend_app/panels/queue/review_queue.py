@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
 
 from PySide6.QtCore import QItemSelection, QItemSelectionModel, QModelIndex, QPoint, Qt, Signal
@@ -13,7 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from markermend.artifact import Status
+from markermend.artifact import Artifact, Status
 from markermend.review.session import Session
 from markermend_app.actions import shortcuts
 from markermend_app.actions.menus import entry
@@ -38,6 +39,7 @@ from markermend_app.panels.queue.model import (
 )
 from markermend_app.panels.queue.view import QueueView
 from markermend_app.panels.sort_menu import sort_menu
+from markermend_app.rows import Rows
 from markermend_app.style import theme
 
 _WIDTHS = (98, 96, 96, 54, 90, 66, 66, 90, 92, 210, 60)
@@ -126,13 +128,12 @@ class ReviewQueue(QWidget):
     # Verbs on the selected rows
 
     def selected(self) -> list[str]:
-        """Ids of the selected rows, from top to bottom."""
+        """Ids of what the selected rows stand for, from top to bottom."""
         self._soon.catch_up()
-        return self._selected()
+        return [a.id for row in self._selected() for a in self.model.events[row]]
 
-    def _selected(self) -> list[str]:
-        rows = sorted(i.row() for i in self.view.selectionModel().selectedRows())
-        return [self.model.rows[r].id for r in rows]
+    def _selected(self) -> list[int]:
+        return sorted(i.row() for i in self.view.selectionModel().selectedRows())
 
     def apply(self, verb: str) -> None:
         """Accept, reject, reopen, repair or remove the selected rows."""
@@ -141,7 +142,7 @@ class ReviewQueue(QWidget):
             return
         if verb != "repair":
             getattr(self._document, verb)(ids)
-        elif ids == [getattr(self._document.current, "id", None)]:
+        elif set(ids) == set(self._document.together):
             self._document.repair_current()
         else:
             self.repair_requested.emit(ids)
@@ -193,8 +194,7 @@ class ReviewQueue(QWidget):
             self._refresh()
             return
         # Where keys go next does not wait for the rows.
-        listed = self.model.listed(session.listed, session.notes)
-        self._document.set_queue([a.id for a in listed])
+        self._walk_by(self.model.listed(session.listed, session.notes))
         self._stale = True
         self._soon.ask()
 
@@ -218,7 +218,7 @@ class ReviewQueue(QWidget):
         session = self._document.session
         self._listed = () if session is None else tuple(a.id for a in session.listed)
         bar = self.view.verticalScrollBar()
-        at, chosen = bar.value(), set(self._selected())
+        at, chosen = bar.value(), {self.model.rows[row].id for row in self._selected()}
         self._syncing = True
         if session is None:
             self.model.set_artifacts((), {}, None)
@@ -228,7 +228,7 @@ class ReviewQueue(QWidget):
         self._syncing = False
         bar.setValue(at)
         # A copy of a review changes no row of the one before, but the document walks anew.
-        self._document.set_queue([a.id for a in self.model.rows])
+        self._walk_by(self.model.events)
         self._follow_current(scroll=False)
         self.filters.count(() if session is None else session.listed)
         self.filters.fit(self.width())
@@ -275,9 +275,13 @@ class ReviewQueue(QWidget):
 
     def _order_changed(self) -> None:
         """Tell the document in which order artifacts are walked."""
-        self._document.set_queue([a.id for a in self.model.rows])
+        self._walk_by(self.model.events)
         if not self._syncing:
             self._follow_current()
+
+    def _walk_by(self, events: Sequence[Sequence[Artifact]]) -> None:
+        """Tell the document in which order it goes on, and what is decided at once."""
+        self._document.set_queue(Rows([[a.id for a in event] for event in events]))
 
     def _follow_current(self, *, scroll: bool = True) -> None:
         """Put the cursor on the artifact under review."""
@@ -308,7 +312,7 @@ class ReviewQueue(QWidget):
         if self._syncing or not index.isValid():
             return
         artifact = self.model.rows[index.row()]
-        if self._document.current is None or self._document.current.id != artifact.id:
+        if artifact.id not in self._document.together:
             # The view is about to select the row by itself, alone or beside others.
             self._choosing = True
             self._followed = artifact.id
@@ -318,7 +322,7 @@ class ReviewQueue(QWidget):
     def _clicked(self, index: QModelIndex) -> None:
         """Bring the artifact into view again when its row is clicked again."""
         a = self.model.rows[index.row()]
-        if a == self._document.current:
+        if a.id in self._document.together:
             self._document.look_at(a.markers, *self._document.asked_frames(a))
 
     def set_doing(self, label: str) -> None:
