@@ -136,8 +136,8 @@ def test_a_mix_up_is_told_of_both_of_its_joints(opened, qtbot):
     assert {JOINTS.index(m) for m in swap.markers} <= set(opened.scene.seen.rings())
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
     document.repair_current()
-    done = lambda: document.session.history[-1].startswith(f"Repair step on {both}")
-    qtbot.waitUntil(done, timeout=WAIT)
+    repaired = f"Repair step on {both}"
+    qtbot.waitUntil(lambda: document.session.history[-1].startswith(repaired), timeout=WAIT)
     document.select(swap.id)
     assert opened.inspector.findChild(ArtifactPage).title.text() == both
 

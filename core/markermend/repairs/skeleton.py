@@ -58,5 +58,7 @@ def repair_skeleton(evidence: Evidence, artifact: Artifact, params: Any) -> Repa
         )
         for marker, joint in zip(artifact.markers, joints, strict=True)
     )
+    if np.isnan(band).any():
+        return Repair(NAME, patches, params=as_mapping(params))
     error = float(MEAN_OVER_RMS * band.mean())
     return Repair(NAME, patches, error_mm=error, band_mm=band, params=as_mapping(params))
