@@ -140,9 +140,13 @@ class Commands(QObject):
         def work(progress: Progress) -> Any:
             from markermend.mesh import infer_mesh
             from markermend.repairs import REPAIRS
+            from markermend.repairs.skeleton import get_ready
 
             # The first look at them reads what all packages on this machine bring.
             len(REPAIRS)
+            if take.skeleton and file.session.begun:
+                # Detecting does that in a new one. Proposals rest on it, and are let go on walking.
+                get_ready(take, progress)
             return infer_mesh(take, progress=progress)
 
         def done(mesh: Mesh) -> None:
