@@ -78,6 +78,8 @@ class Scene(QWidget):
         document.opened.connect(self._opened)
         document.mesh_changed.connect(self._link)
         document.artifacts_changed.connect(self._redraw)
+        document.artifacts_changed.connect(self.follower.forget)
+        document.data_changed.connect(self.follower.forget)
         document.frame_changed.connect(self._frame_changed)
         for signal in (
             document.data_changed,
