@@ -132,7 +132,7 @@ def test_what_a_body_was_has_bones_and_only_what_is_shown_is_tied(carried, qtbot
     )
     document.show(["left_knee"])
     was = document.session.original.positions[155]
-    grey = theme.blend(theme.current().original, theme.current().text, 0.2)
+    grey = theme.current().original
     bones = [links for _, links, color, _ in painted(scene, "paint_links") if color == grey]
     assert [len(links) for links in bones] == [len(JOINTS) - 1]
     [(_, other, _)] = painted(scene, "paint_other")

@@ -10,7 +10,7 @@ import numpy as np
 from markermend.arrays import BoolArray, FloatArray, runs
 from markermend.artifact import Kind, Status
 from markermend.review.session import Session
-from markermend.take import is_unlabelled
+from markermend.take import Origin, is_unlabelled
 from markermend_app.document import Document
 from markermend_app.panels.scene.camera import Camera
 from markermend_app.panels.scene.stage import centre_at, reach_of
@@ -105,18 +105,27 @@ def lost_frames(session: Session, body: Sequence[int]) -> BoolArray:
     (frames,) bool, where open artifacts cover more than half of the markers that are seen, unless
     that lasts
     """
-    positions, take = session.positions, session.original
-    rows = {take.labels[column]: row for row, column in enumerate(body)}
-    covered = np.zeros((len(body), take.frames), dtype=bool)
-    for artifact in session.with_status(Status.PENDING, Status.ACCEPTED):
-        for marker in artifact.markers if artifact.kind is not Kind.GAP else ():
-            if marker in rows:
-                covered[rows[marker], artifact.start : artifact.stop] = True
-    wrong = np.count_nonzero(covered, axis=0)
-    at = np.flatnonzero(wrong)
-    seen = np.count_nonzero(~np.isnan(positions[at[:, None], body, 0]), axis=1)
+    take = session.original
+    row = {take.labels[column]: i for i, column in enumerate(body)}
+    wrong = [
+        (row[marker], a.start, a.stop)
+        for a in session.with_status(Status.PENDING, Status.ACCEPTED)
+        for marker in (a.markers if a.kind is not Kind.GAP else ())
+        if marker in row
+    ]
+    table = np.array(wrong, dtype=np.int64).reshape(-1, 3)
+    starts, stops = (np.bincount(table[:, i], minlength=take.frames + 1) for i in (1, 2))
+    most = np.cumsum(starts - stops)[: take.frames]
+    at = np.flatnonzero(most)
+    seen = np.count_nonzero(session.origin[at[:, None], body] != Origin.MISSING, axis=1)
+    # Only in few frames it matters which markers have several artifacts.
+    near = 2 * most[at] > seen
     lost = np.zeros(take.frames, dtype=bool)
-    lost[at] = 2 * wrong[at] > seen
+    if near.any():
+        covered = np.zeros((len(body), take.frames), dtype=bool)
+        for i, start, stop in wrong:
+            covered[i, start:stop] = True
+        lost[at[near]] = 2 * np.count_nonzero(covered[:, at[near]], axis=0) > seen[near]
     for start, stop in runs(lost).tolist():
         if stop - start > _LOST_S * take.rate:
             lost[start:stop] = False

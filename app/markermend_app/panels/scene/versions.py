@@ -46,7 +46,7 @@ def paint_other_version(
     apart = differing(now, other)
     if document.joints:
         links = seen.links[apart[seen.links].any(axis=1)]
-        paint.paint_links(sight, other, links, color, 1.0)
+        paint.paint_links(sight, other, links, theme.current().original, 1.0)
         apart &= np.isin(np.arange(len(now)), list(shown))
     paint.paint_other(sight, now[apart], other[apart], color)
 
