@@ -155,3 +155,11 @@ def test_both_joints_of_a_mix_up_are_shown_where_they_would_go(opened, qtbot):
     assert len(rings) == 2
     np.testing.assert_allclose(rings[0][0], now[second], atol=1e-6)
     np.testing.assert_allclose(rings[1][0], now[first], atol=1e-6)
+
+    def ways():
+        return sum(what[-1] is Qt.PenStyle.DashLine for what in painted(scene, "paint_trails"))
+
+    assert ways() == 2
+    # Two seconds away nothing of it is left to be seen.
+    document.go_to(document.frame + (240 if document.frame < 100 else -240))
+    assert ways() == 0

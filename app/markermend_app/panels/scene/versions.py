@@ -71,7 +71,11 @@ def paint_proposal(
     placed, proposed = proposed_body(document, now)
     paint.paint_proposed(sight, placed, seen.links[proposed[seen.links].any(axis=1)])
     spots = spots.copy()
+    near = seen.near()
     for column, way, start in seen.ghosts():
+        if start >= near.stop or start + len(way) <= near.start:
+            # Long before or after, it would hang in the air.
+            continue
         paint.paint_trails(sight, way[None], theme.current().accent, 1.6, Qt.PenStyle.DashLine)
         at = document.frame - start
         if 0 <= at < len(way):
