@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt
 import markermend as mm
 from markermend.artifact import Artifact, Kind, Status
 from markermend.poses.nuitrack import JOINTS, to_nuitrack
+from markermend.poses.take import _RESTORED
 from markermend_app.panels.scene import paint
 from markermend_app.panels.scene.proposed import proposed_body
 from markermend_app.style import theme
@@ -70,6 +71,17 @@ def test_the_whole_body_is_proposed_where_the_whole_body_is_wrong(carried, walk,
     assert np.abs(placed - walk.positions[155]).max() < 30
     [(_, drawn)] = painted(scene, "paint_proposed")
     assert len(drawn) == len(JOINTS) - 1
+
+
+def test_the_whole_body_is_proposed_of_a_review_that_is_taken_up_again(carried, qtbot):
+    document = carried.document
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    # Whoever opens such a review has not restored the recording before.
+    _RESTORED.clear()
+    document.proposals.forget()
+    document.select(document.session.artifacts[4].id)
+    document.go_to(155)
+    whole_body_proposed(carried, qtbot)
 
 
 def test_no_bone_is_proposed_to_a_joint_of_which_nothing_is_known_yet(carried, qtbot, monkeypatch):
