@@ -212,10 +212,6 @@ class Document(Looking):
     def _propose(self) -> None:
         """Ask for the current artifact's proposal and, ahead of time, those of the next ones."""
         self.proposal_changed.emit()
-        self._want()
-
-    def _want(self) -> None:
-        """Have these proposals made that are not there yet."""
         artifact, session = self.current, self.session
         if artifact is None or session is None or self.mesh is None:
             return
@@ -235,9 +231,6 @@ class Document(Looking):
             return
         if artifact_id == self._current:
             self.proposal_changed.emit()
-            if self.joints:
-                # The first one may have told of many others.
-                self._want()
         if self._repair_when_ready == self._current and self.proposal is not None:
             self.repair_current()
 

@@ -9,7 +9,6 @@ from PySide6.QtCore import Qt
 import markermend as mm
 from markermend.artifact import Artifact, Kind, Status
 from markermend.poses.nuitrack import JOINTS, to_nuitrack
-from markermend.poses.take import _RESTORED
 from markermend_app.panels.scene import paint
 from markermend_app.panels.scene.proposed import proposed_body
 from markermend_app.style import theme
@@ -73,15 +72,19 @@ def test_the_whole_body_is_proposed_where_the_whole_body_is_wrong(carried, walk,
     assert len(drawn) == len(JOINTS) - 1
 
 
-def test_the_whole_body_is_proposed_of_a_review_that_is_taken_up_again(carried, qtbot):
+def test_beside_a_joint_that_follows_chosen_ones_the_rest_of_the_body_is_proposed(carried, qtbot):
     document = carried.document
-    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
-    # Whoever opens such a review has not restored the recording before.
-    _RESTORED.clear()
-    document.proposals.forget()
-    document.select(document.session.artifacts[4].id)
     document.go_to(155)
     whole_body_proposed(carried, qtbot)
+    document.proposals.forget()
+    document.follow(("left_hip", "right_hip", "collar"))
+    assert len(document.at_once(document.session)) == 1
+
+    def others():
+        now = document.session.positions[155]
+        return proposed_body(document, now)[1].sum() >= len(JOINTS) - 1
+
+    qtbot.waitUntil(others, timeout=WAIT)
 
 
 def test_no_bone_is_proposed_to_a_joint_of_which_nothing_is_known_yet(carried, qtbot, monkeypatch):
