@@ -217,8 +217,9 @@ class Document(Looking):
             return
         row = self._rows.row_of(artifact.id)
         ahead = [session.artifact(i) for i in open_after(session, self.queue, row)[:AHEAD]]
-        beside = ahead_and_beside(session, artifact, ahead)
-        self.preview.want(session, self.mesh, self.at_once(session), beside)
+        now = self.at_once(session)
+        beside = ahead_and_beside(session, now, ahead)
+        self.preview.want(session, self.mesh, now, beside)
 
     def at_once(self, session: Session) -> list[Artifact]:
         """What is repaired at once; references chosen by hand are those of one marker."""

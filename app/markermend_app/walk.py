@@ -35,9 +35,9 @@ def open_after(
 
 
 def ahead_and_beside(
-    session: Session, artifact: Artifact, ahead: Sequence[Artifact]
+    session: Session, at_once: Sequence[Artifact], ahead: Sequence[Artifact]
 ) -> tuple[Artifact, ...]:
-    """Artifacts whose repairs are proposed beside that of one, in the order in which they are made.
+    """Artifacts whose repairs are proposed beside others, in the order in which they are made.
 
     Of a recording of joints they are those that come next and those of the same moment: a body
     that is carried off has an artifact for each of its joints. What restoring the recording told
@@ -46,7 +46,7 @@ def ahead_and_beside(
     Parameters
     ----------
     session : the review
-    artifact : the one under review
+    at_once : what is repaired at once, the one under review first
     ahead : those that come next
     """
     if not session.original.skeleton:
@@ -56,8 +56,8 @@ def ahead_and_beside(
     take = session.original
     known = at_hand(pose_of(take))
     waiting = session.listed_with(Status.PENDING, Status.ACCEPTED)
-    same = within(waiting, (artifact.start, artifact.stop))
-    every = tuple(dict.fromkeys((*ahead, *(a for a in same if a.id != artifact.id))))
+    same = within(waiting, (at_once[0].start, at_once[0].stop))
+    every = dict.fromkeys((*ahead, *(a for a in same if a not in at_once)))
     quick, slow = list[Artifact](), list[Artifact]()
     for a in every:
         joints = [take.index(marker) for marker in a.markers]

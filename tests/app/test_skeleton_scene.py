@@ -72,6 +72,19 @@ def test_the_whole_body_is_proposed_where_the_whole_body_is_wrong(carried, walk,
     assert len(drawn) == len(JOINTS) - 1
 
 
+def test_joints_that_are_repaired_at_once_are_proposed_by_the_chosen_method(carried, qtbot):
+    document = carried.document
+    document.go_to(155)
+    whole_body_proposed(carried, qtbot)
+    document.choose_method("spline")
+    whole_body_proposed(carried, qtbot)
+    neck = next(a for a in document.session.artifacts if a.marker == "neck")
+    assert neck.id != document.current.id
+    placed, _ = proposed_body(document, document.session.positions[155])
+    [patch] = document.proposals.get(neck, "spline").patches
+    np.testing.assert_array_equal(placed[JOINTS.index("neck")], patch.values[155 - patch.start])
+
+
 def test_beside_a_joint_that_follows_chosen_ones_the_rest_of_the_body_is_proposed(carried, qtbot):
     document = carried.document
     document.go_to(155)
@@ -110,10 +123,10 @@ def test_marks_of_the_same_moment_that_take_long_are_few(carried, qtbot):
     session = document.session
     whole = session.listed_with(Status.PENDING)
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
-    assert len(ahead_and_beside(session, whole[0], ())) == len(JOINTS) - 1
+    assert len(ahead_and_beside(session, whole[:1], ())) == len(JOINTS) - 1
     for joint in JOINTS:
         document.mark(Artifact(joint, "xyz", 152, 200, Kind.NOISE))
-    beside = ahead_and_beside(session, whole[0], ())
+    beside = ahead_and_beside(session, whole[:1], ())
     assert {a.id for a in whole[1:]} < {a.id for a in beside}
     by_hand = [a for a in beside if a.stop == 200]
     assert 0 < len(by_hand) < 10
