@@ -80,7 +80,7 @@ def test_the_preview_has_an_error_band_and_other_methods(opened, qtbot):
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
     assert document.proposal.method == "skeleton"
     assert (document.proposal.band_mm >= 0).all()
-    assert opened.scene.seen.ghost() is not None
+    assert opened.scene.seen.ghosts()
     qtbot.keyClick(opened, Qt.Key.Key_2)
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
     assert document.proposal.method == "spline"

@@ -102,6 +102,7 @@ def test_what_ties_swapped_joints_is_no_bone(opened, qtbot):
     repaired = document.session.with_status
     qtbot.waitUntil(lambda: bool(repaired(Status.REPAIRED)), timeout=WAIT)
     document.select(None)
+    document.show(swap.markers)
     document.go_to(swap.start + 1)
     tie = theme.current().warning
 

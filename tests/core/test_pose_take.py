@@ -12,7 +12,7 @@ from markermend.errors import ExportError
 from markermend.poses.breaking import break_pose
 from markermend.poses.nuitrack import JOINTS, to_nuitrack
 from markermend.poses.restore import INFERRED
-from markermend.poses.take import changed_joints, pose_of
+from markermend.poses.take import at_hand, changed_joints, pose_of
 from markermend.repairs import propose
 
 HIDDEN = slice(200, 230)
@@ -82,6 +82,18 @@ def test_an_interval_marked_by_hand_is_worked_out_anew(walk, tmp_path):
     off = np.sqrt(np.sum((repair.patches[0].values - take.positions[100:120, 6]) ** 2, axis=1))
     assert 0 < off.mean() < 3 * repair.error_mm
     assert repair.band_mm.shape == (20,)
+
+
+def test_what_restoring_told_is_at_hand_and_an_interval_marked_by_hand_is_not(broken):
+    take = mm.read(broken)
+    pose = pose_of(take)
+    assert not at_hand(pose).any()
+    found = mm.detect(take)
+    known = at_hand(pose)
+    assert known.shape == (take.frames, take.markers)
+    for a in found:
+        assert known[a.start : a.stop, [take.index(m) for m in a.markers]].all()
+    assert not known.all()
 
 
 def test_an_amc_is_the_same_where_nothing_was_repaired(shared_data, tmp_path):
