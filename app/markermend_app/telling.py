@@ -115,6 +115,7 @@ _SAME = (
     "It would leave more damage than it mends: a {0} of {1} mm.",
     "Already exchanged together with {0}.",
     "No counterpart is known that carries the opposite step.",
+    "Angles were exchanged here, not places; restoring the skeleton gives them back.",
     "There is no signal to smooth inside a gap.",
     "The interval is empty already.",
     "Edited by hand since; how far off it may be is not known any more.",

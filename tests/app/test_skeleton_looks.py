@@ -9,6 +9,7 @@ from PySide6.QtWidgets import (
     QLabel,
     QMenu,
 )
+from recordings import exchange_angles
 
 from markermend.artifact import Kind, Status
 from markermend.poses.nuitrack import JOINTS
@@ -225,3 +226,24 @@ def test_the_overview_is_in_the_order_of_the_tree(opened):
     assert place["left_ankle"] == place["left_knee"] + 1
     assert sorted(rows.row_of) == list(range(len(JOINTS)))
     assert [name for name, *_ in rows.groups] == names
+
+
+def test_joints_whose_angles_were_exchanged_are_not_offered_to_swap(
+    window, shared_data, tmp_path, qtbot
+):
+    folder = shared_data / "poses"
+    (tmp_path / "02.asf").write_bytes((folder / "02.asf").read_bytes())
+    names = ("femur", "tibia", "foot", "toes")
+    path = exchange_angles(folder / "02_01.amc", tmp_path / "02_01.amc", names, range(100, 140))
+    window.commands.open_path(path)
+    document = window.document
+    qtbot.waitUntil(lambda: document.current is not None, timeout=3 * WAIT)
+    assert document.current.counterpart
+    swap = window.inspector.findChild(ArtifactPage).methods.buttons["swap"]
+    qtbot.waitUntil(lambda: not swap.isEnabled(), timeout=WAIT)
+    qtbot.keyClick(window, Qt.Key.Key_6)
+    outcome = window.inspector.findChild(ArtifactPage).methods.outcome
+    qtbot.waitUntil(lambda: "Angles were exchanged here" in outcome.text(), timeout=WAIT)
+    before = document.session.positions.copy()
+    qtbot.keyClick(window, Qt.Key.Key_F)
+    np.testing.assert_array_equal(document.session.positions, before)

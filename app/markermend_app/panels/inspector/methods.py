@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from markermend.artifact import Status
+from markermend.artifact import Artifact, Status
 from markermend_app import units
 from markermend_app.actions import shortcuts
 from markermend_app.document import Document
@@ -149,9 +149,7 @@ class MethodList(QWidget):
         # An exclusive group keeps one checked, but none is while one of the list is chosen.
         self._group.setExclusive(False)
         for name, button in self.buttons.items():
-            # Joints change places only in a mix-up that was found.
-            idle = name == "swap" and self._document.joints and a.counterpart is None
-            button.setEnabled(offered and not idle)
+            button.setEnabled(offered and not (name == "swap" and self._no_swap(a)))
             with QSignalBlocker(button):
                 button.setChecked(name == chosen)
         self._group.setExclusive(True)
@@ -171,6 +169,13 @@ class MethodList(QWidget):
         if self.outcome.property("role") != role:
             self.outcome.setProperty("role", role)
             self.outcome.style().polish(self.outcome)
+
+    def _no_swap(self, a: Artifact) -> bool:
+        """Whether joints did not change places: only those of a mix-up do, unless refused there."""
+        if not self._document.joints:
+            return False
+        answer = self._document.proposals.get(a, "swap")
+        return a.counterpart is None or (answer is not None and not answer.patches)
 
     def _speak(self) -> None:
         """Name what differs where joints are repaired."""
