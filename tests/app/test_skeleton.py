@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 import markermend as mm
 from markermend.artifact import Status
+from markermend.files import Export
 from markermend.poses.nuitrack import JOINTS
 from markermend.review import hand
 from markermend_app.dialogs.export import ExportChoice, ExportDialog
@@ -174,6 +175,19 @@ def test_where_bones_are_rigid_a_dialog_says_which_joints_are_off(without_a_shin
     assert "ltibia" in box.informativeText() or "lfoot" in box.informativeText()
     assert " mm" in box.informativeText()
     box.close()
+
+
+def test_joints_that_are_hardly_off_are_told_in_the_status_line(
+    without_a_shin, tmp_path, qtbot, monkeypatch
+):
+    window, said = without_a_shin, []
+    exporter = window.commands._exporter
+    exporter.said.connect(said.append)
+    off = ("ltibia", 4.9), ("lfoot", 0.9)
+    monkeypatch.setattr("markermend.files.write", lambda _, path, **more: Export(path, 3, off=off))
+    assert exporter.export_to(tmp_path / "out.amc", ExportChoice(False, False), wait=True)
+    assert window.findChildren(QMessageBox) == []
+    assert said[-1].endswith("Its bones are rigid: ltibia is 4.9 mm off there, no joint is more.")
 
 
 def test_a_dialog_says_which_joints_an_amc_lacks(without_a_shin, tmp_path, qtbot):
