@@ -80,6 +80,11 @@ class Candidates(QFrame):
             self.said.setText(self.tr("No method has an answer here."))
         else:
             text = self.tr("↑ ↓ choose, {0} repairs. ± is judged by like stretches in sight.")
+            if joints:
+                text = self.tr(
+                    "↑ ↓ choose, {0} repairs. ± is what each method expects of itself; Restore "
+                    "skeleton comes first unless Local regression expects less than half."
+                )
             text = text.format(shortcuts.way_to("repair"))
             if c.hopeless:
                 text += " " + self.tr("Without an answer here: {0}.").format(c.hopeless)
