@@ -92,8 +92,11 @@ def test_the_best_is_what_compare_has_first(window, shared_data, tmp_path, qtbot
 def test_what_is_compared_of_a_mix_up_is_called_as_it_is_elsewhere(opened, qtbot):
     document, comparison = opened.document, opened.comparison
     document.select(next(a.id for a in document.session.artifacts if a.counterpart))
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    said = document.proposal.error_mm
     comparison.start(["C"])
     qtbot.waitUntil(lambda: comparison.candidates is not None, timeout=WAIT)
+    assert comparison.candidates[0].error_mm == document.proposal.error_mm == said
     place = [c.method for c in comparison.candidates].index("swap")
     qtbot.waitUntil(lambda: opened.candidates.rows[place][1].text() == "Swap joints", timeout=WAIT)
     comparison.stop()
