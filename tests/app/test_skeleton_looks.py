@@ -13,6 +13,7 @@ from recordings import exchange_angles
 
 from markermend.artifact import Kind, Status
 from markermend.poses.nuitrack import JOINTS
+from markermend_app.actions.elsewhere import elsewhere
 from markermend_app.actions.palette import entries, ranked
 from markermend_app.dialogs.preferences import Preferences
 from markermend_app.panels.inspector.artifact import ArtifactPage
@@ -205,6 +206,12 @@ def test_actions_speak_of_joints_and_those_without_use_rest(opened, window, qtbo
     names = [entry.text for entry in ranked("joint", found)]
     assert "By hand: Rename joint…" in names
     assert "left_wrist" in names
+    swap = next(entry for entry in ranked("swap joints", found))
+    assert swap.text == "Review: Repair method: Swap joints"
+    methods = ranked("restore skel", list(elsewhere(opened)))
+    assert methods[0].text == "Review: Repair method: Restore skeleton"
+    methods[0].do()
+    assert opened.document.method == "skeleton"
     menu = QMenu()
     opened.document.show(["head"])
     add_marker_verbs(menu, opened.document, lambda _: None)
