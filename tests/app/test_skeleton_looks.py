@@ -13,8 +13,9 @@ from recordings import exchange_angles
 
 from markermend.artifact import Kind, Status
 from markermend.poses.nuitrack import JOINTS
+from markermend.review.fitting import exchangers
 from markermend_app.actions.elsewhere import elsewhere
-from markermend_app.actions.palette import entries, ranked
+from markermend_app.actions.palette import Palette, entries, ranked
 from markermend_app.dialogs.preferences import Preferences
 from markermend_app.panels.inspector.artifact import ArtifactPage
 from markermend_app.panels.markers.marker_menu import add_marker_verbs
@@ -287,3 +288,21 @@ def test_joints_whose_angles_were_exchanged_are_not_offered_to_swap(
     before = document.session.positions.copy()
     qtbot.keyClick(window, Qt.Key.Key_F)
     np.testing.assert_array_equal(document.session.positions, before)
+
+
+def test_the_joint_of_the_other_side_is_offered_first_to_swap_with(opened, qtbot):
+    document = opened.document
+    document.show(["left_wrist"])
+    document.go_to(60)
+    qtbot.keyClick(opened, Qt.Key.Key_V)
+    document.go_to(70)
+    qtbot.keyClick(opened, Qt.Key.Key_V)
+    qtbot.keyClick(opened, Qt.Key.Key_W)
+    (asked,) = opened.findChildren(Palette)
+    assert asked.list.item(0).text() == "right_wrist"
+    # Others would jump less: what is listed next is in order.
+    exchanged = exchangers(document.session.take, "left_wrist", 60, 71)
+    jumps = [mm for _, mm in exchanged[1:]]
+    assert jumps == sorted(jumps)
+    assert jumps[0] < exchanged[0][1]
+    asked.close()
