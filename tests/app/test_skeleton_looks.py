@@ -62,7 +62,7 @@ def test_restoring_is_compared_with_the_others_and_stands_first(opened, qtbot):
     assert {"local_regression", "spline"} <= {c.method for c in comparison.candidates}
     assert all(c.error_mm is not None for c in comparison.candidates if c.trials)
     said = opened.candidates.said
-    qtbot.waitUntil(lambda: "each method expects of itself" in said.text(), timeout=WAIT)
+    qtbot.waitUntil(lambda: "each method's own estimate" in said.text(), timeout=WAIT)
     comparison.stop()
 
 

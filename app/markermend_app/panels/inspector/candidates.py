@@ -86,8 +86,8 @@ class Candidates(QFrame):
             text = self.tr("↑ ↓ choose, {0} repairs. ± is judged by like stretches in sight.")
             if joints:
                 text = self.tr(
-                    "↑ ↓ choose, {0} repairs. ± is what each method expects of itself; Restore "
-                    "skeleton comes first unless Local regression expects less than half."
+                    "↑ ↓ choose, {0} repairs. ± is each method's own estimate; only half of it "
+                    "goes before Restore skeleton."
                 )
             text = text.format(shortcuts.way_to("repair"))
             if c.hopeless:
