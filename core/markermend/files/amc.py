@@ -11,6 +11,7 @@ import numpy as np
 from markermend.arrays import FloatArray, IntArray
 from markermend.errors import FileFormatError
 from markermend.files.amc_patch import patched, starts_pose, tells_degrees
+from markermend.files.amc_skeleton import saying
 from markermend.files.asf import words_of
 from markermend.files.plausible import FARTHEST, read_as_missing
 from markermend.files.text import read_lines
@@ -19,28 +20,6 @@ from markermend.progress import Progress
 from markermend.rates import rate_of
 
 _POSES_A_REPORT = 1024
-
-
-def find_skeleton(path: Path) -> Path:
-    """Skeleton of a movement: of the same name, of its subject (``01`` of ``01_05``), or the only.
-
-    Raises
-    ------
-    FileFormatError
-        when the folder has none that fits
-    """
-    there = [p for p in sorted(path.parent.iterdir()) if p.suffix.lower() == ".asf"]
-    by_name = {p.stem.lower(): p for p in there}
-    stem = path.stem.lower()
-    for name in (stem, stem.rpartition("_")[0], stem.partition("_")[0]):
-        if name in by_name:
-            return by_name[name]
-    if len(there) == 1:
-        return there[0]
-    raise FileFormatError(
-        f"{path.name} needs its skeleton: put the ASF file beside it, named"
-        f" {path.stem.partition('_')[0]}.asf, or say which it is."
-    )
 
 
 def read_amc(path: Path, skeleton: Skeleton) -> tuple[Movement, float | None, list[str]]:
@@ -249,7 +228,7 @@ def _finite(cells: list[str]) -> list[float]:
     return values if np.isfinite(values).all() else []
 
 
-def write_amc(movement: Movement, file: IO[bytes], progress: Progress) -> None:
+def write_amc(movement: Movement, file: IO[bytes], progress: Progress, target: Path) -> None:
     """Write a movement: over the file it was read from, else in degrees.
 
     Parameters
@@ -257,13 +236,14 @@ def write_amc(movement: Movement, file: IO[bytes], progress: Progress) -> None:
     movement : skeleton and channels; segments are left out of poses where they are NaN
     file : written from its beginning
     progress : told the share of poses written
+    target : what the file will be called, by which its skeleton is looked for
     """
     content = patched(movement.file, movement, progress) if movement.file is not None else None
     if content is not None:
-        file.write(content)
+        file.write(saying(content, target, movement.skeleton.file))
         return
     channels = movement.channels or _at_rest(movement)
-    file.write(b":FULLY-SPECIFIED\n:DEGREES\n")
+    file.write(saying(b":FULLY-SPECIFIED\n:DEGREES\n", target, movement.skeleton.file))
     names = [s.name for s in movement.skeleton.segments if s.name in channels and s.dofs]
     for pose in range(movement.frames):
         if pose % _POSES_A_REPORT == 0:

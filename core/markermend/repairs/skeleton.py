@@ -29,7 +29,7 @@ class SkeletonParams:
     NAME,
     label="Restore skeleton",
     summary="Works a joint out from the others, from time, from its bones and from how bodies move;"
-    " only for skeleton recordings, where it is the best.",
+    " only for skeleton recordings, where it mostly is the best.",
     params=SkeletonParams,
 )
 def repair_skeleton(evidence: Evidence, artifact: Artifact, params: Any) -> Repair:
