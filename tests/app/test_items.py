@@ -111,6 +111,16 @@ def test_extent_is_none_out_of_view(shown):
     assert intervals.extent(rows[0].id) is None
 
 
+def test_what_several_markers_changed_places_in_lies_in_the_lanes_of_all(shown):
+    _, view, intervals, _ = shown
+    swap = Artifact("A", "x", 10, 40, Kind.STEP, counterpart="B", further_counterparts=("C",))
+    intervals.show([swap], ["C", "other", "A"])
+    for lane, hit in enumerate((swap.id, None, swap.id)):
+        assert intervals.hit(_at(view, 20, LANE_HEIGHT * (lane + 0.5))) == hit
+    # Of the foremost marker, it has a band.
+    assert intervals._band_alpha(swap) > 0
+
+
 def test_strip_is_painted_in_the_colour_of_the_class(shown):
     canvas, view, _, _ = shown
     image = canvas.grab().toImage()

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from markermend.artifact import Artifact, within
+from markermend.artifact import PAIRED, Artifact, within
 from markermend_app.dialogs.help_key import help_in
 from markermend_app.panels.inspector.artifact_text import STATUS_NAME
 from markermend_app.style import theme
@@ -173,7 +173,7 @@ def _lines(
 ) -> list[str]:
     """One line for each artifact left, and the outputs by name."""
     lines = [
-        f"{a.marker}  {theme.kind_name(a.kind)} {a.axes}"
+        f"{PAIRED.join(a.markers)}  {theme.kind_name(a.kind)} {a.axes}"
         f"  {a.start + first_frame}–{a.stop - 1 + first_frame}  {tr(STATUS_NAME[a.status])}"
         for a in (*accepted, *pending)
     ]
