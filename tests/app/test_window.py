@@ -324,3 +324,21 @@ def test_every_action_has_a_verb_and_no_shortcut_is_taken_twice(window):
         if not spec.enabled(window.document):
             assert not window.actions_by_name[spec.name].isEnabled()
         assert window.can(spec.name)
+
+
+def test_undo_takes_nothing_back_that_came_with_opening_but_a_search_that_was_asked_for(
+    reviewed, qtbot
+):
+    session, ctrl = reviewed.document.session, Qt.KeyboardModifier.ControlModifier
+    found = session.artifacts
+    assert found
+    assert not reviewed.actions_by_name["undo"].isEnabled()
+    key(qtbot, reviewed, Qt.Key.Key_Z, ctrl)
+    assert session.artifacts == found
+    key(qtbot, reviewed, Qt.Key.Key_D)
+    qtbot.waitUntil(lambda: len(session.history) == 2, timeout=WAIT)
+    key(qtbot, reviewed, Qt.Key.Key_Z, ctrl)
+    assert len(session.history) == 1
+    # Who wants the take without them says so.
+    reviewed.document.travel(0)
+    assert session.artifacts == ()

@@ -69,6 +69,25 @@ def test_saved_review_opens_with_its_history(tmp_path):
     again.close()
 
 
+def test_what_came_by_itself_is_still_no_step_of_the_operators(tmp_path):
+    kept = open_session(make_take(), folder=tmp_path)
+    a = artifact()
+    assert not kept.session.undoable
+    kept.session.add_detected([a], "sudden", by_itself=True)
+    die(kept)
+    again = open_session(make_take(), folder=tmp_path)
+    again.save()
+    again.close()
+    last = open_session(make_take(), folder=tmp_path)
+    assert not last.session.undoable
+    last.session.set_status([a.id], Status.ACCEPTED)
+    assert last.session.undoable
+    last.session.undo()
+    last.session.add_detected([a], "all kinds")
+    assert last.session.undoable
+    last.close()
+
+
 def test_second_opening_is_read_only(tmp_path):
     first = open_session(make_take(), folder=tmp_path)
     first.session.mark(artifact())

@@ -18,7 +18,7 @@ from markermend.review.file import SessionFile
 from markermend.review.session import Session
 from markermend_app import detection, settings
 from markermend_app.background.jobs import Lane
-from markermend_app.background.loading import Opened, load, takes_folder
+from markermend_app.background.loading import SEARCHED, Opened, load, takes_folder
 from markermend_app.background.saver import Saver
 from markermend_app.dialogs import ask as dialogs
 from markermend_app.dialogs.file_filters import open_filter
@@ -151,7 +151,7 @@ class Commands(QObject):
             self._document.learn(mesh)
             new = not file.session.begun and not file.read_only
             if new and settings.flag("detect_on_open", True):
-                self.detect()
+                self._detect(slow=False, by_itself=True)
             else:
                 self._look_at_first(file, label)
 
@@ -232,7 +232,7 @@ class Commands(QObject):
         """Look for every class."""
         self._detect(slow=True)
 
-    def _detect(self, *, slow: bool) -> None:
+    def _detect(self, *, slow: bool, by_itself: bool = False) -> None:
         session, mesh = self._document.session, self._document.mesh
         if session is None:
             return
@@ -247,7 +247,8 @@ class Commands(QObject):
             if session.original is not take:
                 self.said.emit(self.tr("Markers were renamed meanwhile; detect again."))
                 return
-            self._document.add_detected(found, "all kinds" if slow else "sudden")
+            name = "all kinds" if slow else SEARCHED
+            self._document.add_detected(found, name, by_itself=by_itself)
             one, many = self.tr("1 artifact found."), self.tr("{0} artifacts found.")
             text = one if len(found) == 1 else many.format(len(found))
             if session.region is not None:
@@ -354,7 +355,7 @@ class Commands(QObject):
     def undo(self) -> None:
         """Take the last step back, and say which; it may lie out of view."""
         session = self._document.session
-        if session is not None and session.history:
+        if session is not None and session.undoable:
             what = session.history[-1]
             self._document.undo()
             self.said.emit(self.tr("Undone: {0}").format(told(what)))

@@ -195,12 +195,15 @@ class Session:
 
     # Decisions
 
-    def add_detected(self, found: Iterable[Artifact], method: str) -> Change:
+    def add_detected(
+        self, found: Iterable[Artifact], method: str, *, by_itself: bool = False
+    ) -> Change:
         """Take over what a detector found.
 
         Flags that are still pending are replaced; what the operator decided, marked or changed
         stays, and a new flag that one of these of the same marker and kind already covers by
-        half is left out.
+        half is left out. What was searched ``by_itself`` when the take was opened is no step of
+        the operator's.
         """
         touched = touched_by_hand(self._done)
         staying: dict[str, list[Artifact]] = {}
@@ -215,7 +218,7 @@ class Session:
                 continue
             if not any(same_finding(artifact, d) for d in staying.get(artifact.marker, ())):
                 changes[artifact.id] = artifact
-        return self.perform(f"Detect ({method})", SetArtifacts(changes))
+        return self.perform(f"Detect ({method})", SetArtifacts(changes), by_itself=by_itself)
 
     def set_status(self, ids: Sequence[str], status: Status) -> Change:
         """Accept, reject or reopen; reopening or rejecting a repaired one restores its samples.
@@ -237,8 +240,10 @@ class Session:
         }[status]
         return self.perform(f"{verb} {describe(chosen)}", Group(tuple(edits)))
 
-    def repair(self, repairs: Sequence[tuple[str, Repair]], label: str = "") -> Change:
-        """Replace samples by proposed repairs, all as one step.
+    def repair(
+        self, repairs: Sequence[tuple[str, Repair]], label: str = "", *, by_itself: bool = False
+    ) -> Change:
+        """Replace samples by proposed repairs, all as one step; ``by_itself`` as for finding.
 
         An artifact that was repaired before goes back to its source samples first.
 
@@ -253,7 +258,8 @@ class Session:
         for artifact, (_, proposal) in zip(chosen, repairs, strict=True):
             edits.extend(repairing(artifact, proposal, known))
         method = repairs[0][1].method if len(repairs) == 1 else None
-        return self.perform(label or f"Repair {describe(chosen, method)}", Group(tuple(edits)))
+        label = label or f"Repair {describe(chosen, method)}"
+        return self.perform(label, Group(tuple(edits)), by_itself=by_itself)
 
     def mark(self, artifact: Artifact) -> Change:
         """Add an artifact by hand."""
@@ -362,14 +368,21 @@ class Session:
         """Labels of the steps that redo would bring back, next first."""
         return tuple(s.label for s in reversed(self._undone))
 
-    def perform(self, label: str, edit: Edit, spent_s: float | None = None) -> Change:
+    @property
+    def undoable(self) -> bool:
+        """Whether the last step is one that the operator would take back, who did it."""
+        return bool(self._done) and not self._done[-1].by_itself
+
+    def perform(
+        self, label: str, edit: Edit, spent_s: float | None = None, by_itself: bool = False
+    ) -> Change:
         """Apply an edit as one undoable step; one that was stored knows the time of its making."""
         inverse = edit.apply(self._state)
         if spent_s is None:
             spent_s = self.stopwatch.touch()
         else:
             self.stopwatch.spent_s = max(self.stopwatch.spent_s, spent_s)
-        step = Step(label, edit, inverse, spent_s)
+        step = Step(label, edit, inverse, spent_s, by_itself)
         self._done.append(step)
         self._undone.clear()
         return self._after("do", step)
