@@ -57,7 +57,7 @@ from markermend_app.verbs.smoothing import Smoothing
 from markermend_app.verbs.view import THEMES, view_verbs, wear
 
 LAYOUT_VERSION = 2
-ROOMY = QSize(1500, 940)
+ROOMY, SIDES = QSize(1500, 940), (310, 400)
 TAKES_HIGH = 330
 
 _Verbs = (
@@ -106,9 +106,10 @@ class MainWindow(QMainWindow):
         )
         self.pressing = Pressing(self)
         self.lay_out(ROOMY.boundedTo(self.screen().availableSize() * 0.94))
-        SideWidths(self, [self.docks["markers"], self.docks["scene"]])
         self._default_state = self.saveState(LAYOUT_VERSION)
         self._restore_layout()
+        roomy = ROOMY.width(), list(SIDES)
+        SideWidths(self, [self.docks["markers"], self.docks["scene"]], roomy)
         self._retitle()
 
     # Construction
@@ -118,7 +119,7 @@ class MainWindow(QMainWindow):
         self.resize(size)
         share = min(self.width() / ROOMY.width(), 1.0)
         sides = [self.docks["markers"], self.docks["scene"]]
-        self.resizeDocks(sides, [round(310 * share), round(400 * share)], _H)
+        self.resizeDocks(sides, [round(wide * share) for wide in SIDES], _H)
 
     def _make_panels(self) -> None:
         document = self.document

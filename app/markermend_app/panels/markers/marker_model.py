@@ -141,6 +141,11 @@ class MarkerModel(QStandardItemModel):
             node.missing = count / max(1, len(origin))
         self._write(MISSING, nodes)
 
+    @property
+    def any_missing(self) -> bool:
+        """Whether any marker is missing anywhere."""
+        return any(node.missing for node in self._by_label.values())
+
     def set_shown(self, shown: tuple[str, ...]) -> None:
         """Set the check marks and colours."""
         changed = {a for a, b in zip_longest(self._shown, shown) if a != b}

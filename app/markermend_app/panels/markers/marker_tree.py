@@ -48,7 +48,7 @@ from markermend_app.style import theme
 
 Index = QModelIndex | QPersistentModelIndex
 _COUNTS_WIDEST = 92
-_MISSING_WIDE, _NAMES_LEAST = 50, 140
+_MISSING_WIDE, _NAMES_LEAST, _NAMES_WIDEST = 50, 140, 260
 
 
 class MarkerTree(QWidget):
@@ -71,6 +71,7 @@ class MarkerTree(QWidget):
         self._document = document
         self.setMinimumWidth(230)
         self._syncing = self._choosing = False
+        self._names_wide = 0
         self._model = MarkerModel(document.show, document.show_beside, self)
         self._proxy = Filter(self)
         self._proxy.setSourceModel(self._model)
@@ -174,6 +175,7 @@ class MarkerTree(QWidget):
         self._proxy.sort(OPEN if flat else -1, order)
         self.view.setRootIsDecorated(not flat)
         self._expand()
+        self._names_wide = self.view.sizeHintForColumn(NAME)
         self._syncing = False
         if session is not self._counted or self._changed:
             self._counted, self._asked = session, session.asked
@@ -233,7 +235,10 @@ class MarkerTree(QWidget):
         self._fit_counts()
 
     def _fit_counts(self) -> None:
-        """Give the counts what they need, up to a third; names go before the share missing."""
+        """Give the counts what they need, up to a third; names go before the share missing.
+
+        Where nothing is missing the share says nothing.
+        """
         session = self._document.session
         if session is None:
             return
@@ -245,7 +250,8 @@ class MarkerTree(QWidget):
         names = (
             self.width() - self.view.verticalScrollBar().sizeHint().width() - width - _MISSING_WIDE
         )
-        header.setSectionHidden(MISSING, names < _NAMES_LEAST)
+        cut = names < max(_NAMES_LEAST, min(self._names_wide, _NAMES_WIDEST))
+        header.setSectionHidden(MISSING, cut or not self._model.any_missing)
 
     def _samples_changed(self, change: Change) -> None:
         """Take note of markers whose missing share changed."""
