@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 
 from markermend.artifact import PAIRED, Artifact, within
 from markermend_app.dialogs.help_key import help_in
-from markermend_app.panels.inspector.artifact_text import STATUS_NAME
+from markermend_app.panels.inspector.artifact_text import STATUS_NAME, span
 from markermend_app.style import theme
 from markermend_app.words import tr
 
@@ -174,7 +174,7 @@ def _lines(
     """One line for each artifact left, and the outputs by name."""
     lines = [
         f"{PAIRED.join(a.markers)}  {theme.kind_name(a.kind)} {a.axes}"
-        f"  {a.start + first_frame}–{a.stop - 1 + first_frame}  {tr(STATUS_NAME[a.status])}"
+        f"  {span(a, first_frame)}  {tr(STATUS_NAME[a.status])}"
         for a in (*accepted, *pending)
     ]
     return lines + ([", ".join(outputs)] if outputs else [])
