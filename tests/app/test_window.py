@@ -12,6 +12,7 @@ from driving import WAIT, key, proposed, settled
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QMessageBox
+from reviews import die
 
 import markermend as mm
 from markermend.artifact import Kind, Status
@@ -342,3 +343,33 @@ def test_undo_takes_nothing_back_that_came_with_opening_but_a_search_that_was_as
     # Who wants the take without them says so.
     reviewed.document.travel(0)
     assert session.artifacts == ()
+
+
+@pytest.mark.parametrize("killed", [True, False])
+def test_a_review_goes_on_where_it_was_left(reviewed, qtbot, take_path, killed):
+    document = reviewed.document
+    key(qtbot, reviewed, Qt.Key.Key_R)
+    later = document.session.artifact(document.queue[-1])
+    assert document.queue[0] != later.id
+    document.select(later.id)
+    document.go_to(later.start + 1)
+    if killed:
+        path = document.file.path.with_name("box.c3d.markermend.journal")
+        wanted = f'"at": {{"artifact": "{later.id}", "frame": {later.start + 1}}}'
+        qtbot.waitUntil(lambda: wanted in path.read_text(), timeout=WAIT)
+        die(document.file)
+        # What is left of the window in this process writes no more.
+        document.file.read_only, document.file._journal = True, None
+    else:
+        reviewed.commands.put_by()
+        document.open(None, None)
+    again = MainWindow()
+    qtbot.addWidget(again)
+    again.show()
+    again.commands.open_path(take_path)
+    qtbot.waitUntil(lambda: again.document.current is not None, timeout=WAIT)
+    assert again.document.current == later
+    assert again.document.frame == later.start + 1
+    low, high = again.trajectories.rows[0].view.viewRange()[0]
+    assert low < later.start < high
+    again.document.session.mark_exported()

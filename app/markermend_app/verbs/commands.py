@@ -24,6 +24,7 @@ from markermend_app.dialogs import ask as dialogs
 from markermend_app.dialogs.file_filters import open_filter
 from markermend_app.document import Document
 from markermend_app.later import SOON_MS, Later
+from markermend_app.resuming import Resuming
 from markermend_app.telling import told
 from markermend_app.verbs.exporting import Exporter
 
@@ -44,6 +45,7 @@ class Commands(QObject):
         self._lane = lane
         self._window = window
         self._saver = Saver(self)
+        self._resuming = Resuming(document, self)
         self._searched: Session | None = None
         self._first = Later(self._begin, self)
         self._exporter = Exporter(document, lane, self._saver, window)
@@ -114,10 +116,14 @@ class Commands(QObject):
         self._lane.submit(label, work, done, failed, dropped)
 
     def _look_at_first(self, file: SessionFile, label: str) -> None:
-        """Look at the first artifact or, with none, marker; once the methods listed are loaded."""
+        """Look where the review was left, else at the first artifact or, with none, marker.
+
+        That is once the methods listed are loaded.
+        """
 
         def done() -> None:
-            if self._document.file is file and self._document.current is None:
+            beginning = self._document.file is file and self._document.current is None
+            if beginning and not self._resuming.go_back():
                 self._document.step(1)
 
         self._load_methods(label, done)

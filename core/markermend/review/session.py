@@ -27,6 +27,7 @@ from markermend.review.edits import (
     extent,
     merged,
 )
+from markermend.review.left_at import LeftAt
 from markermend.review.pace import Pace, Stopwatch, pace_of
 from markermend.review.repairing import by_hand, describe, repairing
 from markermend.review.restoring import taking_back
@@ -50,6 +51,7 @@ class Session:
     stopwatch : measures the operator's time; told by whoever sees what the operator does
     revision : grows with every change, also by undo and redo; what was computed at one revision
         may be applied only while it is unchanged
+    left_at : where the operator stood last; told as the stopwatch is, or None
     on_step : called after each change with ``("do", step)``, ``("undo", step)`` or
         ``("redo", step)``; the journal hangs here
     """
@@ -57,6 +59,7 @@ class Session:
     def __init__(self, take: Take) -> None:
         self.revision = 0
         self.stopwatch = Stopwatch()
+        self.left_at: LeftAt | None = None
         self.on_step: Callable[[str, Step], None] | None = None
         self._state = State(take)
         self._done: list[Step] = []
