@@ -20,6 +20,7 @@ import markermend as mm
 from markermend.artifact import Status
 from markermend.poses.nuitrack import JOINTS
 from markermend.review import hand
+from markermend_app import settings
 from markermend_app.dialogs.export import ExportChoice, ExportDialog
 from markermend_app.dialogs.file_filters import export_filter, open_filter
 from markermend_app.panels.markers.marker_model import NAME
@@ -251,3 +252,22 @@ def test_a_review_without_repairs_is_not_said_to_have_some(opened, monkeypatch):
     document.do(lambda s: hand.cut(s, "head", 10, 20))
     assert not opened.commands.let_go()
     assert asked[-1].startswith("Your repairs of sensor.csv are not exported")
+
+
+def test_nothing_is_asked_before_the_export_where_nothing_is_left(opened, qtbot, monkeypatch):
+    shown = []
+    monkeypatch.setattr(ExportDialog, "exec", lambda self: shown.append(self) or 0)
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: ("", ""))
+    settings.remember("record_repairs", True)
+    document = opened.document
+    document.reject(document.queue[1:])
+    opened.actions_by_name["export"].trigger()
+    assert len(shown) == 1
+    document.reject(document.queue)
+    opened.actions_by_name["export"].trigger()
+    assert len(shown) == 1
+    # What is wanted of takes is kept.
+    assert settings.flag("record_repairs", False)
+    document.do(lambda s: s.set_region((10, 60)))
+    opened.actions_by_name["export"].trigger()
+    assert len(shown) == 2

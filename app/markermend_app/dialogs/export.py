@@ -192,7 +192,9 @@ def ask_export(
     region: tuple[int, int] | None = None,
     joints: bool = False,
 ) -> ExportChoice | None:
-    """Ask; None to stay."""
+    """Ask; None to stay. Where nothing is left and there is no choice, there is no question."""
+    if joints and not (pending or accepted or outputs) and region is None:
+        return ExportChoice(record, mark_outputs=False)
     dialog = ExportDialog(
         parent,
         pending,
