@@ -233,3 +233,16 @@ def test_the_row_under_review_stays_in_sight_when_the_queue_gets_lower(review, d
     assert not seen()
     widen(window, HALF, 540)
     assert not seen()
+
+
+def test_the_foremost_name_is_read_whole_in_a_narrow_window(review, qtbot):
+    labels = ("right_ankle", "left_ankle")
+    positions = np.random.default_rng(0).normal(0, 100, (100, 2, 3))
+    window = review(Take(positions, labels, 100.0), [Artifact(labels[0], "x", 5, 9, Kind.NOISE)])
+    window.document.show(labels)
+    for width, words in ((1500, True), (HALF, False)):
+        widen(window, width, 700)
+        header = window.trajectories.header
+        assert header.legend.chips[0].text() == labels[0]
+        assert (header.plots.toolButtonStyle() == WORDS) is words
+        assert header.readout.text()
