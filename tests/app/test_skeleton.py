@@ -6,11 +6,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
 from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import (
+    QApplication,
     QCheckBox,
+    QComboBox,
     QFileDialog,
+    QListView,
     QMessageBox,
     QPlainTextEdit,
     QPushButton,
@@ -22,7 +25,7 @@ from markermend.poses.nuitrack import JOINTS
 from markermend.review import hand
 from markermend_app import settings
 from markermend_app.dialogs.export import ExportChoice, ExportDialog
-from markermend_app.dialogs.file_filters import export_filter, open_filter
+from markermend_app.dialogs.file_filters import WITHOUT_PATTERNS, export_filter, open_filter
 from markermend_app.panels.markers.marker_model import NAME
 from markermend_app.telling import _read, told
 
@@ -116,6 +119,34 @@ def test_a_damaged_recording_is_told_in_one_sentence(window, tmp_path, qtbot, mo
         " is."
     ]
     assert window.document.session is None
+
+
+def test_the_dialog_names_each_ending_once_and_finds_it_in_capitals(qtbot, window, tmp_path):
+    for name in ("one.amc", "TWO.AMC", "other.txt"):
+        (tmp_path / name).touch()
+    dialogs = []
+
+    def look():
+        dialog = QApplication.activeModalWidget()
+        dialogs.append(dialog.findChild(QComboBox, "fileTypeCombo").itemText(0))
+        model = dialog.findChild(QListView, "listView").model()
+        root = dialog.findChild(QListView, "listView").rootIndex()
+        dialogs.append({model.index(i, 0, root).data() for i in range(model.rowCount(root))})
+        dialog.reject()
+
+    QTimer.singleShot(1000, look)
+    QFileDialog.getOpenFileName(
+        window,
+        "",
+        str(tmp_path),
+        open_filter(),
+        "",
+        WITHOUT_PATTERNS | QFileDialog.Option.DontUseNativeDialog,
+    )
+    assert dialogs[0].startswith("Takes: C3D, TRC")
+    assert dialogs[0].count("AMC") == 1
+    assert "*" not in dialogs[0]
+    assert dialogs[1] == {"one.amc", "TWO.AMC"}
 
 
 def test_dialogs_offer_the_formats(broken):

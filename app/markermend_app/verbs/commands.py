@@ -21,7 +21,7 @@ from markermend_app.background.jobs import Lane
 from markermend_app.background.loading import SEARCHED, Opened, load, takes_folder
 from markermend_app.background.saver import Saver
 from markermend_app.dialogs import ask as dialogs
-from markermend_app.dialogs.file_filters import open_filter
+from markermend_app.dialogs.file_filters import WITHOUT_PATTERNS, open_filter
 from markermend_app.document import Document
 from markermend_app.later import SOON_MS, Later
 from markermend_app.resuming import Resuming
@@ -60,7 +60,7 @@ class Commands(QObject):
         """Ask for a take and open it."""
         start = str(takes_folder(self._document.path))
         name, _ = QFileDialog.getOpenFileName(
-            self._window, self.tr("Open take"), start, open_filter()
+            self._window, self.tr("Open take"), start, open_filter(), "", WITHOUT_PATTERNS
         )
         if name:
             self.open_path(Path(name))
