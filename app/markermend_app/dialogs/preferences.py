@@ -170,12 +170,17 @@ class Preferences(QDialog):
         self.dial.setPageStep(10)
         self.dial_value = QLabel()
         self.dial_value.setMinimumWidth(48)
+        self.dial_value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         row = QHBoxLayout()
+        row.setSpacing(8)
         row.addWidget(self.dial, 1)
         row.addWidget(self.dial_value)
         self.dial.setAccessibleName(self.tr("Sensitivity"))
         self._form.addRow(self.tr("Sensitivity"), row)
-        self._hint(self.tr("Higher finds more, and more false alarms, from the next search on."))
+        self.dial_hint = self._hint(
+            self.tr("Higher finds more, and more false alarms, from the next search on.")
+        )
+        self.dial_hint.setWordWrap(True)
         self.dial.valueChanged.connect(self._dialled)
 
     def _work(self) -> None:
@@ -211,10 +216,11 @@ class Preferences(QDialog):
         label.setContentsMargins(0, 12 if self._form.rowCount() else 0, 0, 0)
         self._form.addRow(label)
 
-    def _hint(self, text: str) -> None:
+    def _hint(self, text: str) -> QLabel:
         label = QLabel(text)
         label.setProperty("role", "small")
         self._form.addRow("", label)
+        return label
 
     def _row(self, text: str, widget: QWidget) -> None:
         widget.setAccessibleName(text)
@@ -267,9 +273,9 @@ class Preferences(QDialog):
             "Close it to set this for the next take."
         )
         self._idle = True
+        self.dial_hint.setText(text)
         for widget in (self.preset, self.dial, self.dial_value):
             widget.setEnabled(False)
-            widget.setToolTip(text)
 
     def _read_detection(self) -> None:
         """Show dial and preset."""
