@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QApplication
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend_app.items.band import Band
@@ -100,6 +101,16 @@ def test_lanes_of_many_markers_leave_the_curves_free(shown):
     assert intervals.strip_height <= 3 * LANE_HEIGHT
     assert intervals.hit(_at(view, 35, 0.7)) == rows[0].id
     assert intervals.hit(_at(view, 35, 2.0)) == rows[2].id
+
+
+def test_lanes_leave_a_low_plot_to_its_curves(shown):
+    canvas, view, intervals, rows = shown
+    canvas.resize(600, 90)
+    QApplication.processEvents()
+    assert view.height() < 90
+    assert intervals.strip_height <= 0.3 * view.height()
+    assert intervals.hit(_at(view, 35, 2)) == rows[0].id
+    assert intervals.hit(_at(view, 35, 8)) == rows[2].id
 
 
 def test_extent_is_none_out_of_view(shown):

@@ -20,6 +20,8 @@ from markermend_app.style import theme
 
 LANE_HEIGHT = 12
 THIN_LANE_HEIGHT = 6
+_STRIP_MOST = 0.3
+"""Share of a plot that lanes with letters may take."""
 _LETTER_WIDTH = 11
 _REACH_PX = 3.0
 # A see-through fill takes twenty times as long as a solid one of the same colour; under narrow
@@ -132,12 +134,12 @@ class Intervals(InView):
     # Inner workings
 
     def _lane_height(self) -> float:
-        """Height of one lane: with room for letters while there are few markers.
+        """Height of one lane: with room for letters while there are few markers in a high plot.
 
         Many lanes share what three take, else they would cover the curves.
         """
-        lanes = len(self._lanes)
-        if lanes <= 3:
+        lanes = max(1, len(self._lanes))
+        if lanes <= 3 and lanes * LANE_HEIGHT <= _STRIP_MOST * self._view_in_scene().height():
             return LANE_HEIGHT
         return min(THIN_LANE_HEIGHT, max(1.0, 3 * LANE_HEIGHT / lanes))
 
