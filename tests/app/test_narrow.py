@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication, QTabBar
 from markermend.artifact import Artifact, Kind
 from markermend.take import Take
 from markermend_app.panels.markers.marker_model import MISSING
-from markermend_app.panels.queue.model import MARKER
+from markermend_app.panels.queue.model import FRAMES, MARKER, WHY
 from markermend_app.panels.take_list import TakeList
 
 HALF = 960
@@ -246,3 +246,18 @@ def test_the_foremost_name_is_read_whole_in_a_narrow_window(review, qtbot):
         assert header.legend.chips[0].text() == labels[0]
         assert (header.plots.toolButtonStyle() == WORDS) is words
         assert header.readout.text()
+
+
+def test_reasons_are_cut_before_names_unless_a_hand_made_these_narrow(review, qtbot):
+    labels = ("left_shoulder_blade", "B")
+    take = Take(np.random.default_rng(0).normal(0, 100, (100, 2, 3)), labels, 100.0)
+    found = [Artifact(labels[0], "xyz", 10, 11, Kind.PEAK, 0.9, 5.0, "jumps " * 30)]
+    window = review(take, found)
+    widen(window, 1500, 900)
+    view = window.queue.view
+    assert window.queue.model.index(0, FRAMES).data() == "11"
+    assert view.columnWidth(MARKER) >= view.fontMetrics().horizontalAdvance(labels[0]) + 8
+    assert view.columnWidth(WHY) >= 100
+    view.setColumnWidth(MARKER, 60)
+    widen(window, 1400, 900)
+    assert view.columnWidth(MARKER) == 60

@@ -366,21 +366,6 @@ def test_names_of_a_mix_up_are_cut_each_by_itself_and_whole_where_there_is_room(
     document.proposals.close()
 
 
-def test_reasons_are_cut_before_names_unless_a_hand_made_these_narrow(qtbot, tmp_path):
-    labels = ("left_shoulder_blade", "B")
-    take = Take(np.random.default_rng(0).normal(0, 100, (100, 2, 3)), labels, 100.0)
-    found = [Artifact(labels[0], "xyz", 10, 11, Kind.PEAK, 0.9, 5.0, "jumps " * 30)]
-    document, queue = listed(qtbot, tmp_path, take, found)
-    assert queue.model.index(0, FRAMES).data() == "11"
-    name = queue.view.fontMetrics().horizontalAdvance(labels[0])
-    assert queue.view.columnWidth(MARKER) >= name + 8
-    assert queue.view.columnWidth(WHY) >= 100
-    queue.view.setColumnWidth(MARKER, 60)
-    queue.resize(1200, 300)
-    assert queue.view.columnWidth(MARKER) == 60
-    document.proposals.close()
-
-
 def test_a_mix_up_is_named_by_the_markers_that_its_repair_changed(qtbot, tmp_path):
     take = Take(np.random.default_rng(0).normal(0, 100, (100, 2, 3)), ("A", "B"), 100.0)
     swap = Artifact("A", "xyz", 10, 20, Kind.STEP, counterpart="B")

@@ -17,7 +17,6 @@ from markermend.review.file import open_session
 from markermend.take import Event
 from markermend_app.looking import Selection
 from markermend_app.panels.plots.prediction import SETTLED_MS
-from markermend_app.sight import Sight
 
 
 def test_all_plots_share_one_time(bench):
@@ -389,30 +388,6 @@ def test_a_swap_is_previewed_on_both_markers(bench, qtbot):
     assert [p.marker for p in bench.document.proposal.patches] == ["CLAV", "STRN"]
     for row in bench.panel.rows:
         assert len(row.proposed) == 2
-
-
-def test_a_swap_is_seen_chosen_and_framed_on_the_other_marker_alone(bench):
-    swap = Artifact("CLAV", "xyz", 250, 280, Kind.STEP, counterpart="STRN")
-    bench.document.add_detected([swap], "test")
-    bench.document.show(["STRN"])
-    bench.panel.set_view(0, 399)
-    bench.click(265)
-    assert bench.document.current == swap
-    bench.document.show(["STRN"])
-    assert all(row.edges.visible for row in bench.panel.rows)
-    sight = Sight(bench.document)
-    sight.set_view(0, 399)
-    assert sight.lost is None
-
-
-def test_edges_meet_those_of_a_swap_on_the_other_marker(bench):
-    bench.document.add_detected(
-        [Artifact("CLAV", "xyz", 250, 280, Kind.STEP, counterpart="STRN")], "test"
-    )
-    bench.document.show(["STRN"])
-    bench.panel.set_view(0, 399)
-    bench.drag(281, 320, keys=SHIFT)
-    assert bench.document.selection.start == 280
 
 
 def test_empty_states_and_before_after(bench):

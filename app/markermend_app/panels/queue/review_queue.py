@@ -44,9 +44,8 @@ _WIDTHS = (98, 96, 96, 54, 90, 66, 66, 90, 92, 210, 60)
 _PADDING = 24
 _SPARED = (TIME, LENGTH, AXES, SIZE, FRAMES)
 """Columns that are left out one after the other where room is scarce; tooltips tell them."""
-_WHY_LEAST = 200
-_WHY_SPARED, _NAMES_WIDEST = 80, 220
-"""Pixels of the reasons that names may take, which are told nowhere else in a row, and up to."""
+_WHY_LEAST, _WHY_SPARED, _NAMES_WIDEST = 200, 80, 220
+"""Pixels: the reasons' least, how many of these names may take, the most for names."""
 
 
 class ReviewQueue(QWidget):
@@ -115,15 +114,10 @@ class ReviewQueue(QWidget):
         self._refresh()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Leave out what has no room and is told elsewhere; what is reviewed stays in sight."""
+        """Leave out what is told elsewhere too where room is scarce."""
         super().resizeEvent(event)
         self.filters.fit(self.width())
         self._fit_columns()
-        # A column that is left out has no place on the screen.
-        index = self.view.currentIndex().siblingAtColumn(MARKER)
-        before = self.view.viewport().height() + event.oldSize().height() - event.size().height()
-        if index.isValid() and 0 <= self.view.visualRect(index).top() < before:
-            self.view.scrollTo(index)
 
     @property
     def place(self) -> QWidget:
