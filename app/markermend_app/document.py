@@ -311,9 +311,11 @@ class Document(Looking):
         if self.do(lambda s: s.repair(repairs, label), moving=moving) and moving:
             self._move_on(following)
 
-    def add_detected(self, found: Iterable[Artifact], method: str) -> None:
-        """Take over what a detector found."""
-        self.do(lambda s: s.add_detected(found, method))
+    def add_detected(
+        self, found: Iterable[Artifact], method: str, *, by_itself: bool = False
+    ) -> None:
+        """Take over what a detector found, where nobody asked it ``by_itself``."""
+        self.do(lambda s: s.add_detected(found, method, by_itself=by_itself))
 
     def mark(self, artifact: Artifact) -> None:
         """Add an artifact by hand and put it under review."""

@@ -58,9 +58,9 @@ class Sight(QObject):
 
     @property
     def lost(self) -> Artifact | None:
-        """The artifact under review if its marker or its frames are not in view, else None."""
+        """The artifact under review if its markers or its frames are not in view, else None."""
         a, (start, stop) = self._document.current, self._view
-        if a is None or (a.marker in self._document.shown and a.start < stop and a.stop > start):
+        if a is None or (a.concerns(self._document.shown) and a.start < stop and a.stop > start):
             return None
         return a
 

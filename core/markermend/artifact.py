@@ -124,6 +124,10 @@ class Artifact:
         first = () if self.counterpart is None else (self.counterpart,)
         return (self.marker, *first, *self.further_counterparts)
 
+    def concerns(self, markers: Iterable[str]) -> bool:
+        """Whether it is of one of these markers, be it as a counterpart."""
+        return not set(self.markers).isdisjoint(markers)
+
     @property
     def length(self) -> int:
         """Number of frames."""

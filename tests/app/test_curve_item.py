@@ -121,6 +121,15 @@ def test_a_single_point_is_drawn_and_goes(view):
     assert picture(view)[20:].max() == 0.0
 
 
+def test_a_single_point_at_the_origin_goes_as_well(view):
+    dots = Curve(BLACK, dots=True)
+    view.add_curve(dots)
+    dots.set_points(np.zeros(1), np.zeros(1))
+    assert picture(view).max() > 0.5
+    dots.clear()
+    assert picture(view).max() == 0.0
+
+
 def test_wide_lines_are_as_wide_on_fine_screens(view, monkeypatch):
     wide = Curve(BLACK, width=2)
     view.add_curve(wide)

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QApplication
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend_app.items.band import Band
@@ -102,6 +103,16 @@ def test_lanes_of_many_markers_leave_the_curves_free(shown):
     assert intervals.hit(_at(view, 35, 2.0)) == rows[2].id
 
 
+def test_lanes_leave_a_low_plot_to_its_curves(shown):
+    canvas, view, intervals, rows = shown
+    canvas.resize(600, 90)
+    QApplication.processEvents()
+    assert view.height() < 90
+    assert intervals.strip_height <= 0.3 * view.height()
+    assert intervals.hit(_at(view, 35, 2)) == rows[0].id
+    assert intervals.hit(_at(view, 35, 8)) == rows[2].id
+
+
 def test_extent_is_none_out_of_view(shown):
     _, view, intervals, rows = shown
     assert intervals.extent(rows[0].id).width() == pytest.approx(
@@ -109,6 +120,16 @@ def test_extent_is_none_out_of_view(shown):
     )
     view.setXRange(65, 95, padding=0)
     assert intervals.extent(rows[0].id) is None
+
+
+def test_what_several_markers_changed_places_in_lies_in_the_lanes_of_all(shown):
+    _, view, intervals, _ = shown
+    swap = Artifact("A", "x", 10, 40, Kind.STEP, counterpart="B", further_counterparts=("C",))
+    intervals.show([swap], ["C", "other", "A"])
+    for lane, hit in enumerate((swap.id, None, swap.id)):
+        assert intervals.hit(_at(view, 20, LANE_HEIGHT * (lane + 0.5))) == hit
+    # Of the foremost marker, it has a band.
+    assert intervals._band_alpha(swap) > 0
 
 
 def test_strip_is_painted_in_the_colour_of_the_class(shown):

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt, QUrl
+from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QScrollArea, QWidget
 
 import markermend_app
@@ -14,6 +15,7 @@ from markermend_app.actions.shortcut_sheet import ShortcutSheet
 from markermend_app.dialogs.manual import FRONT, PAGES, Manual, page_about
 from markermend_app.dialogs.preferences import Preferences
 from markermend_app.style import theme
+from markermend_resources import manual_folder
 
 
 @pytest.fixture
@@ -111,3 +113,15 @@ def test_preferences_need_no_scrolling_to_the_side(qapp, qtbot) -> None:
     scroll = page.findChild(QScrollArea)
     assert scroll.widget().width() <= scroll.viewport().width()
     assert scroll.widget().minimumSizeHint().width() <= scroll.viewport().width()
+
+
+def test_pictures_are_no_wider_than_the_page(manual: Manual, qtbot) -> None:
+    manual.show_page("artifacts.md")
+    side = manual.text.horizontalScrollBar()
+    for width in (980, 700, 980, 1600):
+        manual.resize(width, 760)
+        qtbot.waitUntil(lambda wide=width: manual.width() == wide)
+        assert side.maximum() == 0
+    widths = {piece.charFormat().toImageFormat().width() for piece in manual.text._pictures()}
+    natural = QImage(str(manual_folder() / "pictures" / "gap.png")).width()
+    assert natural in widths

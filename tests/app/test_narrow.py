@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
+from driving import settled
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QTabBar
 
+from markermend.artifact import Artifact, Kind
+from markermend.take import Take
+from markermend_app.panels.markers.marker_model import MISSING
+from markermend_app.panels.queue.model import FRAMES, MARKER, WHY
 from markermend_app.panels.take_list import TakeList
 
 HALF = 960
@@ -164,3 +170,94 @@ def test_sides_get_their_widths_back_after_a_narrow_window(window):
     assert [side.width() for side in sides] != before
     widen(window, 1500, 900)
     assert [side.width() for side in sides] == before
+
+
+def test_sides_get_their_widths_back_in_the_next_start_too(window, qtbot, review, damaged):
+    widen(window, 1500, 900)
+    sides = [window.docks["markers"], window.docks["scene"]]
+    window.resizeDocks(sides, [320, 420], Qt.Orientation.Horizontal)
+    widen(window, 1500, 900)
+    before = [side.width() for side in sides]
+    widen(window, HALF)
+    window.document.session.mark_exported()
+    window.close()
+    again = review(*damaged)
+    assert again.width() <= HALF
+    sides = [again.docks["markers"], again.docks["scene"]]
+    assert [side.width() for side in sides] != before
+    widen(again, 1500, 900)
+    qtbot.waitUntil(lambda: [side.width() for side in sides] == before)
+
+
+def test_a_share_missing_of_nothing_takes_no_room(review, damaged, qtbot):
+    whole = Take(np.nan_to_num(damaged[0].positions), damaged[0].labels, damaged[0].rate)
+    window = review(whole, [Artifact("C7", "x", 200, 240, Kind.NOISE)])
+    widen(window, 1500, 900)
+    window.resizeDocks([window.docks["markers"]], [310], Qt.Orientation.Horizontal)
+    widen(window, 1500, 900)
+    assert window.tree.view.isColumnHidden(MISSING)
+
+
+def test_names_deep_in_a_tree_go_before_the_share_missing(review, qtbot):
+    labels = tuple("the_marker_with_a_long_name_" + c for c in "abcd")
+    positions = np.random.default_rng(0).normal(0, 100, (100, 4, 3))
+    positions[10:20, 0] = np.nan
+    window = review(Take(positions, labels, 100.0), [Artifact(labels[0], "xyz", 10, 20, Kind.GAP)])
+    for wide, hidden in ((310, True), (420, False)):
+        widen(window, 1500, 900)
+        window.resizeDocks([window.docks["markers"]], [wide], Qt.Orientation.Horizontal)
+        widen(window, 1500, 900)
+        assert window.tree.view.isColumnHidden(MISSING) is hidden
+
+
+def test_the_row_under_review_stays_in_sight_when_the_queue_gets_lower(review, damaged, qtbot):
+    take = damaged[0]
+    found = [Artifact("C7", "x", 10 * i, 10 * i + 3, Kind.NOISE, 0.9) for i in range(30)]
+    window = review(take, found)
+    queue = window.queue
+    widen(window, 1500, 900)
+    window.resizeDocks([window.docks["queue"]], [420], Qt.Orientation.Vertical)
+    widen(window, 1500, 900)
+    window.document.select(queue.model.rows[9].id)
+    settled(qtbot)
+
+    def seen():
+        box = queue.view.visualRect(queue.view.currentIndex().siblingAtColumn(MARKER))
+        return queue.view.viewport().rect().contains(box.center())
+
+    assert seen()
+    widen(window, HALF, 560)
+    assert seen()
+    # Who has scrolled elsewhere stays there.
+    queue.view.scrollToBottom()
+    assert not seen()
+    widen(window, HALF, 540)
+    assert not seen()
+
+
+def test_the_foremost_name_is_read_whole_in_a_narrow_window(review, qtbot):
+    labels = ("right_ankle", "left_ankle")
+    positions = np.random.default_rng(0).normal(0, 100, (100, 2, 3))
+    window = review(Take(positions, labels, 100.0), [Artifact(labels[0], "x", 5, 9, Kind.NOISE)])
+    window.document.show(labels)
+    for width, words in ((1500, True), (HALF, False)):
+        widen(window, width, 700)
+        header = window.trajectories.header
+        assert header.legend.chips[0].text() == labels[0]
+        assert (header.plots.toolButtonStyle() == WORDS) is words
+        assert header.readout.text()
+
+
+def test_reasons_are_cut_before_names_unless_a_hand_made_these_narrow(review, qtbot):
+    labels = ("left_shoulder_blade", "B")
+    take = Take(np.random.default_rng(0).normal(0, 100, (100, 2, 3)), labels, 100.0)
+    found = [Artifact(labels[0], "xyz", 10, 11, Kind.PEAK, 0.9, 5.0, "jumps " * 30)]
+    window = review(take, found)
+    widen(window, 1500, 900)
+    view = window.queue.view
+    assert window.queue.model.index(0, FRAMES).data() == "11"
+    assert view.columnWidth(MARKER) >= view.fontMetrics().horizontalAdvance(labels[0]) + 8
+    assert view.columnWidth(WHY) >= 100
+    view.setColumnWidth(MARKER, 60)
+    widen(window, 1400, 900)
+    assert view.columnWidth(MARKER) == 60

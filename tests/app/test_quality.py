@@ -98,6 +98,17 @@ def test_click_shows_a_marker_and_double_click_its_worst(qtbot, panel, document)
     assert panel.view.currentIndex().row() == panel.model.row_of("C7")
 
 
+def test_a_mix_up_is_counted_and_found_on_each_marker_but_once_in_the_take(panel, document, qtbot):
+    swap = Artifact("STRN", "xyz", 250, 280, Kind.STEP, counterpart="T10")
+    document.add_detected([swap], "test")
+    qtbot.waitUntil(lambda: row(panel, "STRN")[OPEN] == "1 step", timeout=2000)
+    assert row(panel, "T10")[OPEN] == "1 step"
+    assert row(panel, "")[OPEN] == "1 step"
+    click(qtbot, panel, "T10", qtbot.mouseClick)
+    click(qtbot, panel, "T10", qtbot.mouseDClick)
+    assert document.current == swap
+
+
 def test_nothing_is_counted_while_nobody_looks(qtbot, panel, document):
     panel.hide()
     document.accept([a.id for a in document.session.artifacts])

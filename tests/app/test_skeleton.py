@@ -6,11 +6,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
 from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import (
+    QApplication,
     QCheckBox,
+    QComboBox,
     QFileDialog,
+    QListView,
     QMessageBox,
     QPlainTextEdit,
     QPushButton,
@@ -21,8 +24,9 @@ from markermend.artifact import Status
 from markermend.files import Export
 from markermend.poses.nuitrack import JOINTS
 from markermend.review import hand
+from markermend_app import settings
 from markermend_app.dialogs.export import ExportChoice, ExportDialog
-from markermend_app.dialogs.file_filters import export_filter, open_filter
+from markermend_app.dialogs.file_filters import WITHOUT_PATTERNS, export_filter, open_filter
 from markermend_app.panels.markers.marker_model import NAME
 from markermend_app.telling import told
 
@@ -141,6 +145,34 @@ def test_a_skeleton_that_is_chosen_is_copied_beside_its_movement(
     assert (tmp_path / "jump.asf").read_bytes() == (folder / "02.asf").read_bytes()
     assert window.document.session.original.markers == 31
     qtbot.waitUntil(lambda: not window.lane.busy, timeout=WAIT)
+
+
+def test_the_dialog_names_each_ending_once_and_finds_it_in_capitals(qtbot, window, tmp_path):
+    for name in ("one.amc", "TWO.AMC", "other.txt"):
+        (tmp_path / name).touch()
+    dialogs = []
+
+    def look():
+        dialog = QApplication.activeModalWidget()
+        dialogs.append(dialog.findChild(QComboBox, "fileTypeCombo").itemText(0))
+        model = dialog.findChild(QListView, "listView").model()
+        root = dialog.findChild(QListView, "listView").rootIndex()
+        dialogs.append({model.index(i, 0, root).data() for i in range(model.rowCount(root))})
+        dialog.reject()
+
+    QTimer.singleShot(1000, look)
+    QFileDialog.getOpenFileName(
+        window,
+        "",
+        str(tmp_path),
+        open_filter(),
+        "",
+        WITHOUT_PATTERNS | QFileDialog.Option.DontUseNativeDialog,
+    )
+    assert dialogs[0].startswith("Takes: C3D, TRC")
+    assert dialogs[0].count("AMC") == 1
+    assert "*" not in dialogs[0]
+    assert dialogs[1] == {"one.amc", "TWO.AMC"}
 
 
 def test_dialogs_offer_the_formats(broken):
@@ -292,3 +324,22 @@ def test_a_review_without_repairs_is_not_said_to_have_some(opened, monkeypatch):
     document.do(lambda s: hand.cut(s, "head", 10, 20))
     assert not opened.commands.let_go()
     assert asked[-1].startswith("Your repairs of sensor.csv are not exported")
+
+
+def test_nothing_is_asked_before_the_export_where_nothing_is_left(opened, qtbot, monkeypatch):
+    shown = []
+    monkeypatch.setattr(ExportDialog, "exec", lambda self: shown.append(self) or 0)
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: ("", ""))
+    settings.remember("record_repairs", True)
+    document = opened.document
+    document.reject(document.queue[1:])
+    opened.actions_by_name["export"].trigger()
+    assert len(shown) == 1
+    document.reject(document.queue)
+    opened.actions_by_name["export"].trigger()
+    assert len(shown) == 1
+    # What is wanted of takes is kept.
+    assert settings.flag("record_repairs", False)
+    document.do(lambda s: s.set_region((10, 60)))
+    opened.actions_by_name["export"].trigger()
+    assert len(shown) == 2

@@ -241,7 +241,7 @@ def test_the_dial_rests_where_it_changes_nothing(qtbot):
     page._read_detection()
     assert not page.dial.isEnabled()
     assert not page.preset.isEnabled()
-    assert "joints" in page.dial.toolTip()
+    assert "joints" in page.dial_hint.text()
 
 
 def test_restoring_is_named_where_it_is_the_best(opened, qtbot):

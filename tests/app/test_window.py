@@ -12,6 +12,7 @@ from driving import WAIT, key, proposed, settled
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QMessageBox
+from reviews import die
 
 import markermend as mm
 from markermend.artifact import Kind, Status
@@ -324,3 +325,51 @@ def test_every_action_has_a_verb_and_no_shortcut_is_taken_twice(window):
         if not spec.enabled(window.document):
             assert not window.actions_by_name[spec.name].isEnabled()
         assert window.can(spec.name)
+
+
+def test_undo_takes_nothing_back_that_came_with_opening_but_a_search_that_was_asked_for(
+    reviewed, qtbot
+):
+    session, ctrl = reviewed.document.session, Qt.KeyboardModifier.ControlModifier
+    found = session.artifacts
+    assert found
+    assert not reviewed.actions_by_name["undo"].isEnabled()
+    key(qtbot, reviewed, Qt.Key.Key_Z, ctrl)
+    assert session.artifacts == found
+    key(qtbot, reviewed, Qt.Key.Key_D)
+    qtbot.waitUntil(lambda: len(session.history) == 2, timeout=WAIT)
+    key(qtbot, reviewed, Qt.Key.Key_Z, ctrl)
+    assert len(session.history) == 1
+    # Who wants the take without them says so.
+    reviewed.document.travel(0)
+    assert session.artifacts == ()
+
+
+@pytest.mark.parametrize("killed", [True, False])
+def test_a_review_goes_on_where_it_was_left(reviewed, qtbot, take_path, killed):
+    document = reviewed.document
+    key(qtbot, reviewed, Qt.Key.Key_R)
+    later = document.session.artifact(document.queue[-1])
+    assert document.queue[0] != later.id
+    document.select(later.id)
+    document.go_to(later.start + 1)
+    if killed:
+        path = document.file.path.with_name("box.c3d.markermend.journal")
+        wanted = f'"at": {{"artifact": "{later.id}", "frame": {later.start + 1}}}'
+        qtbot.waitUntil(lambda: wanted in path.read_text(), timeout=WAIT)
+        die(document.file)
+        # What is left of the window in this process writes no more.
+        document.file.read_only, document.file._journal = True, None
+    else:
+        reviewed.commands.put_by()
+        document.open(None, None)
+    again = MainWindow()
+    qtbot.addWidget(again)
+    again.show()
+    again.commands.open_path(take_path)
+    qtbot.waitUntil(lambda: again.document.current is not None, timeout=WAIT)
+    assert again.document.current == later
+    assert again.document.frame == later.start + 1
+    low, high = again.trajectories.rows[0].view.viewRange()[0]
+    assert low < later.start < high
+    again.document.session.mark_exported()

@@ -17,6 +17,7 @@ from markermend.files import read, write
 from markermend.repairs import propose
 from markermend.review import file as session_file
 from markermend.review.file import open_session, read_review
+from markermend.review.left_at import LeftAt
 from markermend.simulation import simulate_clean
 from markermend.take import Take
 
@@ -67,6 +68,56 @@ def test_saved_review_opens_with_its_history(tmp_path):
     assert again.session.artifact(a.id).status is Status.REPAIRED
     assert again.session.notes[a.id].error_mm == pytest.approx(0.4)
     again.close()
+
+
+def test_what_came_by_itself_is_still_no_step_of_the_operators(tmp_path):
+    kept = open_session(make_take(), folder=tmp_path)
+    a = artifact()
+    assert not kept.session.undoable
+    kept.session.add_detected([a], "sudden", by_itself=True)
+    die(kept)
+    again = open_session(make_take(), folder=tmp_path)
+    again.save()
+    again.close()
+    last = open_session(make_take(), folder=tmp_path)
+    assert not last.session.undoable
+    last.session.set_status([a.id], Status.ACCEPTED)
+    assert last.session.undoable
+    last.session.undo()
+    last.session.add_detected([a], "all kinds")
+    assert last.session.undoable
+    last.close()
+
+
+def test_where_the_operator_stood_is_kept_and_outlives_a_crash_but_makes_no_files(tmp_path):
+    kept = open_session(make_take(), folder=tmp_path)
+    kept.session.left_at = LeftAt(None, 3)
+    kept.keep_left_at()
+    kept.close()
+    assert list(tmp_path.iterdir()) == []
+    kept = open_session(make_take(), folder=tmp_path)
+    a = artifact()
+    kept.session.mark(a)
+    kept.session.left_at = LeftAt(a.id, 7)
+    kept.save()
+    kept.session.left_at = LeftAt(a.id, 9)
+    kept.keep_left_at()
+    die(kept)
+    assert read_review(make_take(), folder=tmp_path).left_at == LeftAt(a.id, 9)
+    again = open_session(make_take(), folder=tmp_path)
+    # To look elsewhere is no work that was interrupted.
+    assert again.recovered == 0
+    assert again.session.left_at == LeftAt(a.id, 9)
+    again.save()
+    again.close()
+    path = next(tmp_path.glob("*.json"))
+    document = json.loads(path.read_text())
+    for spoilt, left in ((document["at"], LeftAt(a.id, 9)), ("nowhere", None), ({}, None)):
+        path.write_text(json.dumps({**document, "at": spoilt}))
+        assert read_review(make_take(), folder=tmp_path).left_at == left
+    del document["at"]
+    path.write_text(json.dumps(document))
+    assert read_review(make_take(), folder=tmp_path).left_at is None
 
 
 def test_second_opening_is_read_only(tmp_path):

@@ -84,6 +84,7 @@ def test_an_export_over_the_original_keeps_what_is_open(tmp_path):
     assert again.session.region == (10, 58)
     assert "goes on here" in again.warning
     assert again.session.exported
+    assert not again.session.undoable
     # The detector's own flags may be found anew; what was decided stays.
     again.session.add_detected([], "paper")
     assert {a.marker for a in again.session.artifacts} == {"C"}

@@ -65,3 +65,16 @@ def test_a_swap_which_invents_nothing_has_no_error_and_thins_out_no_mean() -> No
     whole, _, b, _ = standings(s.original, s.take, s.artifacts, s.notes)
     assert (whole.mean_mm, whole.worst_mm) == (2.5, 2.5)
     assert (b.mean_mm, b.worst_mm) == (None, None)
+
+
+def test_a_mix_up_counts_for_each_of_its_markers_and_once_for_the_take() -> None:
+    s = review()
+    swap = Artifact("A", "xyz", 80, 90, Kind.STEP, counterpart="B")
+    s.mark(swap)
+    whole, a, b, _ = standings(s.original, s.take, s.artifacts, s.notes)
+    assert (a.open[Kind.STEP], b.open[Kind.STEP], whole.open[Kind.STEP]) == (1, 2, 2)
+    patch = Patch("A", "xyz", 80, 90, np.ones((10, 3)))
+    s.repair([(swap.id, Repair("linear", (patch,), error_mm=7.0))])
+    _, a, b, _ = standings(s.original, s.take, s.artifacts, s.notes)
+    # Repaired on one alone, it is of that one.
+    assert (a.decided[Kind.STEP], b.decided[Kind.STEP], b.worst_mm) == (1, 0, None)

@@ -39,8 +39,8 @@ def artifacts(document: Document) -> bool:
 
 
 def undoable(document: Document) -> bool:
-    """A step can be taken back."""
-    return document.editable and document.session is not None and bool(document.session.history)
+    """A step can be taken back: none that came with opening the take."""
+    return document.editable and document.session is not None and document.session.undoable
 
 
 def redoable(document: Document) -> bool:

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from markermend.artifact import PAIRED
 from markermend_app.actions import shortcuts
 from markermend_app.actions.joints import tip_of
 from markermend_app.actions.synonyms import SYNONYMS
@@ -93,7 +94,7 @@ def entries(made: Mapping[str, QAction], document: Document) -> list[Entry]:
         one = a.stop - a.start == 1
         text = tr("{0} on {1}, frame {2}") if one else tr("{0} on {1}, frames {2}–{3}")
         first, last = take.frame_number(a.start), take.frame_number(a.stop - 1)
-        text = text.format(theme.kind_name(a.kind), a.marker, first, last)
+        text = text.format(theme.kind_name(a.kind), PAIRED.join(a.markers), first, last)
         do = partial(document.select, a.id)
         found.append(Entry(text, f"{100 * a.confidence:.0f} %", theme.icon(a.kind), True, do))
     return found

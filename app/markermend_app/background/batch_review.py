@@ -26,7 +26,7 @@ from markermend_app.background.loading import (
     takes_folder,
 )
 from markermend_app.dialogs import ask as dialogs
-from markermend_app.dialogs.file_filters import open_filter
+from markermend_app.dialogs.file_filters import WITHOUT_PATTERNS, open_filter
 from markermend_app.document import Document
 from markermend_app.verbs.commands import Commands
 
@@ -87,7 +87,9 @@ class BatchReview(QObject):
         filters = f"{open_filter()};;{listed} (review.json)"
         title = self.tr("Review a batch: takes, or the review.json of a batch")
         start = str(takes_folder(self._document.path))
-        names, _ = QFileDialog.getOpenFileNames(self._window, title, start, filters)
+        names, _ = QFileDialog.getOpenFileNames(
+            self._window, title, start, filters, "", WITHOUT_PATTERNS
+        )
         if names:
             self.start([Path(name) for name in sorted(names)])
 

@@ -159,7 +159,7 @@ def prepare(item: ToReview, progress: Progress) -> Prepared:
     if new and settings.flag("detect_on_open", True):
         within = part(progress, 0.2, 0.8)
         found = tuple(detection.search(take, mesh, within, slow=False))
-        session.add_detected(found, SEARCHED)
+        session.add_detected(found, SEARCHED, by_itself=True)
     first = sorted(
         session.listed_with(Status.PENDING), key=lambda a: -badness(a, take.rate, take.frames)
     )[: AHEAD + 1]
@@ -208,7 +208,7 @@ def _begin(file: SessionFile, item: ToReview, found: tuple[Artifact, ...] | None
     if file.read_only or file.session.begun or take_over(file.session, item):
         return
     if found is not None:
-        file.session.add_detected(found, SEARCHED)
+        file.session.add_detected(found, SEARCHED, by_itself=True)
 
 
 def _read(path: Path, progress: Progress) -> Take:

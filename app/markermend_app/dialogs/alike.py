@@ -29,6 +29,7 @@ from markermend_app.actions import shortcuts
 from markermend_app.dialogs.help_key import help_in
 from markermend_app.dialogs.params_form import inset
 from markermend_app.document import Document
+from markermend_app.panels.inspector.artifact_text import span
 from markermend_app.scope import Scope
 from markermend_app.style import theme
 from markermend_app.telling import told, told_repair
@@ -186,10 +187,9 @@ class AlikeDialog(QDialog):
         with QSignalBlocker(self.table):
             self.table.setRowCount(len(self._listed))
             for row, a in enumerate(self._listed):
-                first, last = take.frame_number(a.start), take.frame_number(a.stop - 1)
                 for column, text in (
                     (MARKER, PAIRED.join(a.markers)),
-                    (FRAMES, f"{first}–{last}"),
+                    (FRAMES, span(a, take.first_frame)),
                     (SURE, f"{100 * a.confidence:.0f} %"),
                     (OUTCOME, self._outcome(a)),
                 ):

@@ -15,9 +15,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from markermend.artifact import Artifact, within
+from markermend.artifact import PAIRED, Artifact, within
 from markermend_app.dialogs.help_key import help_in
-from markermend_app.panels.inspector.artifact_text import STATUS_NAME
+from markermend_app.panels.inspector.artifact_text import STATUS_NAME, span
 from markermend_app.style import theme
 from markermend_app.words import tr
 
@@ -173,8 +173,8 @@ def _lines(
 ) -> list[str]:
     """One line for each artifact left, and the outputs by name."""
     lines = [
-        f"{a.marker}  {theme.kind_name(a.kind)} {a.axes}"
-        f"  {a.start + first_frame}–{a.stop - 1 + first_frame}  {tr(STATUS_NAME[a.status])}"
+        f"{PAIRED.join(a.markers)}  {theme.kind_name(a.kind)} {a.axes}"
+        f"  {span(a, first_frame)}  {tr(STATUS_NAME[a.status])}"
         for a in (*accepted, *pending)
     ]
     return lines + ([", ".join(outputs)] if outputs else [])
@@ -192,7 +192,9 @@ def ask_export(
     region: tuple[int, int] | None = None,
     joints: bool = False,
 ) -> ExportChoice | None:
-    """Ask; None to stay."""
+    """Ask; None to stay. Where nothing is left and there is no choice, there is no question."""
+    if joints and not (pending or accepted or outputs) and region is None:
+        return ExportChoice(record, mark_outputs=False)
     dialog = ExportDialog(
         parent,
         pending,

@@ -2,18 +2,28 @@
 
 from __future__ import annotations
 
+from PySide6.QtWidgets import QFileDialog
+
 from markermend.take import Take
 from markermend_app.words import tr
 
+WITHOUT_PATTERNS = QFileDialog.Option.HideNameFilterDetails
+"""How a dialog shows these filters."""
+
 
 def open_filter() -> str:
-    """Files that can be opened, in Qt's notation."""
+    """Files that can be opened, in Qt's notation, to be shown :data:`WITHOUT_PATTERNS`.
+
+    Some dialogs of the system tell capitals apart, so that patterns are there for both; the name
+    has each ending once.
+    """
     from markermend.plugins.formats import OURS, SKELETONS, formats
 
     endings = [*(f".{name}" for name in OURS), *SKELETONS, *formats()]
     patterns = " ".join(f"*{e} *{e.upper()}" for e in endings)
     takes, everything = tr("Takes"), tr("All files")
-    return f"{takes} ({patterns});;{everything} (*)"
+    named = ", ".join(e[1:].upper() for e in endings)
+    return f"{takes}: {named} ({patterns});;{everything} (*)"
 
 
 def export_filter(take: Take, proposed: str = "") -> str:

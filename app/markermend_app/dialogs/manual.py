@@ -22,7 +22,6 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QMainWindow,
     QSplitter,
-    QTextBrowser,
     QToolButton,
     QTreeWidget,
     QTreeWidgetItem,
@@ -30,6 +29,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from markermend_app.dialogs.manual_page import ManualPage
 from markermend_app.style import theme
 from markermend_resources import manual_folder
 
@@ -74,11 +74,8 @@ class Manual(QMainWindow):
         super().__init__(parent)
         self.setWindowTitle(self.tr("Markermend's manual"))
         self.resize(980, 760)
-        self.text = QTextBrowser()
+        self.text = ManualPage(manual_folder())
         self.text.setAccessibleName(self.tr("Page of the manual"))
-        self.text.setOpenLinks(False)
-        self.text.setSearchPaths([str(manual_folder())])
-        self.text.document().setDocumentMargin(24)
         self.text.anchorClicked.connect(lambda url: self.show_page(url.toString()))
         self.contents = QTreeWidget()
         self.contents.setAccessibleName(self.tr("Contents"))
@@ -142,6 +139,7 @@ class Manual(QMainWindow):
         self._visited.append(page)
         self.text.setMarkdown(self._pages[name].read_text(encoding="utf-8"))
         self._widen_tables()
+        self.text.fit_pictures()
         block = self._heading(heading)
         self.text.setTextCursor(QTextCursor(block))
         if heading:

@@ -70,8 +70,8 @@ class Preferences(QDialog):
         help_in(self)
         self.setWindowTitle(self.tr("Preferences"))
         self._idle = False
-        page = QWidget()
-        self._form = QFormLayout(page)
+        self._page = QWidget()
+        self._form = QFormLayout(self._page)
         self._form.setHorizontalSpacing(16)
         self._form.setVerticalSpacing(8)
         self._form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
@@ -80,28 +80,33 @@ class Preferences(QDialog):
         self._detection()
         self._work()
         scroll = QScrollArea()
-        scroll.setWidget(page)
+        scroll.setWidget(self._page)
         scroll.setWidgetResizable(True)
         scroll.setFrameShape(QScrollArea.Shape.NoFrame)
         # Else it takes the keyboard first, and shows nowhere that it has it.
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        leave_wheel(page)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        again = buttons.addButton(
+        leave_wheel(self._page)
+        self._buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        again = self._buttons.addButton(
             self.tr("Restore defaults"), QDialogButtonBox.ButtonRole.ResetRole
         )
         again.clicked.connect(self._restore)
-        buttons.rejected.connect(self.reject)
+        self._buttons.rejected.connect(self.reject)
         column = QVBoxLayout(self)
         column.addWidget(scroll)
-        column.addWidget(buttons)
+        column.addWidget(self._buttons)
         theme.watcher.changed.connect(self._paint_kinds)
         self._read()
         for button in self.findChildren(QPushButton):
             # Return in a field would press the first of them, which asks for a colour.
             button.setAutoDefault(False)
         self.theme.setFocus()
-        whole = page.sizeHint() + QSize(48, buttons.sizeHint().height() + 48)
+        self._fit()
+
+    def _fit(self) -> None:
+        """Be as large as the page, where the screen is."""
+        beside = QSize(48, self._buttons.sizeHint().height() + 48)
+        whole = self._page.sizeHint() + beside
         self.resize(whole.expandedTo(QSize(600, 0)).boundedTo(self.screen().availableSize() * 0.9))
 
     # The page
@@ -170,12 +175,16 @@ class Preferences(QDialog):
         self.dial.setPageStep(10)
         self.dial_value = QLabel()
         self.dial_value.setMinimumWidth(48)
+        self.dial_value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         row = QHBoxLayout()
+        row.setSpacing(8)
         row.addWidget(self.dial, 1)
         row.addWidget(self.dial_value)
         self.dial.setAccessibleName(self.tr("Sensitivity"))
         self._form.addRow(self.tr("Sensitivity"), row)
-        self._hint(self.tr("Higher finds more, and more false alarms, from the next search on."))
+        self.dial_hint = self._hint(
+            self.tr("Higher finds more, and more false alarms, from the next search on.")
+        )
         self.dial.valueChanged.connect(self._dialled)
 
     def _work(self) -> None:
@@ -211,10 +220,11 @@ class Preferences(QDialog):
         label.setContentsMargins(0, 12 if self._form.rowCount() else 0, 0, 0)
         self._form.addRow(label)
 
-    def _hint(self, text: str) -> None:
+    def _hint(self, text: str) -> QLabel:
         label = QLabel(text)
         label.setProperty("role", "small")
         self._form.addRow("", label)
+        return label
 
     def _row(self, text: str, widget: QWidget) -> None:
         widget.setAccessibleName(text)
@@ -263,13 +273,14 @@ class Preferences(QDialog):
     def dial_does_nothing(self) -> None:
         """Say that what is open is searched without them."""
         text = self.tr(
-            "Only for takes of markers: joints of a skeleton recording are looked at in one way. "
+            "Not for the open recording: its joints are looked at in one way.\n"
             "Close it to set this for the next take."
         )
         self._idle = True
+        self.dial_hint.setText(text)
+        self._fit()
         for widget in (self.preset, self.dial, self.dial_value):
             widget.setEnabled(False)
-            widget.setToolTip(text)
 
     def _read_detection(self) -> None:
         """Show dial and preset."""

@@ -57,6 +57,8 @@ class Curve(QGraphicsPathItem):
         self._step = 1.0
         self._fitted: Place | None = None
         self._dots = dots
+        # The path does not tell: of one point at the origin it has no element.
+        self._empty = True
         self._drawn: QPainterPath | QPolygonF | list[QLineF] = QPainterPath()
         # Qt would work out what a pen adds to the extent by stroking the whole path.
         self.setPen(_NO_PEN)
@@ -119,8 +121,9 @@ class Curve(QGraphicsPathItem):
             x, y = thinned_values(self.values, self._step, place)
         else:
             x, y = thinned_points(self.frames, self.values, place)
-        if not len(x) and not self.path().elementCount():
+        if not len(x) and self._empty:
             return
+        self._empty = not len(x)
         y = np.clip(y, -_FAR, _FAR)
         path = QPainterPath()
         if self._dots:

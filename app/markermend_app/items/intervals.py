@@ -20,6 +20,8 @@ from markermend_app.style import theme
 
 LANE_HEIGHT = 12
 THIN_LANE_HEIGHT = 6
+_STRIP_MOST = 0.3
+"""Share of a plot that lanes with letters may take."""
 _LETTER_WIDTH = 11
 _REACH_PX = 3.0
 # A see-through fill takes twenty times as long as a solid one of the same colour; under narrow
@@ -36,7 +38,7 @@ _NARROW = {
 
 @dataclass(frozen=True)
 class Placed:
-    """An artifact on screen: its rectangle of the lane, in scene pixels."""
+    """An artifact on screen: its rectangle of one lane, in scene pixels."""
 
     artifact: Artifact
     left: float
@@ -47,6 +49,8 @@ class Placed:
 
 class Intervals(InView):
     """Artifacts of the shown markers on one axis; one lane a marker, the foremost lowest.
+
+    Those of several markers, which changed places, lie in the lanes of all of them.
 
     ``show`` takes what is to be drawn; ``hit`` tells which artifact lies under a point.
     """
@@ -130,14 +134,18 @@ class Intervals(InView):
     # Inner workings
 
     def _lane_height(self) -> float:
-        """Height of one lane: with room for letters while there are few markers.
+        """Height of one lane: with room for letters while there are few markers in a high plot.
 
         Many lanes share what three take, else they would cover the curves.
         """
-        lanes = len(self._lanes)
-        if lanes <= 3:
+        lanes = max(1, len(self._lanes))
+        if lanes <= 3 and lanes * LANE_HEIGHT <= _STRIP_MOST * self._view_in_scene().height():
             return LANE_HEIGHT
         return min(THIN_LANE_HEIGHT, max(1.0, 3 * LANE_HEIGHT / lanes))
+
+    def _lanes_of(self, artifact: Artifact) -> list[int]:
+        """Lanes of the shown markers that it is of, the lowest first: of a mix-up several."""
+        return sorted(self._lanes[m] for m in artifact.markers if m in self._lanes)
 
     def _view_in_scene(self) -> QRectF:
         """The visible part of the plot, in scene pixels."""
@@ -145,7 +153,7 @@ class Intervals(InView):
         return QRectF() if view is None else view.sceneBoundingRect()
 
     def _placed(self, box: QRectF, margin_px: float) -> list[Placed]:
-        """Artifacts in view with their place, each at least a pixel wide."""
+        """Artifacts in view with their places, each at least a pixel wide."""
         view = self.getViewBox()
         if view is None or not self._rows or box.width() <= 0:
             return []
@@ -160,10 +168,11 @@ class Intervals(InView):
         height = self._lane_height()
         floor = box.bottom() - height
         return [
-            Placed(a, x0, x1, floor - height * self._lanes.get(a.marker, 0), height)
+            Placed(a, x0, x1, floor - height * lane, height)
             for a, x0, x1 in zip(
                 (self._rows[i] for i in chosen.tolist()), left.tolist(), right.tolist(), strict=True
             )
+            for lane in self._lanes_of(a)
         ]
 
     def _paint_bands(
@@ -187,7 +196,7 @@ class Intervals(InView):
         """How strong a band is: open ones of the foremost marker stand out, rejected have none."""
         if artifact.id == self._current:
             return 0.24
-        if self._lanes.get(artifact.marker, 0) > 0:
+        if 0 not in self._lanes_of(artifact):
             return 0.0
         return {
             Status.PENDING: 0.16,

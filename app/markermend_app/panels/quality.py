@@ -199,7 +199,7 @@ class QualityPanel(QWidget):
         if session is None:
             return
         self._show_marker(index)
-        open_ = [a for a in session.listed_with(Status.PENDING) if a.marker == marker]
+        open_ = [a for a in session.listed_with(Status.PENDING) if a.concerns([marker])]
         if open_:
             take = session.take
             worst = max(open_, key=lambda a: badness(a, take.rate, take.frames))

@@ -5,7 +5,7 @@ Also where it was made small before the last start, or started so.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer
 from PySide6.QtGui import QResizeEvent
@@ -20,6 +20,8 @@ _KEPT = "side_widths"
 
 class SideWidths(QObject):
     """Of a window that grows Qt widens the middle only, and leaves the sides as narrow as they are.
+
+    Of one that shrinks it leaves them as wide as it can, so that nothing is left for the middle.
 
     Parameters
     ----------
@@ -38,6 +40,8 @@ class SideWidths(QObject):
         self._settled: _Widths = 0, []
         self._soon = QTimer(self, singleShot=True, interval=0)
         self._soon.timeout.connect(self._widen)
+        self._less = QTimer(self, singleShot=True, interval=0)
+        self._less.timeout.connect(self._narrow)
         self._note = QTimer(self, singleShot=True, interval=0)
         self._note.timeout.connect(self._remember)
         for watched in (window, *sides):
@@ -55,6 +59,8 @@ class SideWidths(QObject):
                 _keep(self._before)
             elif self._before is not None and new >= self._before[0]:
                 self._soon.start()
+            if 0 < new < old:
+                self._less.start()
         if isinstance(event, QResizeEvent) and self._before is None:
             self._note.start()
         return super().eventFilter(watched, event)
@@ -64,6 +70,13 @@ class SideWidths(QObject):
         if self._before is None:
             self._settled = self._window.width(), [side.width() for side in self._sides]
 
+    def _narrow(self) -> None:
+        """Leave the sides no more than their share of a window that shrank."""
+        if self._before is not None:
+            whole, widths = self._before
+            shares = [round(width * self._window.width() / whole) for width in widths]
+            self._give(shares, lambda now, wanted: now > wanted)
+
     def _widen(self) -> None:
         """Give the sides what they had, where they have less; wider ones were drawn wider since."""
         if self._before is None or self._window.width() < self._before[0]:
@@ -71,10 +84,14 @@ class SideWidths(QObject):
         (_, widths), self._before = self._before, None
         _keep(None)
         self._note.start()
+        self._give(widths, lambda now, wanted: now < wanted)
+
+    def _give(self, widths: Sequence[int], where: Callable[[int, int], bool]) -> None:
+        """Give the sides these widths where that of now compares so with the one wanted."""
         docked = [
             (side, width)
             for side, width in zip(self._sides, widths, strict=True)
-            if side.isVisible() and not side.isFloating() and side.width() < width
+            if side.isVisible() and not side.isFloating() and where(side.width(), width)
         ]
         if docked:
             sides, wanted = zip(*docked, strict=True)

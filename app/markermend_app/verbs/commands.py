@@ -18,12 +18,13 @@ from markermend.review.file import SessionFile
 from markermend.review.session import Session
 from markermend_app import detection, settings
 from markermend_app.background.jobs import Lane
-from markermend_app.background.loading import Opened, load, takes_folder
+from markermend_app.background.loading import SEARCHED, Opened, load, takes_folder
 from markermend_app.background.saver import Saver
 from markermend_app.dialogs import ask as dialogs
-from markermend_app.dialogs.file_filters import open_filter
+from markermend_app.dialogs.file_filters import WITHOUT_PATTERNS, open_filter
 from markermend_app.document import Document
 from markermend_app.later import SOON_MS, Later
+from markermend_app.resuming import Resuming
 from markermend_app.telling import told
 from markermend_app.verbs.exporting import Exporter
 from markermend_app.verbs.skeletons import give_skeleton
@@ -45,6 +46,7 @@ class Commands(QObject):
         self._lane = lane
         self._window = window
         self._saver = Saver(self)
+        self._resuming = Resuming(document, self)
         self._searched: Session | None = None
         self._first = Later(self._begin, self)
         self._exporter = Exporter(document, lane, self._saver, window)
@@ -59,7 +61,7 @@ class Commands(QObject):
         """Ask for a take and open it."""
         start = str(takes_folder(self._document.path))
         name, _ = QFileDialog.getOpenFileName(
-            self._window, self.tr("Open take"), start, open_filter()
+            self._window, self.tr("Open take"), start, open_filter(), "", WITHOUT_PATTERNS
         )
         if name:
             self.open_path(Path(name))
@@ -119,10 +121,14 @@ class Commands(QObject):
         self._lane.submit(label, work, done, failed, dropped)
 
     def _look_at_first(self, file: SessionFile, label: str) -> None:
-        """Look at the first artifact or, with none, marker; once the methods listed are loaded."""
+        """Look where the review was left, else at the first artifact or, with none, marker.
+
+        That is once the methods listed are loaded.
+        """
 
         def done() -> None:
-            if self._document.file is file and self._document.current is None:
+            beginning = self._document.file is file and self._document.current is None
+            if beginning and not self._resuming.go_back():
                 self._document.step(1)
 
         self._load_methods(label, done)
@@ -160,7 +166,7 @@ class Commands(QObject):
             self._document.learn(mesh)
             new = not file.session.begun and not file.read_only
             if new and settings.flag("detect_on_open", True):
-                self.detect()
+                self._detect(slow=False, by_itself=True)
             else:
                 self._look_at_first(file, label)
 
@@ -241,7 +247,7 @@ class Commands(QObject):
         """Look for every class."""
         self._detect(slow=True)
 
-    def _detect(self, *, slow: bool) -> None:
+    def _detect(self, *, slow: bool, by_itself: bool = False) -> None:
         session, mesh = self._document.session, self._document.mesh
         if session is None:
             return
@@ -256,7 +262,8 @@ class Commands(QObject):
             if session.original is not take:
                 self.said.emit(self.tr("Markers were renamed meanwhile; detect again."))
                 return
-            self._document.add_detected(found, "all kinds" if slow else "sudden")
+            name = "all kinds" if slow else SEARCHED
+            self._document.add_detected(found, name, by_itself=by_itself)
             one, many = self.tr("1 artifact found."), self.tr("{0} artifacts found.")
             text = one if len(found) == 1 else many.format(len(found))
             if session.region is not None:
@@ -363,7 +370,7 @@ class Commands(QObject):
     def undo(self) -> None:
         """Take the last step back, and say which; it may lie out of view."""
         session = self._document.session
-        if session is not None and session.history:
+        if session is not None and session.undoable:
             what = session.history[-1]
             self._document.undo()
             self.said.emit(self.tr("Undone: {0}").format(told(what)))

@@ -104,12 +104,13 @@ def take_over(session: Session, item: ToReview) -> bool:
         )
     found = artifacts_of(values)
     how = [listed.get("repair") or {} for listed in values["artifacts"]]
-    session.add_detected((a.with_status(Status.PENDING) for a in found), str(values["method"]))
+    pending = (a.with_status(Status.PENDING) for a in found)
+    session.add_detected(pending, str(values["method"]), by_itself=True)
     repairs = [
         (a.id, _repair(a, h, clean)) for a, h in zip(found, how, strict=True) if h.get("method")
     ]
     if repairs:
-        session.repair(repairs, f"Repair {len(repairs)} artifacts (batch)")
+        session.repair(repairs, f"Repair {len(repairs)} artifacts (batch)", by_itself=True)
     return True
 
 

@@ -51,10 +51,10 @@ def carry_over(session: Session, document: Mapping[str, Any], path: Path) -> str
     then = document["source"].get("markers", {})
     same = {label for label in now if then.get(label) == now[label]}
     for entry in document["done"]:
-        label, edit, _ = step_from_dict(entry)
+        label, edit, _, by_itself = step_from_dict(entry)
         kept = _restricted(edit, same, set(session.notes) | {a.id for a in session.artifacts})
         if kept is not None:
-            session.perform(label, kept)
+            session.perform(label, kept, by_itself=by_itself)
     changed = len(now) - len(same)
     return (
         f"The take has changed since it was reviewed: what was decided on the {len(same)} markers "
@@ -83,9 +83,9 @@ def go_on(session: Session, document: Mapping[str, Any], path: Path) -> str:
     for name, own in ((FOUND_BEFORE, False), ("Decided before the export", True)):
         some = [a for a in left if (a.id in touched) is own and set(a.markers) <= labels]
         if some:
-            session.perform(name, SetArtifacts({a.id: a for a in some}))
+            session.perform(name, SetArtifacts({a.id: a for a in some}), by_itself=True)
     for region in [r for _, edit in edits for r in parts(edit, SetRegion)][-1:]:
-        session.perform("Review the same frames", region)
+        session.perform("Review the same frames", region, by_itself=True)
     session.mark_exported()
     return (
         "The take was exported over its original. What was not repaired of its review goes on "

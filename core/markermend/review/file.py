@@ -9,6 +9,8 @@ replayed.
 
 The journal's operating system lock marks the review as open: it dies with its process. A second
 opening gets a read-only review.
+
+Where the operator stood is journalled as well, for the review to go on there; it is no step.
 """
 
 from __future__ import annotations
@@ -24,6 +26,7 @@ from typing import IO, Any
 from markermend.errors import DataError, MarkermendError
 from markermend.review.carry import carry_over, go_on, marker_hashes
 from markermend.review.edits import samples_in
+from markermend.review.left_at import left_at_to_dict
 from markermend.review.lock import open_locked
 from markermend.review.on_disk import OnDisk
 from markermend.review.place import (
@@ -115,6 +118,7 @@ class SessionFile:
             done=done,
             undone=undone,
             exported=self.session.exported_at,
+            left_at=self.session.left_at,
         )
 
     def take_over(self, taken: Snapshot) -> bool:
@@ -134,6 +138,13 @@ class SessionFile:
             index_entry(self.hash).write_bytes(os.fsencode(self.path))
         return True
 
+    def keep_left_at(self) -> None:
+        """Journal where the operator stands, unless that cannot be written now."""
+        at = left_at_to_dict(self.session.left_at)
+        if not self._torn:
+            with contextlib.suppress(MarkermendError):
+                self._append(lambda: {"at": at})
+
     def close(self) -> None:
         """Let go of the lock; an empty journal is removed."""
         if self._journal is None:
@@ -148,7 +159,7 @@ class SessionFile:
         self._on_disk.close()
         journal, self._journal = self._journal, None
         self.session.on_step = None
-        empty = _lines(journal) <= 1
+        empty = not _holds_steps(journal)
         name = Path(journal.name)
         journal.close()
         if empty:
@@ -352,7 +363,8 @@ def _source_path(take: Take) -> str:
     return str(take.source.path) if take.source else ""
 
 
-def _lines(journal: IO[bytes]) -> int:
-    """Count the lines of an open journal."""
+def _holds_steps(journal: IO[bytes]) -> bool:
+    """Whether an open journal holds more than its head and where the operator stood."""
     journal.seek(0)
-    return journal.read().count(b"\n")
+    _, *lines = journal.read().split(b"\n")
+    return any(line and not line.startswith(b'{"at"') for line in lines)

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from markermend.review.left_at import left_at_from_dict
 from markermend.review.session import Session
 from markermend.review.steps_json import step_from_dict
 
@@ -31,6 +32,7 @@ def replay_document(session: Session, document: Mapping[str, Any]) -> None:
         session.perform(*step)
     for _ in undone:
         session.undo()
+    session.left_at = left_at_from_dict(document.get("at"))
     if document.get("exported") is not None:
         session.mark_exported(int(document["exported"]))
 
@@ -57,6 +59,9 @@ def replay_journal(session: Session, text: bytes, generation: int, digest: str) 
         entry = _parse(line)
         if entry is None:
             break
+        if "at" in entry:
+            session.left_at = left_at_from_dict(entry["at"])
+            continue
         if "do" in entry:
             session.perform(*step_from_dict(entry["do"]))
         elif "undo" in entry:

@@ -13,6 +13,7 @@ from typing import Any
 from markermend.artifact import Artifact
 from markermend.artifact_json import to_dict
 from markermend.errors import MarkermendError
+from markermend.review.left_at import LeftAt, left_at_to_dict
 from markermend.review.step import Step
 from markermend.review.steps_json import step_to_dict
 
@@ -27,7 +28,7 @@ class Snapshot:
     part : where it is written first, beside it
     revision, generation : of the session, and what the file's will be
     head : what the file says of itself and its take
-    artifacts, done, undone, exported : of the session
+    artifacts, done, undone, exported, left_at : of the session
     """
 
     path: Path
@@ -39,6 +40,7 @@ class Snapshot:
     done: tuple[Step, ...]
     undone: tuple[Step, ...]
     exported: int | None
+    left_at: LeftAt | None
 
     def write(self) -> None:
         """Write it beside the session file, and bring it to the disk; takes long.
@@ -55,6 +57,7 @@ class Snapshot:
             "done": [step_to_dict(s) for s in self.done],
             "undone": [step_to_dict(s) for s in self.undone],
             "exported": self.exported,
+            "at": left_at_to_dict(self.left_at),
         }
         try:
             with self.part.open("w", encoding="utf-8") as file:

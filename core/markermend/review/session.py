@@ -27,6 +27,7 @@ from markermend.review.edits import (
     extent,
     merged,
 )
+from markermend.review.left_at import LeftAt
 from markermend.review.pace import Pace, Stopwatch, pace_of
 from markermend.review.repairing import by_hand, describe, repairing
 from markermend.review.restoring import taking_back
@@ -50,6 +51,7 @@ class Session:
     stopwatch : measures the operator's time; told by whoever sees what the operator does
     revision : grows with every change, also by undo and redo; what was computed at one revision
         may be applied only while it is unchanged
+    left_at : where the operator stood last; told as the stopwatch is, or None
     on_step : called after each change with ``("do", step)``, ``("undo", step)`` or
         ``("redo", step)``; the journal hangs here
     """
@@ -57,6 +59,7 @@ class Session:
     def __init__(self, take: Take) -> None:
         self.revision = 0
         self.stopwatch = Stopwatch()
+        self.left_at: LeftAt | None = None
         self.on_step: Callable[[str, Step], None] | None = None
         self._state = State(take)
         self._done: list[Step] = []
@@ -195,12 +198,15 @@ class Session:
 
     # Decisions
 
-    def add_detected(self, found: Iterable[Artifact], method: str) -> Change:
+    def add_detected(
+        self, found: Iterable[Artifact], method: str, *, by_itself: bool = False
+    ) -> Change:
         """Take over what a detector found.
 
         Flags that are still pending are replaced; what the operator decided, marked or changed
         stays, and a new flag that one of these of the same marker and kind already covers by
-        half is left out.
+        half is left out. What was searched ``by_itself`` when the take was opened is no step of
+        the operator's.
         """
         touched = touched_by_hand(self._done)
         staying: dict[str, list[Artifact]] = {}
@@ -215,7 +221,7 @@ class Session:
                 continue
             if not any(same_finding(artifact, d) for d in staying.get(artifact.marker, ())):
                 changes[artifact.id] = artifact
-        return self.perform(f"Detect ({method})", SetArtifacts(changes))
+        return self.perform(f"Detect ({method})", SetArtifacts(changes), by_itself=by_itself)
 
     def set_status(self, ids: Sequence[str], status: Status) -> Change:
         """Accept, reject or reopen; reopening or rejecting a repaired one restores its samples.
@@ -237,8 +243,10 @@ class Session:
         }[status]
         return self.perform(f"{verb} {describe(chosen)}", Group(tuple(edits)))
 
-    def repair(self, repairs: Sequence[tuple[str, Repair]], label: str = "") -> Change:
-        """Replace samples by proposed repairs, all as one step.
+    def repair(
+        self, repairs: Sequence[tuple[str, Repair]], label: str = "", *, by_itself: bool = False
+    ) -> Change:
+        """Replace samples by proposed repairs, all as one step; ``by_itself`` as for finding.
 
         An artifact that was repaired before goes back to its source samples first.
 
@@ -253,7 +261,8 @@ class Session:
         for artifact, (_, proposal) in zip(chosen, repairs, strict=True):
             edits.extend(repairing(artifact, proposal, known))
         method = repairs[0][1].method if len(repairs) == 1 else None
-        return self.perform(label or f"Repair {describe(chosen, method)}", Group(tuple(edits)))
+        label = label or f"Repair {describe(chosen, method)}"
+        return self.perform(label, Group(tuple(edits)), by_itself=by_itself)
 
     def mark(self, artifact: Artifact) -> Change:
         """Add an artifact by hand."""
@@ -362,14 +371,21 @@ class Session:
         """Labels of the steps that redo would bring back, next first."""
         return tuple(s.label for s in reversed(self._undone))
 
-    def perform(self, label: str, edit: Edit, spent_s: float | None = None) -> Change:
+    @property
+    def undoable(self) -> bool:
+        """Whether the last step is one that the operator would take back, who did it."""
+        return bool(self._done) and not self._done[-1].by_itself
+
+    def perform(
+        self, label: str, edit: Edit, spent_s: float | None = None, by_itself: bool = False
+    ) -> Change:
         """Apply an edit as one undoable step; one that was stored knows the time of its making."""
         inverse = edit.apply(self._state)
         if spent_s is None:
             spent_s = self.stopwatch.touch()
         else:
             self.stopwatch.spent_s = max(self.stopwatch.spent_s, spent_s)
-        step = Step(label, edit, inverse, spent_s)
+        step = Step(label, edit, inverse, spent_s, by_itself)
         self._done.append(step)
         self._undone.clear()
         return self._after("do", step)

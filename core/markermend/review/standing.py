@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from markermend.arrays import IntArray
-from markermend.artifact import Artifact, Kind, Status
+from markermend.artifact import Artifact, Kind, Status, changed_markers
 from markermend.review.edits import RepairNote
 from markermend.take import Origin, Take
 
@@ -57,7 +57,7 @@ def standings(
     Returns
     -------
     The whole take, whose shares count the named markers only, then every marker in the take's
-    order
+    order; what markers changed places in counts for each of them, and once for the take
     """
     rows = slice(*(region or (0, take.frames)))
     then, stands_now = original.origin[rows], take.origin[rows]
@@ -66,8 +66,11 @@ def standings(
     now = np.count_nonzero(stands_now == Origin.MISSING, axis=0) / frames
     mended = np.count_nonzero(stands_now >= Origin.FILLED, axis=0) / frames
     by_marker: dict[str, list[Artifact]] = {label: [] for label in take.labels}
-    for artifact in artifacts:
-        by_marker[artifact.marker].append(artifact)
+    everything = list(artifacts)
+    for artifact in everything:
+        note = notes.get(artifact.id)
+        for marker in changed_markers(artifact, note.method if note else None):
+            by_marker[marker].append(artifact)
     named = np.array(take.named, dtype=np.int64)
 
     def stands(label: str, own: list[Artifact], columns: IntArray) -> Standing:
@@ -77,7 +80,6 @@ def standings(
         shares = [float(s[columns].mean()) if len(columns) else 0.0 for s in (before, now, mended)]
         return Standing(label, shares[0], shares[1], shares[2], undecided, decided, mean, worst)
 
-    everything = [a for own in by_marker.values() for a in own]
     return (
         stands("", everything, named),
         *(stands(label, own, np.array([i])) for i, (label, own) in enumerate(by_marker.items())),

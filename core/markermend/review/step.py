@@ -19,12 +19,14 @@ class Step:
     label : what it is called
     edit, inverse : what it does and what takes it back
     spent_s : seconds of work that the review had taken when it was done
+    by_itself : whether it came with opening the take, and no operator did it
     """
 
     label: str
     edit: Edit
     inverse: Edit
     spent_s: float = 0.0
+    by_itself: bool = False
 
 
 FOUND_BEFORE = "Found before the export"

@@ -28,12 +28,14 @@ from markermend.review.step import Step
 
 def step_to_dict(step: Step) -> dict[str, Any]:
     """Write a step: its label, edit and time; the inverse is found again by replaying."""
-    return {"label": step.label, "edit": _edit_to_dict(step.edit), "spent_s": step.spent_s}
+    entry = {"label": step.label, "edit": _edit_to_dict(step.edit), "spent_s": step.spent_s}
+    return {**entry, "by_itself": True} if step.by_itself else entry
 
 
-def step_from_dict(entry: Mapping[str, Any]) -> tuple[str, Edit, float]:
-    """Read a step back as label, edit and the seconds spent on the review so far."""
-    return entry["label"], _edit_from_dict(entry["edit"]), float(entry.get("spent_s", 0.0))
+def step_from_dict(entry: Mapping[str, Any]) -> tuple[str, Edit, float, bool]:
+    """Read a step back: label, edit, seconds spent on the review so far, and if by itself."""
+    spent_s, by_itself = float(entry.get("spent_s", 0.0)), bool(entry.get("by_itself", False))
+    return entry["label"], _edit_from_dict(entry["edit"]), spent_s, by_itself
 
 
 def _edit_to_dict(edit: Edit) -> dict[str, Any]:

@@ -12,6 +12,14 @@
         <translation>Das ging nicht; nichts wurde geändert. Die Einzelheiten sagen, was geschah.</translation>
     </message>
     <message>
+        <source>What you choose is copied beside it, under its name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose skeleton…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>This take</source>
         <translation>Diese Aufnahme</translation>
     </message>
@@ -1512,10 +1520,6 @@
         <translation>Skelett wiederherstellen</translation>
     </message>
     <message>
-        <source>Works a joint out from the others, from time, from its bones and from how bodies move; only for skeleton recordings, where it is the best.</source>
-        <translation>Berechnet ein Gelenk aus den anderen, dem zeitlichen Verlauf, seinen Knochen und daraus, wie Körper sich bewegen; nur für Skelettaufnahmen, dort am besten.</translation>
-    </message>
-    <message>
         <source>Adaptive</source>
         <translation>Anpassend</translation>
     </message>
@@ -1788,10 +1792,6 @@
         <translation>Artefakte aller Klassen gesucht</translation>
     </message>
     <message>
-        <source>{0} needs its skeleton: put the ASF file beside it, named {1}.asf, and open it again.</source>
-        <translation>{0} braucht sein Skelett: Legen Sie die ASF-Datei als {1}.asf daneben und öffnen Sie es noch einmal.</translation>
-    </message>
-    <message>
         <source>{0} samples have the residual word 65535, which is -1 without its sign; they were read as missing.</source>
         <translation>{0} Werte haben das Residuenwort 65535, also -1 ohne Vorzeichen; sie wurden als fehlend gelesen.</translation>
     </message>
@@ -1894,6 +1894,10 @@
     <message>
         <source>The header counts {0} frames; {1} were read.</source>
         <translation>Der Dateikopf zählt {0} Frames; {1} wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>Its skeleton is taken to be {0}, the only one here.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>none</source>
@@ -2006,10 +2010,6 @@
     <message>
         <source>“{0}” cannot be opened: {1}.</source>
         <translation>„{0}“ lässt sich nicht öffnen: {1}.</translation>
-    </message>
-    <message>
-        <source>A BVH holds every joint of every pose. Frames in which joints are not known: {0}. Repair these gaps first, in the window by F, or all of them by markermend clean; or write a CSV.</source>
-        <translation>Eine BVH hat jedes Gelenk in jeder Haltung. Frames, in denen Gelenke nicht bekannt sind: {0}. Reparieren Sie erst diese Lücken, im Fenster mit F oder alle mit markermend clean; oder schreiben Sie eine CSV.</translation>
     </message>
     <message>
         <source>{0} could not be written: {1}; nothing was changed, choose another place or free some space.</source>
@@ -2368,6 +2368,10 @@
         <translation>Es bliebe mehr Schaden, als es richtet: {0} von {1} mm.</translation>
     </message>
     <message>
+        <source>Angles were exchanged here, not places; restoring the skeleton gives them back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} frames at {1} Hz ({2} s), {3} markers. {4}, Markermend {5}.</source>
         <translation>{0} Frames mit {1} Hz ({2} s), {3} Marker. {4}, Markermend {5}.</translation>
     </message>
@@ -2554,6 +2558,26 @@
     <message>
         <source>{0} would leave damage.</source>
         <translation>{0} würde Schäden übrig lassen.</translation>
+    </message>
+    <message>
+        <source>Works a joint out from the others, from time, from its bones and from how bodies move; only for skeleton recordings, where it mostly is the best.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} needs its skeleton: put the ASF file beside it, named {1}.asf, or choose it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} needs its skeleton: none of the ASF files beside it is named {1}.asf. Name the right one so (what stands before the first _ will do, as in 02.asf for 02_01.amc), or choose it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} needs its skeleton: {1}, the only ASF file beside it, does not have {2} as it is there. Put the right one beside it, named {3}.asf, or choose it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A BVH holds every joint of every pose. Frames in which joints are not known: {0}. Repair these gaps first, {repair} the one under review and {repair_accepted} all that are accepted; or write a CSV.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} rows are missing; their frames were read as gaps.</source>
@@ -2999,6 +3023,10 @@
         <source>Swap joints</source>
         <translation>Gelenke tauschen</translation>
     </message>
+    <message>
+        <source>Choose the skeleton of {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>AlikeDialog</name>
@@ -3255,6 +3283,10 @@
         <translation>Es wird berechnet, was jedes Verfahren täte…</translation>
     </message>
     <message>
+        <source>This is repaired already; {0} takes that back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No method has an answer here.</source>
         <translation>Kein Verfahren hat hier eine Antwort.</translation>
     </message>
@@ -3263,8 +3295,16 @@
         <translation>↑ ↓ wählen, {0} repariert. ± ist an ähnlichen gesehenen Strecken geschätzt.</translation>
     </message>
     <message>
-        <source>Without an answer here: {0}.</source>
-        <translation>Ohne Antwort hier: {0}.</translation>
+        <source>↑ ↓ choose, {0} repairs. ± is each method&apos;s own estimate; only half of it goes before Restore skeleton.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 other method has no answer here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} other methods have no answer here.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3395,6 +3435,10 @@
 <context>
     <name>Document</name>
     <message>
+        <source>{0} repaired.</source>
+        <translation type="unfinished">{0} repariert.</translation>
+    </message>
+    <message>
         <source>The flag on {0} is accepted, the samples are left. {1}</source>
         <translation>Der Befund an {0} ist angenommen, die Werte bleiben. {1}</translation>
     </message>
@@ -3479,6 +3523,10 @@
     <message>
         <source>Exported to {0}; {1} samples differ.</source>
         <translation>Nach {0} exportiert; {1} Werte unterscheiden sich.</translation>
+    </message>
+    <message>
+        <source>Its bones are rigid: {0} is {1} off there, no joint is more.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The original is kept as {0}.</source>
@@ -4143,8 +4191,9 @@
         <translation>Alle Tasten auf einem Blatt, jede änderbar, mit Vorlagen.</translation>
     </message>
     <message>
-        <source>Only for takes of markers: joints of a skeleton recording are looked at in one way. Close it to set this for the next take.</source>
-        <translation>Nur für Aufnahmen von Markern: Gelenke einer Skelettaufnahme werden auf eine Art untersucht. Schließen Sie sie, um dies für die nächste Aufnahme einzustellen.</translation>
+        <source>Not for the open recording: its joints are looked at in one way.
+Close it to set this for the next take.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Preset “{0}”</source>
@@ -4298,6 +4347,14 @@
     <message>
         <source>Open ones first, the worst on top: size times confidence</source>
         <translation>Offene zuerst, das Schlimmste oben: Größe mal Sicherheit</translation>
+    </message>
+    <message>
+        <source>With it: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whole body</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

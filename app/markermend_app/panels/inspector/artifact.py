@@ -25,6 +25,7 @@ from markermend.artifact import PAIRED, Artifact, Kind, Status, changed_markers
 from markermend_app import units
 from markermend_app.actions.shortcuts import KeyTip
 from markermend_app.document import Document
+from markermend_app.panels.inspector.artifact_text import span
 from markermend_app.panels.inspector.methods import MethodList
 from markermend_app.panels.inspector.note_line import NoteLine
 from markermend_app.panels.inspector.take import heading, plain
@@ -152,10 +153,9 @@ class ArtifactPage(QWidget):
                 field.setRange(low, high)
                 field.setValue(value)
             field.setEnabled(editable)
-        span = f"{a.start + first}–{a.stop - 1 + first}" if a.length > 1 else f"{a.start + first}"
         extent = self.tr("Frames {0}") if a.length > 1 else self.tr("Frame {0}")
         size = f", {units.length(a.amplitude_mm)}" if math.isfinite(a.amplitude_mm) else ""
-        self.extent.setText(extent.format(span) + size)
+        self.extent.setText(extent.format(span(a, first)) + size)
         # A bar paints itself, and all behind it, at once unless it is kept from it.
         self.confidence.setUpdatesEnabled(False)
         self.confidence.setValue(round(100 * a.confidence))

@@ -1,4 +1,4 @@
-"""An artifact in words, for tooltips."""
+"""An artifact in words, for tooltips and lists."""
 
 from __future__ import annotations
 
@@ -14,6 +14,12 @@ STATUS_NAME = {
     Status.REJECTED: "rejected",
     Status.REPAIRED: "repaired",
 }
+
+
+def span(artifact: Artifact, first_frame: int) -> str:
+    """Its first frame and its last as the file counts them, or the only one."""
+    first, last = artifact.start + first_frame, artifact.stop - 1 + first_frame
+    return f"{first}–{last}" if artifact.length > 1 else str(first)
 
 
 def describe(take: Take, artifact: Artifact) -> str:

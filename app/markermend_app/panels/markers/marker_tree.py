@@ -69,7 +69,7 @@ class MarkerTree(QWidget):
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._document = document
-        self.setMinimumWidth(230)
+        self.setMinimumWidth(250)
         self._syncing = self._choosing = False
         self._names_wide = 0
         self._model = MarkerModel(document.show, document.show_beside, self)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPointF, Qt
@@ -103,7 +104,7 @@ class Gestures:
             return
         near = row.nearest(begin, shown, NEAR_PX) if isinstance(row, PlotRow) else None
         marker, start = near or shown[0], row.view.frame_at(begin)
-        low, high = self._whole(marker, min(start, stop), max(start, stop) + 1, take.frames)
+        low, high = self._whole((marker,), min(start, stop), max(start, stop) + 1, take.frames)
         for each in self._panel.canvas.frames:
             each.show_sweep(low, high)
         if last:
@@ -121,25 +122,25 @@ class Gestures:
         if current is None or take is None:
             return
         edges = row.edges.frames
-        start, stop = self._whole(current.marker, *edges, take.frames, besides=current)
+        start, stop = self._whole(current.markers, *edges, take.frames, besides=current)
         if (start, stop) != (current.start, current.stop):
             self._document.change(current.id, start=start, stop=stop)
         self._panel.show_current()
 
     def _whole(
         self,
-        marker: str,
+        markers: Sequence[str],
         start: float,
         stop: float,
         frames: int,
         besides: Artifact | None = None,
     ) -> tuple[int, int]:
-        """Whole frames, at the edge of another artifact on the marker where it is near."""
+        """Whole frames, at the edge of another artifact on the markers where it is near."""
         session = self._document.session
         edges = [
             edge
             for a in (() if session is None else session.artifacts)
-            if a.marker == marker and a != besides
+            if a.concerns(markers) and a != besides
             for edge in (a.start, a.stop)
         ]
         view = self._panel.canvas.frames[0].view

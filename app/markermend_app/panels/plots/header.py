@@ -17,6 +17,9 @@ from markermend_app.words import literal
 
 _MOST, _GAP = 6, 4
 _MARGIN, _SPACING = 8, 6
+_NAME_LEAST, _NAME_MOST = 90, 150
+"""Pixels that the foremost marker's name has before the readout says all it could."""
+_NARROW = 460
 
 
 class PlotHeader(QWidget):
@@ -61,7 +64,7 @@ class PlotHeader(QWidget):
         self.back.hide()
         layout.addWidget(self.back)
         # The name of the foremost marker goes before the readout's last figures.
-        self.legend.setMinimumWidth(90)
+        self.legend.setMinimumWidth(_NAME_LEAST)
         layout.addWidget(self.legend, 1)
         layout.addWidget(self.readout)
         theme.watcher.changed.connect(self._restyle)
@@ -77,12 +80,18 @@ class PlotHeader(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Say as much as has room now."""
         super().resizeEvent(event)
+        style = Qt.ToolButtonStyle
+        narrow = self.width() < _NARROW
+        self.plots.setToolButtonStyle(
+            style.ToolButtonIconOnly if narrow else style.ToolButtonTextBesideIcon
+        )
         self._fit_readout()
 
     def _fit_readout(self) -> None:
         """Leave out the time, the frame, and the name, before the last values."""
         taken = [self.plots, self.back] if self.back.isVisible() else [self.plots]
-        room = self.width() - self.legend.minimumWidth() - 2 * _MARGIN
+        name = min(max(self.legend.foremost_width, _NAME_LEAST), _NAME_MOST)
+        room = self.width() - name - 2 * _MARGIN
         room -= sum(button.sizeHint().width() + _SPACING for button in taken) + _SPACING
         frame, _, rest = self._said.partition(" · ")
         values = rest.partition(" · ")[2]
@@ -129,6 +138,7 @@ class PlotHeader(QWidget):
         """List these markers, each in its colour, the foremost first."""
         self._markers = tuple(markers)
         self.legend.show_markers(self._markers)
+        self._fit_readout()
 
     def _restyle(self) -> None:
         """Take over the theme's colours."""
@@ -182,6 +192,20 @@ class Legend(QWidget):
     def chips(self) -> list[QToolButton]:
         """Their buttons, of which those without room are hidden."""
         return self._made[: len(self.named)]
+
+    @property
+    def foremost_width(self) -> int:
+        """Pixels that the whole name of the foremost marker takes, and how many others there are.
+
+        Without a marker these are none.
+        """
+        if not self.chips:
+            return 0
+        chip = self.chips[0]
+        cut = chip.fontMetrics().horizontalAdvance(chip.text())
+        whole = chip.fontMetrics().horizontalAdvance(literal(self._first))
+        rest = self.more.sizeHint().width() if len(self._markers) > 1 else 0
+        return chip.sizeHint().width() + whole - cut + _GAP + rest
 
     def sizeHint(self) -> QSize:
         """As high as a button."""

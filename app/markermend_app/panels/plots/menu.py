@@ -7,7 +7,7 @@ from functools import partial
 
 from PySide6.QtWidgets import QMenu, QWidget
 
-from markermend.artifact import Artifact, Kind, Status
+from markermend.artifact import PAIRED, Artifact, Kind, Status
 from markermend_app.actions.menus import entry
 from markermend_app.document import Document
 from markermend_app.panels.markers.marker_menu import add_marker_verbs
@@ -22,7 +22,7 @@ def artifact_menu(
     """Decide about the current artifact and its like, change it, or take it off the list."""
     menu = QMenu(parent)
     name = theme.kind_name(artifact.kind)
-    _title(menu, f"{name} · {artifact.marker}")
+    _title(menu, f"{name} · {PAIRED.join(artifact.markers)}")
     status, ids = artifact.status, [artifact.id]
     for verb, decide, done in (
         ("accept", lambda: document.accept(ids), Status.ACCEPTED),

@@ -381,7 +381,7 @@ class PlotRow(PlotFrame):
         trusted, special = [], []
         for name, whole in self.values_of.items():
             values = whole[low:high]
-            if current is not None and name == current.marker and self.concerns(current):
+            if current is not None and name in current.markers and self.concerns(current):
                 a, b = max(0, current.start - low), max(0, current.stop - low)
                 special.append(values[a:b])
                 trusted += [values[:a], values[b:]]

@@ -306,7 +306,7 @@ class TrajectoryPanel(QWidget):
         session, shown = self.document.session, self.document.shown
         if session is None:
             return
-        artifacts = [a for a in session.artifacts if a.marker in shown]
+        artifacts = [a for a in session.artifacts if a.concerns(shown)]
         for row in self.rows:
             row.show_artifacts(artifacts, shown)
 
@@ -320,7 +320,7 @@ class TrajectoryPanel(QWidget):
         """Mark the artifact under review."""
         self._catch_up()
         current = self.document.current
-        if current is not None and current.marker not in self.document.shown:
+        if current is not None and not current.concerns(self.document.shown):
             current = None
         for row in self.rows:
             row.show_current(current, self.document.editable)

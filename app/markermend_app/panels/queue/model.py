@@ -22,7 +22,7 @@ from markermend.review.events import events
 from markermend.review.priority import badness
 from markermend.take import Take
 from markermend_app import units
-from markermend_app.panels.inspector.artifact_text import describe
+from markermend_app.panels.inspector.artifact_text import describe, span
 from markermend_app.panels.markers.badge import dot_icon
 from markermend_app.panels.markers.naming import paired_name, short_names
 from markermend_app.style import theme
@@ -122,7 +122,7 @@ class QueueModel(QAbstractTableModel):
             KIND: lambda a: theme.kind_name(a.kind),
             MARKER: self._marker_text,
             AXES: lambda a: a.axes.upper(),
-            FRAMES: lambda a: f"{a.start + self.first_frame}–{a.stop - 1 + self.first_frame}",
+            FRAMES: lambda a: span(a, self.first_frame),
             TIME: lambda a: f"{a.start / self.rate:.2f} s",
             LENGTH: lambda a: f"{a.length} f",
             SIZE: lambda a: units.length(a.amplitude_mm) if math.isfinite(a.amplitude_mm) else "–",

@@ -46,7 +46,8 @@ _WIDTHS = (98, 96, 96, 54, 90, 66, 66, 90, 92, 210, 60)
 _PADDING = 24
 _SPARED = (TIME, LENGTH, AXES, SIZE, FRAMES)
 """Columns that are left out one after the other where room is scarce; tooltips tell them."""
-_WHY_LEAST = 200
+_WHY_LEAST, _WHY_SPARED, _NAMES_WIDEST = 200, 80, 220
+"""Pixels: the reasons' least, how many of these names may take, the most for names."""
 
 
 class ReviewQueue(QWidget):
@@ -67,7 +68,8 @@ class ReviewQueue(QWidget):
         self._doing = ""
         self._listed: tuple[str, ...] = ()
         self._followed: str | None = None
-        self._syncing = self._choosing = self._stale = False
+        self._syncing = self._choosing = self._stale = self._fitting = False
+        self._names_wide = 0
         self._soon = Later(self._catch_up, self)
         self.model = QueueModel(self)
         self.view = QueueView()
@@ -232,7 +234,18 @@ class ReviewQueue(QWidget):
         self._follow_current(scroll=False)
         self.filters.count(() if session is None else session.listed)
         self.filters.fit(self.width())
+        self._measure_names()
         self._explain()
+
+    def _measure_names(self) -> None:
+        """Note how wide the widest name is, and make room for it."""
+        each = {a.markers: a for a in self.model.rows}
+        metrics = self.view.fontMetrics()
+        wide = [metrics.horizontalAdvance(self.model.text(a, MARKER)) for a in each.values()]
+        widest = max(wide, default=0) + _PADDING
+        if widest != self._names_wide:
+            self._names_wide = widest
+            self._fit_columns()
 
     def _select(self, ids: set[str]) -> None:
         """Select rows by id, as they were before the model changed."""
@@ -267,10 +280,19 @@ class ReviewQueue(QWidget):
             hidden.add(column)
         for column in range(WHY):
             self.view.setColumnHidden(column, column in hidden)
+        spare = (
+            room + _WHY_SPARED - sum(w for c, w in enumerate(self._widths[:WHY]) if c not in hidden)
+        )
+        more = min(self._names_wide, _NAMES_WIDEST) - self._widths[MARKER]
+        # A width that a hand has chosen stays.
+        if self._widths[MARKER] == _WIDTHS[MARKER]:
+            self._fitting = True
+            self.view.setColumnWidth(MARKER, _WIDTHS[MARKER] + max(0, min(more, spare)))
+            self._fitting = False
 
     def _remember_width(self, column: int, _: int, width: int) -> None:
         """Remember how wide a column is while it is left out, too."""
-        if width and column != WHY:
+        if width and column != WHY and not self._fitting:
             self._widths[column] = width
 
     def _order_changed(self) -> None:

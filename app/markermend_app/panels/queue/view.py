@@ -14,7 +14,7 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
-from PySide6.QtGui import QFontMetrics, QKeyEvent, QKeySequence, QPainter
+from PySide6.QtGui import QFontMetrics, QKeyEvent, QKeySequence, QPainter, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QApplication,
@@ -71,6 +71,15 @@ class QueueView(QTableView):
         }
         for column, delegate in self._delegates.items():
             self.setItemDelegateForColumn(column, delegate)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Keep the row under the cursor in sight where it was."""
+        # A column that is left out has no place on the screen.
+        index = self.currentIndex().siblingAtColumn(MARKER)
+        seen = index.isValid() and 0 <= self.visualRect(index).top() < event.oldSize().height()
+        super().resizeEvent(event)
+        if seen:
+            self.scrollTo(index)
 
     def event(self, event: QEvent) -> bool:
         """Keep review keys for itself while several rows are selected."""
