@@ -332,10 +332,11 @@ def test_nothing_is_asked_before_the_export_where_nothing_is_left(opened, qtbot,
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: ("", ""))
     settings.remember("record_repairs", True)
     document = opened.document
-    document.reject(document.queue[1:])
+    first, *rest = (a.id for a in document.session.artifacts)
+    document.reject(rest)
     opened.actions_by_name["export"].trigger()
     assert len(shown) == 1
-    document.reject(document.queue)
+    document.reject([first])
     opened.actions_by_name["export"].trigger()
     assert len(shown) == 1
     # What is wanted of takes is kept.

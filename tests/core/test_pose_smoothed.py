@@ -148,7 +148,7 @@ def test_intervals_restored_by_hand_are_written_as_restoring_has_them(take):
         Artifact("rfemur", "xyz", 40, 80, Kind.STEP),
         Artifact("head", "xyz", 50, 55, Kind.STEP),
     ]
-    after, pose = as_pose(mm.repair(take, marked)), pose_of(take)
+    after, pose = as_pose(mm.repair(take, marked, method="skeleton")), pose_of(take)
     confidence = np.array(pose.confidence)
     for one in marked:
         confidence[one.start : one.stop, take.index(one.marker)] = 0.0

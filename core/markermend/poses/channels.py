@@ -8,10 +8,10 @@ import numpy as np
 from scipy.ndimage import gaussian_filter1d
 
 from markermend.arrays import BoolArray, FloatArray
-from markermend.poses.bridging import bridged
 from markermend.poses.normal import FEATURES, Normal, normalise
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import NO_TURN, inverse, multiply, turn, unit, unrolled
+from markermend.poses.rooting import rooted
 
 # A rotation this near to none is what sensors write where they know nothing.
 _UNTURNED = 1e-9
@@ -45,8 +45,8 @@ def to_channels(pose: Pose) -> Channels:
 
     Parameters
     ----------
-    pose : any skeleton with one root that was seen at least once; frames in which it was not are
-        bridged from those beside them
+    pose : any skeleton with one root; where that was not seen, what hangs on it and the frames
+        beside tell (:func:`markermend.poses.rooting.rooted`)
 
     Raises
     ------
@@ -57,7 +57,8 @@ def to_channels(pose: Pose) -> Channels:
     root = pose.order[0]
     positions, rotations = np.array(pose.positions), np.array(pose.rotations)
     rotations[~turned] = np.nan
-    positions[:, root], rotations[:, root] = _root_path(positions[:, root], rotations[:, root])
+    base = rooted(pose, turned)
+    positions[:, root], rotations[:, root] = base.position, base.rotation
     confidence = np.array(pose.confidence)
     confidence[:, root] = np.maximum(confidence[:, root], np.finfo(float).tiny)
     features, normal = normalise(pose.with_samples(positions, rotations, confidence))
@@ -128,14 +129,3 @@ def trusted_turns(pose: Pose) -> BoolArray:
     blank = np.abs(np.abs(own) - NO_TURN).max(axis=2) < _UNTURNED
     turned[:, roots] = ~np.isnan(own[..., 3]) & ~(blank & ~turned[:, roots])
     return turned
-
-
-def _root_path(position: FloatArray, rotation: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """(frames, 3) and (frames, 4) of the root, bridged where it was not known."""
-    path = np.concatenate([position, unrolled(rotation[:, None])[:, 0]], axis=1)
-    known = ~np.isnan(path)
-    for part, nothing in ((slice(0, 3), 0.0), (slice(3, 7), np.array(NO_TURN))):
-        if not known[:, part].any():
-            path[:, part], known[:, part] = nothing, True
-    path = bridged(path, known)
-    return path[:, :3], unit(path[:, 3:])

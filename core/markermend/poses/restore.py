@@ -22,6 +22,7 @@ from markermend.poses.nuitrack import mirrored
 from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior, fitting, shipped_prior
 from markermend.poses.quaternion import signed_like, unit
+from markermend.poses.rooting import rooted
 from markermend.poses.settling import settle, settle_in_time
 from markermend.poses.sides import mirror_of
 from markermend.poses.smoothing import LEAST_NOISE, noise_level, smooth, smooth_again
@@ -134,24 +135,23 @@ def restore(
             restored = _tried(restored, part(tell, 0.9, 1.0))
     if left_handed:
         restored = replace(restored, pose=mirrored(restored.pose))
-    return _with_root_errors(replace(restored, faults=faults))
+    return _with_root_errors(replace(restored, faults=faults), pose)
 
 
-def _with_root_errors(restored: Restored) -> Restored:
-    """Expect of a root that was bridged, and of a body carried back to it, what bridges miss by."""
-    root = restored.pose.order[0]
-    bridged = restored.filled[:, root].copy()
+def _with_root_errors(restored: Restored, pose: Pose) -> Restored:
+    """Expect errors of a root that was not seen, and of a body carried back to where it belongs."""
+    root = pose.order[0]
+    unseen = restored.filled[:, root]
     carried = np.zeros(restored.filled.shape, dtype=bool)
     for fault in restored.faults:
         if fault.kind == CARRIED:
             carried[fault.start : fault.stop, fault.joint] = True
-    unsure = bridged | carried.any(axis=1)
-    if not unsure.any():
-        return restored
-    off = bridging_error(restored.pose.positions[:, root], ~unsure)
     error = restored.error_mm.copy()
-    error[bridged, root] = off[bridged]
-    error = np.where(carried, np.hypot(error, off[:, None]), error)
+    if unseen.any():
+        error[unseen, root] = rooted(pose, trusted_turns(pose)).error_mm[unseen]
+    if carried.any():
+        off = bridging_error(restored.pose.positions[:, root], ~(unseen | carried.any(axis=1)))
+        error = np.where(carried, np.hypot(error, off[:, None]), error)
     return replace(restored, error_mm=error)
 
 

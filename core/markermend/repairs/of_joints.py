@@ -14,8 +14,7 @@ RESTORING, FOLLOWING = "skeleton", "local_regression"
 # Following the joints around may expect half of what restoring expects to be off, or it is not
 # taken. Of recordings of 22 movements with a joint hidden for 0.1 to 1 s, of CMU skeletons and of
 # 17 joints with and without noise, restoring errs less on limbs (mean 3 to 16 mm, following 4 to
-# 33) and says more than it errs; of a root, which it bridges in time, following errs 0.1 to 4 mm
-# and restoring 2 to 250, and says so. From half on limbs lose nothing.
+# 33) and says more than it errs. From half on limbs lose nothing.
 _SURER = 0.5
 
 

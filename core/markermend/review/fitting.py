@@ -7,7 +7,6 @@ from collections.abc import Mapping
 import numpy as np
 
 from markermend.arrays import IntArray
-from markermend.poses.nuitrack import twins
 from markermend.take import Take, is_unlabelled
 
 REACH_S = 0.5
@@ -104,5 +103,13 @@ def exchangers(take: Take, marker: str, start: int, stop: int) -> tuple[tuple[st
             jumps = np.maximum(jumps, np.maximum(there, back))
     jumps = np.where(np.isnan(jumps), np.inf, jumps)
     ranked = _ranked(take, {i: float(jump) for i, jump in enumerate(jumps) if i != own})
-    other = take.labels[twins(take.labels)[own]] if take.skeleton else ""
+    other = _twin(take, own) if take.skeleton else ""
     return tuple(sorted(ranked, key=lambda pair: pair[0] != other))
+
+
+def _twin(take: Take, joint: int) -> str:
+    """The joint's counterpart on the other side of the body, or itself."""
+    # SciPy comes along, which a take of markers need not wait for.
+    from markermend.poses.nuitrack import twins
+
+    return take.labels[twins(take.labels)[joint]]

@@ -13,11 +13,11 @@
     </message>
     <message>
         <source>What you choose is copied beside it, under its name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was Sie wählen, wird unter ihrem Namen neben die Aufnahme kopiert.</translation>
     </message>
     <message>
         <source>Choose skeleton…</source>
-        <translation type="unfinished"></translation>
+        <translation>Skelett wählen…</translation>
     </message>
     <message>
         <source>This take</source>
@@ -37,7 +37,7 @@
     </message>
     <message>
         <source>{0} is written, but some joints are not where you reviewed them there.</source>
-        <translation>{0} ist geschrieben, aber einige Gelenke sind dort nicht, wo Sie sie durchgesehen haben.</translation>
+        <translation>{0} ist geschrieben, aber einige Gelenke liegen darin nicht dort, wo Sie sie bei der Durchsicht gesehen haben.</translation>
     </message>
     <message>
         <source>{0} more</source>
@@ -81,11 +81,11 @@
     </message>
     <message>
         <source>An angle is told from the bone above it: where that is still missing these are not in the file: {0}. Repair what they hang on, too.</source>
-        <translation>Ein Winkel gilt vom Knochen darüber aus: Wo der noch fehlt, stehen diese nicht in der Datei: {0}. Reparieren Sie auch, woran sie hängen.</translation>
+        <translation>Ein Winkel bezieht sich auf den Knochen darüber: Wo dieser noch fehlt, sind diese Gelenke nicht in der Datei: {0}. Reparieren Sie auch die Gelenke, an denen sie hängen.</translation>
     </message>
     <message>
         <source>Its bones are rigid, so that joints come only as near as these allow, also those beside a repair that you left as they were. At most they are off by: {0}.</source>
-        <translation>Ihre Knochen sind starr, sodass Gelenke nur so nahe kommen, wie diese es zulassen, auch solche neben einer Reparatur, die Sie ließen, wie sie waren. Sie liegen höchstens daneben um: {0}.</translation>
+        <translation>Ihre Knochen sind starr, sodass Gelenke nur so nahe kommen, wie diese es zulassen, auch solche neben einer Reparatur, die Sie ließen, wie sie waren. Größte Abweichungen: {0}.</translation>
     </message>
     <message>
         <source>A CSV or C3D file has every joint where you see it.</source>
@@ -1897,7 +1897,7 @@
     </message>
     <message>
         <source>Its skeleton is taken to be {0}, the only one here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Als Skelett wurde {0} genommen, das einzige hier.</translation>
     </message>
     <message>
         <source>none</source>
@@ -2369,7 +2369,7 @@
     </message>
     <message>
         <source>Angles were exchanged here, not places; restoring the skeleton gives them back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier wurden Winkel vertauscht, nicht Orte; das Skelett wiederherzustellen gibt sie zurück.</translation>
     </message>
     <message>
         <source>{0} frames at {1} Hz ({2} s), {3} markers. {4}, Markermend {5}.</source>
@@ -2561,23 +2561,23 @@
     </message>
     <message>
         <source>Works a joint out from the others, from time, from its bones and from how bodies move; only for skeleton recordings, where it mostly is the best.</source>
-        <translation type="unfinished"></translation>
+        <translation>Berechnet ein Gelenk aus den anderen, aus der Zeit, aus seinen Knochen und daraus, wie Körper sich bewegen; nur für Skelettaufnahmen, wo es meist am besten ist.</translation>
     </message>
     <message>
         <source>{0} needs its skeleton: put the ASF file beside it, named {1}.asf, or choose it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} braucht sein Skelett: Legen Sie die ASF-Datei als {1}.asf daneben, oder wählen Sie sie.</translation>
     </message>
     <message>
         <source>{0} needs its skeleton: none of the ASF files beside it is named {1}.asf. Name the right one so (what stands before the first _ will do, as in 02.asf for 02_01.amc), or choose it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} braucht sein Skelett: Keine der ASF-Dateien daneben heißt {1}.asf. Benennen Sie die richtige so (was vor dem ersten _ steht, genügt, wie 02.asf für 02_01.amc), oder wählen Sie sie.</translation>
     </message>
     <message>
         <source>{0} needs its skeleton: {1}, the only ASF file beside it, does not have {2} as it is there. Put the right one beside it, named {3}.asf, or choose it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} braucht sein Skelett: {1}, die einzige ASF-Datei daneben, hat {2} nicht so, wie es dort ist. Legen Sie die richtige als {3}.asf daneben, oder wählen Sie sie.</translation>
     </message>
     <message>
         <source>A BVH holds every joint of every pose. Frames in which joints are not known: {0}. Repair these gaps first, {repair} the one under review and {repair_accepted} all that are accepted; or write a CSV.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine BVH enthält jedes Gelenk jeder Pose. Frames, in denen Gelenke nicht bekannt sind: {0}. Reparieren Sie zuerst diese Lücken, mit {repair} die angezeigte und mit {repair_accepted} alle angenommenen; oder schreiben Sie eine CSV.</translation>
     </message>
     <message>
         <source>{0} rows are missing; their frames were read as gaps.</source>
@@ -2601,11 +2601,11 @@
     </message>
     <message>
         <source>stands up to {0} from where the rest of the body has it, for {1}</source>
-        <translation>steht bis zu {0} von da, wo der übrige Körper es hat, {1} lang</translation>
+        <translation>steht bis zu {0} von der Stelle entfernt, an die es nach dem übrigen Körper gehört, {1} lang</translation>
     </message>
     <message>
         <source>has its angles exchanged with those of {0}, for {1}</source>
-        <translation>hat seine Winkel mit denen von {0} vertauscht, {1} lang</translation>
+        <translation>Winkel mit denen von {0} vertauscht, {1} lang</translation>
     </message>
     <message>
         <source>is carried off with the whole body, by up to {0}, for {1}</source>
@@ -3025,7 +3025,7 @@
     </message>
     <message>
         <source>Choose the skeleton of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Skelett von {0} wählen</translation>
     </message>
 </context>
 <context>
@@ -3284,7 +3284,7 @@
     </message>
     <message>
         <source>This is repaired already; {0} takes that back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dies ist schon repariert; {0} nimmt es zurück.</translation>
     </message>
     <message>
         <source>No method has an answer here.</source>
@@ -3295,16 +3295,16 @@
         <translation>↑ ↓ wählen, {0} repariert. ± ist an ähnlichen gesehenen Strecken geschätzt.</translation>
     </message>
     <message>
-        <source>↑ ↓ choose, {0} repairs. ± is each method&apos;s own estimate; only half of it goes before Restore skeleton.</source>
-        <translation type="unfinished"></translation>
+        <source>↑ ↓ choose, {0} repairs. ± is each method&apos;s own estimate; Restore skeleton comes first unless another expects less than half.</source>
+        <translation>↑ ↓ wählen, {0} repariert. ± schätzt jedes Verfahren selbst; „Skelett wiederherstellen“ steht vorn, wenn kein anderes weniger als die Hälfte erwartet.</translation>
     </message>
     <message>
         <source>1 other method has no answer here.</source>
-        <translation type="unfinished"></translation>
+        <translation>1 weiteres Verfahren hat hier keine Antwort.</translation>
     </message>
     <message>
         <source>{0} other methods have no answer here.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} weitere Verfahren haben hier keine Antwort.</translation>
     </message>
 </context>
 <context>
@@ -3436,7 +3436,7 @@
     <name>Document</name>
     <message>
         <source>{0} repaired.</source>
-        <translation type="unfinished">{0} repariert.</translation>
+        <translation>{0} repariert.</translation>
     </message>
     <message>
         <source>The flag on {0} is accepted, the samples are left. {1}</source>
@@ -3526,7 +3526,7 @@
     </message>
     <message>
         <source>Its bones are rigid: {0} is {1} off there, no joint is more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Knochen sind starr: {0} liegt dort {1} daneben, kein Gelenk weiter.</translation>
     </message>
     <message>
         <source>The original is kept as {0}.</source>
@@ -4193,7 +4193,8 @@
     <message>
         <source>Not for the open recording: its joints are looked at in one way.
 Close it to set this for the next take.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht für die geöffnete Aufnahme: Ihre Gelenke werden immer auf dieselbe Art untersucht.
+Schließen Sie sie, um dies für die nächste Aufnahme festzulegen.</translation>
     </message>
     <message>
         <source>Preset “{0}”</source>
@@ -4350,11 +4351,11 @@ Close it to set this for the next take.</source>
     </message>
     <message>
         <source>With it: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit ihm: {0}</translation>
     </message>
     <message>
         <source>Whole body</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganzer Körper</translation>
     </message>
 </context>
 <context>
@@ -4728,15 +4729,15 @@ Close it to set this for the next take.</source>
     </message>
     <message>
         <source>{0} of {1} markers lose more than {2:g} % of their way, {3} most ({4} {5:.0f}). Look whether movement went with the noise.</source>
-        <translation>{0} von {1} Markern verlieren mehr als {2:g} % ihres Wegs, am meisten {3} ({4} {5:.0f}). Prüfe, ob mit dem Rauschen Bewegung verschwand.</translation>
+        <translation>{0} von {1} Markern verlieren mehr als {2:g} % ihres Wegs, am meisten {3} ({4} {5:.0f}). Prüfen Sie, ob mit dem Rauschen Bewegung verschwand.</translation>
     </message>
     <message>
         <source>{0} of {1} joints lose more than {2:g} % of their way, {3} most ({4} {5:.0f}). Look whether movement went with the noise.</source>
-        <translation>{0} von {1} Gelenken verlieren mehr als {2:g} % ihres Wegs, am meisten {3} ({4} {5:.0f}). Prüfe, ob mit dem Rauschen Bewegung verschwand.</translation>
+        <translation>{0} von {1} Gelenken verlieren mehr als {2:g} % ihres Wegs, am meisten {3} ({4} {5:.0f}). Prüfen Sie, ob mit dem Rauschen Bewegung verschwand.</translation>
     </message>
     <message>
         <source>{3} loses more than {2:g} % of its way ({4} {5:.0f}). Look whether movement went with the noise.</source>
-        <translation>{3} verliert mehr als {2:g} % seines Wegs ({4} {5:.0f}). Prüfe, ob mit dem Rauschen Bewegung verschwand.</translation>
+        <translation>{3} verliert mehr als {2:g} % seines Wegs ({4} {5:.0f}). Prüfen Sie, ob mit dem Rauschen Bewegung verschwand.</translation>
     </message>
 </context>
 <context>

@@ -86,8 +86,8 @@ class Candidates(QFrame):
             text = self.tr("↑ ↓ choose, {0} repairs. ± is judged by like stretches in sight.")
             if joints:
                 text = self.tr(
-                    "↑ ↓ choose, {0} repairs. ± is each method's own estimate; only half of it "
-                    "goes before Restore skeleton."
+                    "↑ ↓ choose, {0} repairs. ± is each method's own estimate; Restore skeleton "
+                    "comes first unless another expects less than half."
                 )
             text = text.format(shortcuts.way_to("repair"))
             if c.hopeless:

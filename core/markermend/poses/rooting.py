@@ -1,0 +1,141 @@
+"""Where the root of a skeleton was while it was not seen, from what hangs on it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.ndimage import gaussian_filter1d
+from scipy.spatial.transform import Rotation
+
+from markermend.arrays import BoolArray, FloatArray
+from markermend.poses.bridging import bridged, bridging_error
+from markermend.poses.pose import Pose
+from markermend.poses.quaternion import NO_TURN, inverse, lengths_of, multiply, turn, unit, unrolled
+
+# A joint may move this much in the root's axes, mm, however still it seems to be there.
+_STILL_MM = 1.0
+# How much the way the root turned beside a gap counts beside how joints stand around it.
+_BESIDE = 0.001
+# How joints stand around a root changes slowly: what changes by this share of its squared change
+# over such a time from one frame to the next is noise.
+_CALM_S, _SHAKES = 0.1, 0.3
+
+
+@dataclass(frozen=True, eq=False)
+class Rooted:
+    """A root that is known in every frame.
+
+    Attributes
+    ----------
+    position : (frames, 3) mm
+    rotation : (frames, 4)
+    error_mm : (frames,) expected distance from the truth (root mean square), 0 where it was seen;
+        NaN where it never was
+    """
+
+    position: FloatArray
+    rotation: FloatArray
+    error_mm: FloatArray
+
+
+def rooted(pose: Pose, turned: BoolArray) -> Rooted:
+    """Work out where a root was in frames in which it was not seen.
+
+    Parameters
+    ----------
+    pose : a skeleton with one root; one that was never seen, or never turned, is taken to be at 0
+    turned : (frames, joints) bool, rotations that are known
+
+    Notes
+    -----
+    The joints that hang on a root hardly move in its axes. Laid over where they were seen
+    (Kabsch 1976), each counting by how still it is, they tell how the root turned and where it
+    was; what that leaves in the frames in which the root was seen is bridged in time. Where none of
+    them was seen, the root itself is bridged.
+    """
+    root = pose.order[0]
+    seen, known = pose.seen[:, root], turned[:, root]
+    position = pose.positions[:, root].copy()
+    rotation = unrolled(np.where(known[:, None], pose.rotations[:, root], np.nan)[:, None])[:, 0]
+    path = _bridged(position, seen, (0.0, 0.0, 0.0))
+    rotation = unit(_bridged(rotation, known, NO_TURN))
+    error = np.zeros(pose.frames) if seen.all() else bridging_error(path, seen)
+    both = seen & known
+    hanging = [j for j, p in enumerate(pose.parents) if p == root and pose.seen[both, j].any()]
+    if both.all() or not hanging:
+        return Rooted(path, rotation, error)
+    around, shown = pose.positions[:, hanging], pose.seen[:, hanging]
+    local = turn(inverse(rotation[both])[:, None], around[both] - path[both][:, None])
+    place, spread = np.nanmedian(local, axis=0), np.nanvar(local, axis=0).sum(axis=1)
+    counts, told = shown / (spread + _STILL_MM**2), shown.any(axis=1)
+    counts[told] /= counts[told].sum(axis=1, keepdims=True)
+    around = np.where(shown[..., None], around, 0.0)
+    middle, centre = np.einsum("tj,tjx->tx", counts, around), counts @ place
+    askew = np.zeros(pose.frames)
+    if not known.all():
+        rotation, askew = _turned(
+            rotation, known, counts, around - middle[:, None], place - centre[:, None], pose.rate
+        )
+    found = middle - turn(rotation, centre)
+    left, shake = _calmed(path - found, seen & told, pose.rate)
+    unseen = ~seen & told
+    off = np.hypot(bridging_error(left, seen & told), askew * lengths_of(centre))
+    off = np.hypot(off, shake)
+    path = np.where(unseen[:, None], found + _bridged(left, seen & told, (0.0, 0.0, 0.0)), path)
+    return Rooted(path, rotation, np.where(unseen, off, error))
+
+
+def _turned(
+    rotation: FloatArray,
+    known: BoolArray,
+    counts: FloatArray,
+    around: FloatArray,
+    place: FloatArray,
+    rate: float,
+) -> tuple[FloatArray, FloatArray]:
+    """(frames, 4) rotations, which are bridged where not known, by how joints stand around it.
+
+    And (frames,) by how much they may be off, in radians.
+    """
+    laid = np.einsum("tj,tjx,tjy->txy", counts, around, place)
+    size = np.einsum("tj,tjx->t", counts, place**2)
+    laid += (_BESIDE * size)[:, None, None] * Rotation.from_quat(rotation).as_matrix()
+    laid += np.finfo(float).tiny * np.eye(3)
+    left, _, right = np.linalg.svd(laid)
+    sign = np.linalg.det(left @ right)
+    left[:, :, 2] *= sign[:, None]
+    found = Rotation.from_matrix(left @ right).as_quat()
+    off = unrolled(multiply(inverse(found), rotation)[:, None])[:, 0]
+    off, shake = _calmed(off, known, rate)
+    # A rotation's numbers are off by half of a small angle.
+    error = 2.0 * np.hypot(bridging_error(off, known), shake)
+    turns = multiply(found, unit(_bridged(off, known, NO_TURN)))
+    return np.where(known[:, None], rotation, unit(turns)), error
+
+
+def _calmed(values: FloatArray, known: BoolArray, rate: float) -> tuple[FloatArray, float]:
+    """(frames, n) as they are, or smoothed where mostly noise changes what is known of them.
+
+    And how much smoothing took out (root mean square).
+    """
+    lag = max(round(_CALM_S * rate), 2)
+    if known.sum() <= lag:
+        return values, 0.0
+    changes = [(values[n:] - values[:-n])[known[n:] & known[:-n]] for n in (1, lag)]
+    if not all(map(len, changes)):
+        return values, 0.0
+    change, later = (np.mean(np.sum(way**2, axis=1)) for way in changes)
+    if change <= _SHAKES * later:
+        return values, 0.0
+    held, there = np.where(known[:, None], values, 0.0), known.astype(float)
+    summed, counted = (gaussian_filter1d(x, _CALM_S * rate, axis=0) for x in (held, there))
+    calm = summed / np.maximum(counted, np.finfo(float).tiny)[:, None]
+    return calm, float(np.sqrt(np.mean(np.sum((values - calm)[known] ** 2, axis=1))))
+
+
+def _bridged(values: FloatArray, known: BoolArray, nothing: tuple[float, ...]) -> FloatArray:
+    """(frames, n) with gaps bridged; where nothing is known, that."""
+    if not known.any():
+        return np.tile(nothing, (len(values), 1))
+    return bridged(values, np.repeat(known[:, None], values.shape[1], axis=1))

@@ -1,0 +1,84 @@
+"""A root that was not seen, from what hangs on it."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from arms import arm, hide
+
+import markermend as mm
+from markermend.poses.channels import trusted_turns
+from markermend.poses.nuitrack import to_nuitrack
+from markermend.poses.prior import shipped_prior
+from markermend.poses.quaternion import lengths_of
+from markermend.poses.restore import restore
+from markermend.poses.rooting import rooted
+
+
+@pytest.fixture(scope="module")
+def run(shared_data):
+    return to_nuitrack(mm.read_pose(shared_data / "poses" / "02_03.amc"))
+
+
+def hidden(pose, frames, joints=("waist",)):
+    for joint in joints:
+        pose = hide(pose, frames, pose.joints.index(joint))
+    return pose
+
+
+@pytest.mark.parametrize("frames", [slice(60, 70), slice(40, 140), slice(0, 40), slice(130, None)])
+def test_what_hangs_on_a_root_tells_where_it_was_and_how_it_was_turned(run, frames):
+    found = rooted(*seen_of(hidden(run, frames)))
+    off = lengths_of(found.position - run.positions[:, 0])
+    assert off[frames].max() < 15.0
+    seen = np.ones(run.frames, dtype=bool)
+    seen[frames] = False
+    assert not off[seen].any()
+    alike = np.abs(np.sum(found.rotation * run.rotations[:, 0], axis=1))[frames]
+    assert np.degrees(2.0 * np.arccos(np.minimum(alike, 1.0))).max() < 6.0
+    told = found.error_mm
+    assert not told[seen].any()
+    assert 0.3 < told[frames].mean() / off[frames].mean() < 5.0
+
+
+def seen_of(pose):
+    return pose, trusted_turns(pose)
+
+
+@pytest.mark.parametrize("noise_mm", [3.0, 8.0])
+def test_noise_is_not_carried_into_a_gap(run, noise_mm):
+    random = np.random.default_rng(0)
+    places = run.positions + random.normal(0.0, noise_mm, run.positions.shape)
+    noisy = hidden(run.with_samples(places, run.rotations), slice(40, 140))
+    found = rooted(*seen_of(noisy))
+    off = lengths_of(found.position - run.positions[:, 0])[40:140]
+    assert off.mean() < 2.5 * noise_mm
+    assert 0.5 < found.error_mm[40:140].mean() / off.mean() < 3.0
+
+
+def test_where_nothing_that_hangs_on_it_was_seen_a_root_is_bridged(run):
+    gone = hidden(run, slice(60, 70), ("waist", "torso", "left_hip", "right_hip"))
+    found = rooted(*seen_of(gone))
+    off = lengths_of(found.position - run.positions[:, 0])[60:70]
+    assert 0.5 < off.mean() < 30.0
+    assert 0.3 < found.error_mm[60:70].mean() / off.mean() < 5.0
+
+
+def test_of_one_joint_only_the_way_beside_tells_how_a_root_turned():
+    pose = arm()
+    found = rooted(*seen_of(hide(pose, slice(100, 120), 0)))
+    assert lengths_of(found.position - pose.positions[:, 0])[100:120].max() < 25.0
+
+
+def test_a_restored_body_stands_on_its_root(run):
+    told = restore(hidden(run, slice(40, 140)), prior=shipped_prior())
+    off = lengths_of(told.pose.positions - run.positions)
+    assert off[40:140, 0].max() < 15.0
+    assert off[:, 1:].max() < 1e-6
+    assert told.filled[40:140, 0].all()
+
+
+def test_a_root_that_is_never_seen_or_turned_is_at_rest(run):
+    found = rooted(*seen_of(hidden(run, slice(None))))
+    assert not found.position.any()
+    assert np.isnan(found.error_mm).all()
