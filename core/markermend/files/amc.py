@@ -154,7 +154,7 @@ def _read_lines(path: Path, skeleton: Skeleton) -> tuple[dict[str, FloatArray], 
             f"Frame numbers go from {before} to {after} in line {number}; poses were read one after"
             " the other."
         )
-    if len(poses) > 1 and len(poses[-1]) < len(poses[-2]):
+    if len(poses) > 1 and _cut_short(list(poses[-1]), list(poses[-2])):
         poses.pop()
         warnings.append("The file is cut short; its last pose was left out.")
     if not any(poses):
@@ -165,6 +165,11 @@ def _read_lines(path: Path, skeleton: Skeleton) -> tuple[dict[str, FloatArray], 
             blank = [np.nan] * len(dofs[name])
             channels[name] = np.array([pose.get(name, blank) for pose in poses])
     return channels, len(poses), warnings
+
+
+def _cut_short(last: list[str], before: list[str]) -> bool:
+    """Whether segments of a pose are a beginning of those of the pose before it, and no more."""
+    return last == before[: len(last)] != before
 
 
 def _poses_of(

@@ -128,6 +128,8 @@ def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> None:
     if isinstance(table, Table) and table.read.shape == values.shape:
         # A rotation that is made as long as 1 once more is the same.
         same = np.abs(values - table.read) <= _SAME
+        # What a file says of a joint that was not seen is no part of where it is now.
+        same &= (values[..., 7:] > 0) == (table.read[..., 7:] > 0)
         content = _over_its_file(pose, table, values, ~same, progress)
         if content is not None:
             file.write(content)

@@ -146,7 +146,8 @@ def _nearest_turns(pose: Pose, source: Movement, turned: BoolArray) -> dict[str,
             for k, dof in enumerate(segment.dofs):
                 if dof in SHIFTS:
                     values[anew, k] = start[anew, SHIFTS.index(dof)]
-        values[~seen] = np.nan
+        # What hangs on a joint that was not seen keeps what was measured of it.
+        values[~seen & turned[:, i]] = np.nan
         channels[segment.name] = values
     return channels
 
