@@ -9,9 +9,17 @@ from typing import IO
 import numpy as np
 
 from markermend.arrays import FloatArray, IntArray
-from markermend.errors import FileFormatError
-from markermend.files.amc_patch import patched, starts_pose, tells_degrees
-from markermend.files.asf import words_of
+from markermend.errors import ExportError, FileFormatError
+from markermend.files.amc_patch import (
+    USUAL_RATE,
+    is_number,
+    patched,
+    rate_line,
+    starts_pose,
+    tells_degrees,
+    tells_rate,
+)
+from markermend.files.asf import bare, words_of
 from markermend.files.plausible import FARTHEST, read_as_missing
 from markermend.files.text import read_lines
 from markermend.poses.skeleton import TURNS, Movement, Skeleton
@@ -19,6 +27,10 @@ from markermend.progress import Progress
 from markermend.rates import rate_of
 
 _POSES_A_REPORT = 1024
+_MOST_NAMED = 8
+_LONGEST_NAME = 40
+# Channels by segment, number of poses, number of the first, and a sentence for each oddity.
+_Read = tuple[dict[str, FloatArray], int, int, list[str]]
 
 
 def find_skeleton(path: Path) -> Path:
@@ -64,10 +76,7 @@ def read_amc(path: Path, skeleton: Skeleton) -> tuple[Movement, float | None, li
     if not body:
         raise FileFormatError(f"{path.name} is cut short: no pose follows its header.")
     alike = _read_alike(body, skeleton)
-    if alike is not None:
-        channels, frames, warnings = alike, len(next(iter(alike.values()))), list[str]()
-    else:
-        channels, frames, warnings = _read_lines(path, skeleton)
+    channels, frames, first, warnings = alike or _read_lines(path, skeleton)
     if not degrees:
         dofs = {segment.name: segment.dofs for segment in skeleton.segments}
         for name, values in channels.items():
@@ -77,19 +86,19 @@ def read_amc(path: Path, skeleton: Skeleton) -> tuple[Movement, float | None, li
     left_out = [s.name for s in skeleton.segments if s.dofs and s.name not in channels]
     if left_out:
         warnings.append(f"Segments without movement, left as at rest: {', '.join(left_out)}.")
-    return Movement(skeleton, channels, frames, path), rate, warnings
+    return Movement(skeleton, channels, frames, path, first), rate, warnings
 
 
 def _head(path: Path, skeleton: Skeleton) -> tuple[bool, float | None, list[str]]:
     """Unit of angles, rate, and the lines from the first pose on."""
     lines = read_lines(path)
     rate, degrees = None, skeleton.degrees
-    for i, line in enumerate(lines):
-        word, told = line.strip().upper(), tells_degrees(line)
+    for i, line in enumerate(map(bare, lines)):
+        told, hertz = tells_degrees(line), tells_rate(line)
         if told is not None:
             degrees = told
-        elif word.startswith(":SAMPLES-PER-SECOND"):
-            rate = _rate(word.split()[-1], path.name)
+        elif hertz is not None:
+            rate = rate_of(hertz, path.name)
         elif _begins(line.split()[:1], skeleton):
             return degrees, rate, lines[i:]
     return degrees, rate, []
@@ -97,23 +106,14 @@ def _head(path: Path, skeleton: Skeleton) -> tuple[bool, float | None, list[str]
 
 def _begins(words: list[str], skeleton: Skeleton) -> bool:
     """Whether poses begin in a line that begins so: by a number or, where that lacks, a segment."""
-    return bool(words) and (words[0].isdigit() or words[0] in skeleton.names)
+    return bool(words) and (is_number(words[0]) or words[0] in skeleton.names)
 
 
-def _rate(word: str, name: str) -> float | None:
-    """Poses per second; None where there is no number above 0."""
-    try:
-        value = float(word)
-    except ValueError:
-        return None
-    return rate_of(value, name) if value > 0 else None
-
-
-def _read_alike(body: list[str], skeleton: Skeleton) -> dict[str, FloatArray] | None:
+def _read_alike(body: list[str], skeleton: Skeleton) -> _Read | None:
     """Read poses that all have the same lines, at once; None where they do not, or look odd."""
-    if not body[0].strip().isdigit():
+    if not is_number(body[0].strip()):
         return None
-    first = next((i for i, line in enumerate(body[1:], 1) if line.strip().isdigit()), len(body))
+    first = next((i for i, line in enumerate(body[1:], 1) if is_number(line.strip())), len(body))
     words = [line.split() for line in body[1:first]]
     dofs = {segment.name: segment.dofs for segment in skeleton.segments}
     if any(not w or len(w) != 1 + len(dofs.get(w[0], ())) or w[0] not in dofs for w in words):
@@ -125,7 +125,7 @@ def _read_alike(body: list[str], skeleton: Skeleton) -> dict[str, FloatArray] | 
     if len(flat) % width:
         return None
     table = np.array(flat, dtype=object).reshape(-1, width)
-    if not all(cell.isdigit() for cell in table[:, 0]) or len(_jumps(table[:, 0].tolist())):
+    if not all(map(is_number, table[:, 0])) or len(_jumps(table[:, 0].tolist())):
         return None
     place, channels = 1, dict[str, FloatArray]()
     for name, *values in words:
@@ -139,10 +139,10 @@ def _read_alike(body: list[str], skeleton: Skeleton) -> dict[str, FloatArray] | 
             return None
         channels[name] = numbers
         place += 1 + len(values)
-    return channels
+    return channels, len(table), int(table[0, 0]), []
 
 
-def _read_lines(path: Path, skeleton: Skeleton) -> tuple[dict[str, FloatArray], int, list[str]]:
+def _read_lines(path: Path, skeleton: Skeleton) -> _Read:
     """Read line by line what may lack segments, hold comments, or be damaged."""
     dofs = {segment.name: segment.dofs for segment in skeleton.segments}
     lines = [(n, w) for n, w in words_of(path) if not w[0].startswith(":")]
@@ -164,7 +164,7 @@ def _read_lines(path: Path, skeleton: Skeleton) -> tuple[dict[str, FloatArray], 
         if any(name in pose for pose in poses):
             blank = [np.nan] * len(dofs[name])
             channels[name] = np.array([pose.get(name, blank) for pose in poses])
-    return channels, len(poses), warnings
+    return channels, len(poses), int(starts[0][0]), warnings
 
 
 def _cut_short(last: list[str], before: list[str]) -> bool:
@@ -190,7 +190,12 @@ def _poses_of(
             poses.append({})
             starts.append((name, number))
         elif name not in dofs:
-            unknown[name] = None
+            if name.isdecimal():
+                raise FileFormatError(
+                    f"{file} is damaged: line {number} begins with a number of {len(name)} digits,"
+                    " which is that of no pose."
+                )
+            unknown[name[:_LONGEST_NAME]] = None
         else:
             if not poses:
                 after = next((int(w[0]) for _, w in lines if starts_pose(w[0], dofs)), 2)
@@ -254,7 +259,9 @@ def _finite(cells: list[str]) -> list[float]:
     return values if np.isfinite(values).all() else []
 
 
-def write_amc(movement: Movement, file: IO[bytes], progress: Progress) -> None:
+def write_amc(
+    movement: Movement, file: IO[bytes], progress: Progress, *, rate: float = USUAL_RATE
+) -> None:
     """Write a movement: over the file it was read from, else in degrees.
 
     Parameters
@@ -262,23 +269,46 @@ def write_amc(movement: Movement, file: IO[bytes], progress: Progress) -> None:
     movement : skeleton and channels; segments are left out of poses where they are NaN
     file : written from its beginning
     progress : told the share of poses written
+    rate : poses per second, told where that is not what a file without a rate has
+
+    Raises
+    ------
+    ExportError
+        when a segment is never seen: without a line it would come back at rest
     """
-    content = patched(movement.file, movement, progress) if movement.file is not None else None
+    _check_seen(movement)
+    own = movement.file
+    content = None if own is None else patched(own, movement, progress, rate=rate)
     if content is not None:
         file.write(content)
         return
     channels = movement.channels or _at_rest(movement)
     file.write(b":FULLY-SPECIFIED\n:DEGREES\n")
+    if rate != USUAL_RATE:
+        file.write(rate_line(rate) + b"\n")
     names = [s.name for s in movement.skeleton.segments if s.name in channels and s.dofs]
     for pose in range(movement.frames):
         if pose % _POSES_A_REPORT == 0:
             progress(pose / movement.frames, "Writing poses")
-        lines = [str(pose + 1)]
+        lines = [str(movement.first + pose)]
         for name in names:
             values = channels[name][pose]
             if np.isfinite(values).all():
                 lines.append(" ".join([name, *(f"{value:.9g}" for value in values.tolist())]))
         file.write(("\n".join(lines) + "\n").encode())
+
+
+def _check_seen(movement: Movement) -> None:
+    """Refuse what would show a segment at rest that these poses have nothing of."""
+    channels = movement.channels
+    never = [name for name, values in channels.items() if np.isnan(values).any(axis=1).all()]
+    if never:
+        more = len(never) - _MOST_NAMED
+        names = ", ".join(never[:_MOST_NAMED]) + (f" (+ {more})" if more > 0 else "")
+        raise ExportError(
+            f"An AMC cannot say that a segment is never seen, and would show {names} at rest."
+            " Write more frames, repair these gaps first, or write a CSV."
+        )
 
 
 def _at_rest(movement: Movement) -> dict[str, FloatArray]:

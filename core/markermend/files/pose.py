@@ -11,6 +11,7 @@ from typing import IO
 
 from markermend.errors import DataError, ExportError, FileFormatError
 from markermend.files.amc import find_skeleton, read_amc, write_amc
+from markermend.files.amc_patch import USUAL_RATE
 from markermend.files.asf import read_asf
 from markermend.files.atomic import write_whole
 from markermend.files.bvh_read import read_bvh
@@ -27,8 +28,6 @@ __all__ = ["read_pose", "write_pose"]
 
 READABLE = (".csv", ".bvh", ".amc", ".asf")
 WRITABLE = (".csv", ".bvh", ".amc")
-
-_USUAL_AMC_RATE = 120.0
 
 
 def read_pose(
@@ -70,7 +69,7 @@ def read_pose(
                 movement, stated, warnings = read_amc(where, body)
                 if stated is None and rate is None:
                     warnings.append("The file tells no rate; 120 Hz was assumed.")
-                hertz = rate or stated or _USUAL_AMC_RATE
+                hertz = rate or stated or USUAL_RATE
                 return forward_kinematics(movement, hertz, warnings=tuple(warnings))
             case ".csv":
                 return read_pose_csv(where, rate=rate, progress=progress)
@@ -78,7 +77,7 @@ def read_pose(
                 return read_bvh(where, rate=rate)
             case ".asf":
                 rest = Movement(read_asf(where), {}, 1)
-                return forward_kinematics(rest, rate or _USUAL_AMC_RATE)
+                return forward_kinematics(rest, rate or USUAL_RATE)
     except OSError as error:
         raise not_opened(Path(error.filename or where), error) from error
     except DataError as error:
@@ -128,7 +127,8 @@ def crop_pose(pose: Pose, start: int, stop: int) -> Pose:
     Returns
     -------
     Pose
-        with the part of what was read that belongs to these poses
+        with the part of what was read that belongs to these poses; they keep their numbers, and
+        time goes on
     """
     source, rows = pose.source, slice(start, stop)
     if isinstance(source, Movement):
@@ -141,6 +141,8 @@ def crop_pose(pose: Pose, start: int, stop: int) -> Pose:
         rotations=pose.rotations[rows],
         confidence=pose.confidence[rows],
         source=source,
+        first_frame=pose.first_frame + start,
+        first_time=pose.first_time + start / pose.rate,
     )
 
 
@@ -170,7 +172,7 @@ def pose_writer(
             turning, writing = part(report, 0.0, 0.7), part(report, 0.7, 1.0)
             movement = inverse_kinematics(pose, pose.source, progress=turning)
             off = dict(zip(pose.joints, how_far_off(movement, pose).tolist(), strict=True))
-            return lambda file: write_amc(movement, file, writing), off
+            return lambda file: write_amc(movement, file, writing, rate=pose.rate), off
         case _:
             raise ExportError(
                 f"{target.name} should end in {', '.join(WRITABLE)}, to tell what to write."

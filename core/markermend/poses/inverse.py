@@ -6,6 +6,7 @@ was measured, or restored, by itself. What is looked at, and reviewed, is where 
 
 from __future__ import annotations
 
+from dataclasses import replace
 from warnings import catch_warnings, filterwarnings
 
 import numpy as np
@@ -58,7 +59,7 @@ def inverse_kinematics(pose: Pose, source: Movement, *, progress: Progress = qui
             found = reach(source.skeleton, given, pose.positions[block], free[block])
             for name, values in found.items():
                 channels[name][block] = values
-    return Movement(source.skeleton, channels, pose.frames, source.file)
+    return replace(source, channels=channels, frames=pose.frames)
 
 
 def how_far_off(movement: Movement, pose: Pose) -> FloatArray:
