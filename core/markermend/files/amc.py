@@ -181,20 +181,12 @@ def _poses_of(
     unknown: dict[str, None] = {}
     unnumbered: list[int] = []
     for number, (name, *cells) in lines:
+        if name not in dofs and name.isdecimal():
+            _check_number(file, number, name, cells)
         if starts_pose(name, dofs):
-            if cells and len(_finite(cells)) == len(cells):
-                raise FileFormatError(
-                    f"{file} is damaged: line {number} has only numbers; it should begin with the"
-                    " name of a segment, or be the number of a pose."
-                )
             poses.append({})
             starts.append((name, number))
         elif name not in dofs:
-            if name.isdecimal():
-                raise FileFormatError(
-                    f"{file} is damaged: line {number} begins with a number of {len(name)} digits,"
-                    " which is that of no pose."
-                )
             unknown[name[:_LONGEST_NAME]] = None
         else:
             if not poses:
@@ -231,6 +223,20 @@ def _poses_of(
             " they were read all the same."
         )
     return poses, starts, warnings
+
+
+def _check_number(file: str, number: int, word: str, cells: list[str]) -> None:
+    """Refuse what stands where a pose should begin, and begins none."""
+    if not is_number(word):
+        raise FileFormatError(
+            f"{file} is damaged: line {number} begins with “{word[:_LONGEST_NAME]}”, which is the"
+            " number of no pose."
+        )
+    if cells and len(_finite(cells)) == len(cells):
+        raise FileFormatError(
+            f"{file} is damaged: line {number} has only numbers; it should begin with the"
+            " name of a segment, or be the number of a pose."
+        )
 
 
 def _jumps(numbers: list[str]) -> IntArray:

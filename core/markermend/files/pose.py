@@ -134,7 +134,7 @@ def crop_pose(pose: Pose, start: int, stop: int) -> Pose:
     if isinstance(source, Movement):
         source = source.part(start, stop)
     elif isinstance(source, Table):
-        source = Table(source.written[rows], source.read[rows])
+        source = Table(source.written[rows], source.read[rows], source.file, source.header)
     return replace(
         pose,
         positions=pose.positions[rows],

@@ -174,4 +174,4 @@ def _angles(turned: Rotation, axes: str) -> FloatArray:
     k, sign = 3 - i - j, 1.0 if j == (i + 1) % 3 else -1.0
     first = np.arctan2(-sign * matrix[:, j, k], matrix[:, j, j])
     second = np.arctan2(-sign * matrix[:, k, i], matrix[:, i, i])
-    return np.degrees(np.stack([first, second], axis=1))
+    return np.asarray(np.degrees(np.stack([first, second], axis=1)))
