@@ -109,7 +109,7 @@ def test_frames_keep_their_numbers_and_times(tmp_path):
     path.unlink()
     mm.write_pose(pose, tmp_path / "anew.csv")
     lines = (tmp_path / "anew.csv").read_text().splitlines()
-    assert lines[4].startswith("1001,55.540033,a,,1.500,")
+    assert lines[4].startswith("1001,55.540000,a,,1.500,")
     assert mm.read_pose(tmp_path / "anew.csv").first_frame == 1000
 
 
