@@ -139,6 +139,9 @@ def test_without_rotations_there_is_no_bvh(tmp_path):
         ),
         (("Frame Time: 0.0333333", "Frame Time: 1e300"), "walk.bvh would have 1e-300 poses"),
         (("Frames: 2", "Frames: two"), "“two” is no number of frames"),
+        (("Frames: 2", "Frames: ²"), "“²” is no number of frames"),
+        (("Frames: 2", f"Frames: {'9' * 5000}"), "“9{40}” is no number of frames"),
+        (("CHANNELS 3", f"CHANNELS {'9' * 5000}"), "“9{40}” is no number of channels"),
         (("Frames: 2", "Frames: 1"), "more poses follow than the 1"),
         (("CHANNELS 3", "CHANNELS all"), "“all” is no number of channels of “LeftLeg”"),
         (
