@@ -200,3 +200,24 @@ def test_what_is_cut_short_or_has_no_place_costs_no_other_row(tmp_path):
     lines = filled(path, tmp_path / "out.csv", 2, "b", [1.0, 2.0, 3.0])
     assert lines[:9] == ["# lab 3", WIDE, *rows[:7]]
     assert lines[10:] == rows[8:]
+
+
+@pytest.mark.parametrize("name", ["k.tsv", "k.txt", "k.dat"])
+def test_joints_are_known_by_what_a_file_says_not_by_its_name(tmp_path, name):
+    rows = [row.partition(',7,"')[0].replace(",", "\t") for row in rows_of()]
+    comment = f"# {'recorded in the lab ' * 50}\n"
+    path = table(tmp_path, rows, head=HEAD.replace(",", "\t"), before=comment, name=name)
+    take = mm.read(path)
+    assert take.skeleton
+    assert take.labels == mm.read_pose(path).joints == ("a", "b", "c")
+    (tmp_path / "m.txt").write_text("frame,time,A.x,A.y,A.z\n1,0,1,2,3\n2,0.01,1,2,3\n")
+    assert not mm.read(tmp_path / "m.txt").skeleton
+
+
+def test_a_stream_goes_on_in_time_where_a_row_tells_none():
+    rows = [row.partition(',7,"')[0] for row in rows_of()]
+    blank = [row.replace("55.5400", "") for row in rows]
+    out = []
+    follow([HEAD, *blank, ",,,,,"], out.append, rate=25.0, prior=None)
+    times = [line.split(",")[1] for line in "".join(out).splitlines()[1:]]
+    assert times[::3] == [f"{55.5 + n / 25:.6f}" for n in range(6)]

@@ -14,13 +14,12 @@ import numpy as np
 
 from markermend.arrays import IntArray
 from markermend.errors import ExportError, FileFormatError
-from markermend.files.opening import named, not_opened
+from markermend.files.opening import SNIFFED, named, not_opened
 from markermend.progress import Progress, quiet
 from markermend.take import Origin, Take
 
 __all__ = ["TOLD_MM", "Export", "read", "stale_outputs", "write"]
 
-_SNIFFED = 512
 TOLD_MM = 0.5
 """A joint no further off than this is where it should be."""
 
@@ -91,7 +90,7 @@ def _reader(path: Path) -> Callable[..., Take]:
     if path.exists() and not path.is_file() and not path.is_dir():
         raise FileFormatError(f"{path} is a pipe or device; takes are read from files only.")
     with path.open("rb") as file:
-        head = file.read(_SNIFFED)
+        head = file.read(SNIFFED)
     suffix = path.suffix.lower()
     if head.startswith(SIGNATURE):
         return read_trc
@@ -102,10 +101,12 @@ def _reader(path: Path) -> Callable[..., Take]:
         raise FileFormatError(f"{path.name} is empty; look for another copy of it.")
     if suffix == ".trc":
         return read_trc
-    if suffix in SKELETONS or (suffix == ".csv" and _names_joints(head)):
+    if suffix in SKELETONS:
         return _read_skeleton
     if suffix != ".csv" and suffix in formats():
         return formats()[suffix].run
+    if not binary and _names_joints(head):
+        return _read_skeleton
     if binary:
         raise FileFormatError(
             f"{path.name} is of an unknown kind; C3D, TRC, CSV, AMC, ASF and BVH can be read."
@@ -150,8 +151,8 @@ def write(
     ----------
     take : the recording
     path : where to, ending in ``.c3d``, ``.trc`` or ``.csv``, for joints in ``.amc`` or ``.bvh``
-        too; a file that is there is replaced, but the take's own source only on request
-    overwrite : replace the source too; it is kept beside, as ``name.bak``
+        too; a file that is there is replaced
+    overwrite : replace the take's own source too, which is kept beside, as ``name.bak``
     as_float : write a C3D file of floats even where the source has 16-bit integers
     record : what was done, a line each, written into the C3D file's MARKERMEND group
     mark_outputs : name in that group the model outputs that no longer match

@@ -78,6 +78,19 @@ def read_bvh(path: Path, *, rate: float | None = None) -> Pose:
     )
 
 
+def unit_of(hierarchy: str) -> tuple[float, str]:
+    """Millimetres in the unit that a hierarchy, up to its movement, is read in, and its name.
+
+    Raises
+    ------
+    ValueError
+        when it cannot be read
+    IndexError
+        when it is cut short
+    """
+    return _unit(_hierarchy(hierarchy.split()))
+
+
 def _hierarchy(words: list[str]) -> list[_Joint]:
     """Joints, parents first."""
     if not words or words[0] != "HIERARCHY":

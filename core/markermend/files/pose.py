@@ -16,8 +16,13 @@ from markermend.files.asf import read_asf
 from markermend.files.atomic import write_whole
 from markermend.files.bvh_read import read_bvh
 from markermend.files.bvh_write import write_bvh
-from markermend.files.opening import named, not_opened
-from markermend.files.pose_csv import Table, read_pose_csv, write_pose_csv
+from markermend.files.opening import SNIFFED, named, not_opened
+from markermend.files.pose_csv import (
+    Table,
+    names_joints,
+    read_pose_csv,
+    write_pose_csv,
+)
 from markermend.poses.inverse import how_far_off, inverse_kinematics
 from markermend.poses.pose import Pose
 from markermend.poses.skeleton import Movement, forward_kinematics
@@ -42,7 +47,8 @@ def read_pose(
     Parameters
     ----------
     path : Acclaim movement (AMC, whose ASF is looked for beside it) or skeleton (ASF: one pose,
-        at rest), Biovision hierarchy (BVH), or a table of joints (CSV)
+        at rest), Biovision hierarchy (BVH), or a table of joints (CSV, or of another name that
+        tells nothing)
     skeleton : the ASF of an AMC, where it is not beside it
     rate : poses per second, instead of what the file tells (where it does not: AMC 120, CSV 30)
     progress : may raise to stop
@@ -71,13 +77,13 @@ def read_pose(
                     warnings.append("The file tells no rate; 120 Hz was assumed.")
                 hertz = rate or stated or USUAL_RATE
                 return forward_kinematics(movement, hertz, warnings=tuple(warnings))
-            case ".csv":
-                return read_pose_csv(where, rate=rate, progress=progress)
             case ".bvh":
                 return read_bvh(where, rate=rate)
             case ".asf":
                 rest = Movement(read_asf(where), {}, 1)
                 return forward_kinematics(rest, rate or USUAL_RATE)
+            case ending if ending == ".csv" or _begins_as_joints(where):
+                return read_pose_csv(where, rate=rate, progress=progress)
     except OSError as error:
         raise not_opened(Path(error.filename or where), error) from error
     except DataError as error:
@@ -89,6 +95,12 @@ def read_pose(
     raise FileFormatError(
         f"{where.name} is no skeleton recording; its name should end in {', '.join(READABLE)}."
     )
+
+
+def _begins_as_joints(path: Path) -> bool:
+    """Whether a file begins as a table of joints, whatever its name."""
+    with path.open("rb") as file:
+        return names_joints(file.read(SNIFFED))
 
 
 def write_pose(pose: Pose, path: str | PathLike[str], *, progress: Progress | None = None) -> float:
