@@ -221,3 +221,39 @@ def test_a_stream_goes_on_in_time_where_a_row_tells_none():
     follow([HEAD, *blank, ",,,,,"], out.append, rate=25.0, prior=None)
     times = [line.split(",")[1] for line in "".join(out).splitlines()[1:]]
     assert times[::3] == [f"{55.5 + n / 25:.6f}" for n in range(6)]
+
+
+def test_a_rate_that_is_given_is_written_into_the_times(tmp_path):
+    rows = rows_of()
+    path = table(tmp_path, rows, head=WIDE, before="# lab 3\n")
+    mm.write_pose(mm.read_pose(path, rate=50.0), tmp_path / "out.csv")
+    lines = (tmp_path / "out.csv").read_text().splitlines()
+    assert lines[:2] == ["# lab 3", WIDE]
+    times = [f"{n / 50:.6f}" for n in range(6) for _ in range(3)]
+    for line, row, time in zip(lines[2:], rows, times, strict=True):
+        number, _, rest = row.split(",", 2)
+        assert line == f"{number},{time},{rest}"
+    assert mm.read_pose(tmp_path / "out.csv").rate == 50.0
+    mm.write_pose(mm.read_pose(path, rate=25.0), tmp_path / "same.csv")
+    assert (tmp_path / "same.csv").read_bytes() == path.read_bytes()
+    # Without a column of times it is written anew, which has one.
+    keep = [n for n in range(14) if n != 1]
+    untimed = [",".join(row.split(",")[n] for n in keep) for row in rows]
+    head = ",".join(WIDE.split(",")[n] for n in keep)
+    path = table(tmp_path, [row + ' there"' for row in untimed], head=head)
+    mm.write_pose(mm.read_pose(path, rate=50.0), tmp_path / "out.csv")
+    assert mm.read_pose(tmp_path / "out.csv").rate == 50.0
+
+
+def test_what_is_lost_where_a_table_is_written_anew_is_said(tmp_path, capsys):
+    keep = [n for n in range(14) if n != 11]
+    rows = [",".join([*row.split(",")[:11], "7", "well"]) for row in rows_of(frames=30)]
+    rows[31] = "1010,55.9000,b,a,0,0,0,0,0,0,1,7,well"
+    head = ",".join(WIDE.split(",")[n] for n in keep)
+    take = mm.read(table(tmp_path, rows, head=head))
+    assert mm.write(take, tmp_path / "same.csv").dropped == ()
+    clean = mm.repair(take, mm.detect(take))
+    assert mm.write(clean, tmp_path / "out.csv").dropped == ("tracking_id", "note")
+    assert run("clean", tmp_path / "table.csv", "-o", tmp_path / "two.csv") == 0
+    said = "Written anew, so without further columns of its source: tracking_id, note."
+    assert said in capsys.readouterr().out

@@ -191,6 +191,9 @@ class Exporter(QObject):
         text = (one if export.samples == 1 else many).format(export.path, export.samples)
         if export.backup is not None:
             text += " " + self.tr("The original is kept as {0}.").format(export.backup.name)
+        if export.dropped:
+            lost = self.tr("It was written anew, so without further columns of its source: {0}.")
+            text += " " + lost.format(", ".join(export.dropped))
         return text
 
     def _ask_target(self, take: Take) -> Path | None:

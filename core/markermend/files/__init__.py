@@ -40,6 +40,8 @@ class Export:
         bones are rigid, and how far at most in mm; the farthest first
     lost : joints that an AMC lacks in frames in which the take has them, since what they hang on is
         missing there
+    dropped : columns of the table of joints that was read which the file has no more, since it
+        could not be written over that
     """
 
     path: Path
@@ -48,6 +50,7 @@ class Export:
     outputs: tuple[str, ...] = ()
     off: tuple[tuple[str, float], ...] = ()
     lost: tuple[str, ...] = ()
+    dropped: tuple[str, ...] = ()
 
     @property
     def off_mm(self) -> float:
@@ -192,9 +195,9 @@ def write(
     report = progress or quiet
     # Also the check that all of the frames are there.
     part = take if frames is None else crop(take, *frames)
-    off: dict[str, float] = {}
+    off, dropped = dict[str, float](), list[str]()
     if take.skeleton and target.suffix.lower() in SKELETONS_WRITTEN:
-        fill, off = _skeleton_writer(take, target, report, frames or (0, take.frames))
+        fill, off = _skeleton_writer(take, target, report, frames or (0, take.frames), dropped)
     else:
         before = frames[0] if frames else 0
         fill = _writer(part, target, report, as_float, record, mark_outputs, before)
@@ -209,7 +212,7 @@ def write(
     lost = tuple(joint for joint, mm in off.items() if not isfinite(mm))
     told = [(joint, mm) for joint, mm in off.items() if mm >= TOLD_MM and joint not in lost]
     far = tuple(sorted(told, key=lambda pair: -pair[1]))
-    return Export(target, int(written[0].sum()), backup, outputs, far, lost)
+    return Export(target, int(written[0].sum()), backup, outputs, far, lost, tuple(dropped))
 
 
 def stale_outputs(take: Take, changed: Sequence[str] | None = None) -> tuple[str, ...]:
@@ -294,9 +297,12 @@ def _writer(
 
 
 def _skeleton_writer(
-    take: Take, target: Path, report: Progress, frames: tuple[int, int]
+    take: Take, target: Path, report: Progress, frames: tuple[int, int], dropped: list[str]
 ) -> tuple[Callable[[IO[bytes]], IntArray], dict[str, float]]:
-    """How some frames of a take of joints are written, and how far off joints are there, mm."""
+    """How some frames of a take of joints are written, and how far off joints are there, mm.
+
+    Once they are, columns that are lost of the table that was read are added to ``dropped``.
+    """
     from markermend.files.pose import crop_pose, pose_writer
     from markermend.poses.take import as_pose, changed_joints
 
@@ -307,7 +313,7 @@ def _skeleton_writer(
     fill, off = pose_writer(part, target, report, whole=None if whole else pose)
 
     def write_joints(file: IO[bytes]) -> IntArray:
-        fill(file)
+        dropped.extend(fill(file) or ())
         changed = changed_joints(take)[slice(*frames)]
         return np.asarray(np.count_nonzero(changed, axis=0), dtype=np.int64)
 

@@ -146,7 +146,7 @@ def crop_pose(pose: Pose, start: int, stop: int) -> Pose:
     if isinstance(source, Movement):
         source = source.part(start, stop)
     elif isinstance(source, Table):
-        source = Table(source.written[rows], source.read[rows], source.file, source.header)
+        source = replace(source, written=source.written[rows], read=source.read[rows])
     return replace(
         pose,
         positions=pose.positions[rows],
@@ -160,15 +160,16 @@ def crop_pose(pose: Pose, start: int, stop: int) -> Pose:
 
 def pose_writer(
     pose: Pose, target: Path, report: Progress, *, whole: Pose | None = None
-) -> tuple[Callable[[IO[bytes]], None], dict[str, float]]:
+) -> tuple[Callable[[IO[bytes]], tuple[str, ...] | None], dict[str, float]]:
     """Choose by a name's ending how a recording is written, or a part of the ``whole`` one.
 
     The other parameters and errors are those of :func:`write_pose`.
 
     Returns
     -------
-    What writes it, and how far off in mm joints are there at most: the bones of an AMC are rigid,
-    and a joint that hangs on one that is missing cannot be told, which is infinitely far
+    What writes it, which returns the columns of a table that are lost; and how far off in mm joints
+    are there at most: the bones of an AMC are rigid, and a joint that hangs on one that is missing
+    cannot be told, which is infinitely far
     """
     match target.suffix.lower():
         case ".csv":

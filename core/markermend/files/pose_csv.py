@@ -12,7 +12,6 @@ its rows that are not changed are written as there; those that it lacks come bet
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from math import isfinite
 from pathlib import Path
@@ -59,14 +58,30 @@ class Table:
     ----------
     written : (frames, joints, 8) position, rotation and confidence; NaN where it has none
     read : the same as the recording holds it, with rotations of length 1
-    file : that they are from, where its own times hold
+    file : that they are from
     header : of that file
+    rate : poses per second by its times, or what is assumed without
     """
 
     written: FloatArray
     read: FloatArray
-    file: Path | None = None
-    header: Header | None = None
+    file: Path
+    header: Header
+    rate: float
+
+
+@dataclass(frozen=True)
+class _Clock:
+    """Poses per second, seconds at the first of them, and a sentence where it was guessed."""
+
+    rate: float
+    begins: float = 0.0
+    guessed: tuple[str, ...] = ()
+
+
+_NO_CLOCK = _Clock(
+    _SENSOR_RATE, guessed=(f"The file tells no rate; {_SENSOR_RATE:g} Hz was assumed.",)
+)
 
 
 def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None = None) -> Pose:
@@ -107,8 +122,12 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
     # What has no place is not seen, and is not written as seen either.
     values[~measured(values)] = np.nan
     parents = parents_of([row for _, row in body], header.at, joints, path.name)
-    times = [header.time(row) for _, row in body]
-    hertz, begins, guess = _rate(times, frame, rate, path.name)
+    clock = _by_times([header.time(row) for _, row in body], frame) or _NO_CLOCK
+    told = clock.rate
+    if rate not in (None, told):
+        # Times that tell another rate are not believed.
+        clock = _Clock(rate)
+    hertz = rate_of(clock.rate, path.name)
     confidence = values[..., 7] if "confidence" in header.at else np.ones(values.shape[:2])
     zero = (values[..., :3] == 0).all(axis=2) & (np.asarray(parents) >= 0)
     confidence = np.where(zero, 0.0, confidence)
@@ -119,15 +138,14 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
         parents,
         hertz,
         confidence,
-        warnings=(*warnings, *guess, *read_as_missing(far)),
+        warnings=(*warnings, *clock.guessed, *read_as_missing(far)),
         first_frame=first,
-        first_time=begins,
+        first_time=clock.begins,
     )
-    own = path if rate is None else None
-    return replace(pose, source=Table(values, _numbers_of(pose), own, header))
+    return replace(pose, source=Table(values, _numbers_of(pose), path, header, told))
 
 
-def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> None:
+def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> tuple[str, ...]:
     """Write joints.
 
     Parameters
@@ -135,6 +153,10 @@ def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> None:
     pose : the recording
     file : written from its beginning
     progress : told the share of poses written
+
+    Returns
+    -------
+    Columns of the table that was read which are in this one no more, since it was written anew
     """
     names = [quoted(joint) for joint in pose.joints]
     above = [names[parent] if parent >= 0 else "" for parent in pose.parents]
@@ -148,7 +170,7 @@ def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> None:
         content = _over_its_file(pose, table, values, ~same, progress)
         if content is not None:
             file.write(content)
-            return
+            return ()
         written = np.where(same, table.written, np.nan)
         values = np.where(np.isfinite(written), written, values)
     file.write((",".join(COLUMNS) + "\n").encode())
@@ -160,15 +182,17 @@ def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> None:
         for joint in np.flatnonzero(np.isfinite(written[frame]).any(axis=1)):
             lines[joint] = _exactly(lines[joint], written[frame, joint])
         file.write("".join(lines).encode())
+    return table.header.others if isinstance(table, Table) else ()
 
 
 def _over_its_file(
     pose: Pose, table: Table, values: FloatArray, changed: BoolArray, progress: Progress
 ) -> bytes | None:
     """What was read, with what is changed; None where that cannot be."""
-    if table.file is None or table.header is None:
-        return None
-    part = Part(pose.joints, pose.parents, pose.first_frame, table.written, values, changed)
+    times = None
+    if pose.rate != table.rate:
+        times = pose.first_time + np.arange(pose.frames) / pose.rate
+    part = Part(pose.joints, pose.parents, pose.first_frame, table.written, values, changed, times)
     return patched(table.file, table.header, part, progress)
 
 
@@ -286,24 +310,21 @@ def parents_of(
     return tuple(joints.index(above[joint]) if above[joint] else -1 for joint in joints)
 
 
-def _rate(
-    told: list[float], frame: list[int], stated: float | None, name: str
-) -> tuple[float, float, Iterable[str]]:
-    """Poses per second and seconds at the first by the times of rows, and what was guessed."""
-    if stated is not None:
-        return rate_of(stated, name), 0.0, ()
+def _by_times(told: list[float], frame: list[int]) -> _Clock | None:
+    """What times of rows tell; None where they do not grow."""
     times, frames = np.array(told), np.array(frame)
     known = np.abs(times) < _LARGEST_TIME
-    if np.unique(frames[known]).size > 1:
-        slope = float(np.polyfit(frames[known], times[known], 1)[0])
-        if slope > 0:
-            seconds = slope <= _SLOWEST_S
-            unit = 1.0 if seconds else 1e-3
-            hertz = float(np.round(rate_of(1.0 / (unit * slope), name), 4))
-            at = int(np.argmin(np.where(known, frames, frames.max() + 1)))
-            begins = unit * told[at] - frame[at] / hertz
-            return hertz, begins, () if seconds else (_MILLISECONDS,)
-    return _SENSOR_RATE, 0.0, [f"The file tells no rate; {_SENSOR_RATE:g} Hz was assumed."]
+    if np.unique(frames[known]).size < 2:
+        return None
+    slope = float(np.polyfit(frames[known], times[known], 1)[0])
+    if slope <= 0:
+        return None
+    unit = 1.0 if slope <= _SLOWEST_S else 1e-3
+    at = int(np.argmin(np.where(known, frames, frames.max() + 1)))
+    rate = float(np.round(1.0 / (unit * slope), 4))
+    return _Clock(
+        rate, unit * (told[at] - frame[at] * slope), () if unit == 1 else (_MILLISECONDS,)
+    )
 
 
 def quoted(name: str) -> str:

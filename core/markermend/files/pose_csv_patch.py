@@ -31,6 +31,7 @@ class Part:
     there : (frames, joints, 8) what the file says in mm, NaN where it has no number
     values : (frames, joints, 8) what it shall say
     changed : (frames, joints, 8) bool, where that is something else
+    times : (frames,) seconds, where they are not those of the file
     """
 
     joints: tuple[str, ...]
@@ -39,6 +40,7 @@ class Part:
     there: FloatArray
     values: FloatArray
     changed: BoolArray
+    times: FloatArray | None = None
 
 
 def patched(path: Path, header: Header, part: Part, progress: Progress) -> bytes | None:
@@ -90,12 +92,14 @@ def patched(path: Path, header: Header, part: Part, progress: Progress) -> bytes
     changed[here] |= anew[within, None]
     if not _has_columns_for(header, part.values, changed):
         return None
+    if part.times is not None and "time" not in header.at:
+        return None
     rows = _Rows(header, part, body, frames)
     at = np.full(changed.shape[:2], -1)
     at[here] = np.array([n - 1 for n, _ in body])[within]
     # A row may stand twice.
     wanted = np.zeros(len(body), dtype=bool)
-    wanted[within] = changed[here].any(axis=1)
+    wanted[within] = changed[here].any(axis=1) | (part.times is not None)
     for n in np.flatnonzero(wanted).tolist():
         if n % _ROWS_A_REPORT == 0:
             progress(0.5 + 0.5 * n / len(body), "Writing poses")
@@ -145,6 +149,8 @@ class _Rows:
     def changed(self, row: list[str], frame: int, joint: int, which: BoolArray) -> str:
         """A row, without its ending, that has the new numbers."""
         row = list(row)
+        if self.part.times is not None:
+            row[self.header.at["time"]] = self._time(frame)
         for k in np.flatnonzero(which).tolist():
             if NUMBERS[k] in self.header.at:
                 row[self.header.at[NUMBERS[k]]] = self._number(k, self.part.values[frame, joint, k])
@@ -156,7 +162,7 @@ class _Rows:
         parent = part.parents[joint]
         cells = {
             "frame": str(part.first + frame) if beside is None else beside[self.header.at["frame"]],
-            "time": self._time(frame) if beside is None else self._cell(beside, "time"),
+            "time": self._time(frame),
             "joint": part.joints[joint],
             "parent": part.joints[parent] if parent >= 0 else "",
         }
@@ -169,10 +175,15 @@ class _Rows:
         return self._joined(row)
 
     def _time(self, frame: int) -> str:
-        """Time of a frame that has no row at all, with as many digits as others."""
+        """Time of a frame: another than it was, of a row beside, or between those of others."""
+        if self.part.times is not None:
+            return self._written(f"{self.part.times[frame]:.6f}")
+        if frame in self.in_frame:
+            return self._cell(self.in_frame[frame], "time")
         if len(self.times) < 2:
             return ""
         time = np.interp(frame, *np.array(self.times).T)
+        # With as many digits as others.
         near = self._cell(self.in_frame[self.times[0][0]], "time").replace(",", ".")
         return self._written(f"{time:.{len(near.partition('.')[2])}f}")
 

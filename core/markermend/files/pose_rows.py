@@ -58,6 +58,7 @@ class Header:
     delimiter : between cells
     scales : mm in the units of x, y and z
     unit_known : those that the line tells are
+    others : names of columns that are not known
     """
 
     name: str
@@ -66,6 +67,7 @@ class Header:
     delimiter: str
     scales: tuple[float, ...] = _MILLIMETRES
     unit_known: bool = True
+    others: tuple[str, ...] = ()
 
     def cells(self, line: str, number: int) -> list[str]:
         """Cells of a line; fewer than there are columns where it is cut short.
@@ -195,7 +197,9 @@ def header_of(line: str, name: str, number: int = 1) -> Header:
         )
     units = [_unit(head[at[axis]]) for axis in "xyz"]
     scales = tuple(1.0 if mm is None else mm for mm in units)
-    return Header(name, at, len(head), delimiter, scales, None not in units)
+    known = {at[column] for column in COLUMNS if column in at}
+    others = tuple(cell.strip() for i, cell in enumerate(head) if i not in known)
+    return Header(name, at, len(head), delimiter, scales, None not in units, others)
 
 
 def _unit(name: str) -> float | None:
