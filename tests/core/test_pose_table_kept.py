@@ -7,7 +7,10 @@ import pytest
 from command_line import run
 
 import markermend as mm
+from markermend.files.pose import crop_pose
 from markermend.files.pose_stream import follow
+from markermend.poses.nuitrack import to_nuitrack
+from markermend.poses.segments import to_cmu
 
 HEAD = "frame,time,joint,parent,x,y,z,qx,qy,qz,qw,confidence"
 
@@ -118,6 +121,12 @@ def test_frames_of_a_movement_keep_their_numbers_in_a_table(tmp_path, shared_dat
     mm.write(take, tmp_path / "part.csv", frames=(49, 60))
     assert (tmp_path / "part.csv").read_text().splitlines()[1].startswith("50,0.408333,root,")
     assert mm.read(tmp_path / "part.csv").first_frame == 50
+
+
+def test_frames_keep_their_numbers_as_other_joints(shared_data):
+    pose = crop_pose(mm.read_pose(shared_data / "poses" / "02_01.amc"), 49, 60)
+    for body in (to_nuitrack(pose), to_cmu(to_nuitrack(pose))):
+        assert (body.first_frame, body.first_time) == (50, 49 / 120)
 
 
 def test_frames_are_named_by_the_numbers_of_the_file(tmp_path, capsys):
