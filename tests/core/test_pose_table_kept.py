@@ -116,6 +116,21 @@ def test_frames_keep_their_numbers_and_times(tmp_path):
     assert mm.read_pose(tmp_path / "anew.csv").first_frame == 1000
 
 
+@pytest.mark.parametrize("lacks", ["", "confidence"])
+def test_a_part_of_a_table_has_all_of_its_frames_and_joints(tmp_path, lacks):
+    # No row at all tells of “b” in frames 2 to 4, and none of any joint in frame 2.
+    gone = {6, 7, 8, 10, 13}
+    rows = [row for n, row in enumerate(rows_of()) if n not in gone]
+    keep = [n for n, column in enumerate(WIDE.split(",")) if column != lacks]
+    rows = [",".join(row.split(",")[n] for n in keep) + ' there"' for row in rows]
+    path = table(tmp_path, rows, head=",".join(WIDE.split(",")[n] for n in keep))
+    take = mm.read(path)
+    mm.write(take, tmp_path / "part.csv", frames=(2, 5))
+    part = mm.read_pose(tmp_path / "part.csv")
+    assert (part.joints, part.frames, part.first_frame) == (take.labels, 3, 1002)
+    np.testing.assert_array_equal(part.seen, take.present[2:5])
+
+
 def test_frames_of_a_movement_keep_their_numbers_in_a_table(tmp_path, shared_data):
     take = mm.read(shared_data / "poses" / "02_01.amc")
     mm.write(take, tmp_path / "part.csv", frames=(49, 60))

@@ -90,13 +90,13 @@ def patched(path: Path, header: Header, part: Part, progress: Progress) -> bytes
         return None
     changed = part.changed.copy()
     changed[here] |= anew[within, None]
-    if not _has_columns_for(header, part.values, changed):
-        return None
-    if part.times is not None and "time" not in header.at:
-        return None
-    rows = _Rows(header, part, body, frames)
     at = np.full(changed.shape[:2], -1)
     at[here] = np.array([n - 1 for n, _ in body])[within]
+    missing = changed.any(axis=2) & (at < 0)
+    bare = _bare(missing | (at >= 0))
+    if not _has_columns_for(header, part, changed, unseen=bool(bare.any())):
+        return None
+    rows = _Rows(header, part, body, frames)
     # A row may stand twice.
     wanted = np.zeros(len(body), dtype=bool)
     wanted[within] = changed[here].any(axis=1) | (part.times is not None)
@@ -110,7 +110,7 @@ def patched(path: Path, header: Header, part: Part, progress: Progress) -> bytes
     for i in set(places) - kept:
         lines[i] = ""
     head = next(i for i, line in enumerate(lines) if not says_nothing(line))
-    _insert(lines, rows, at, changed.any(axis=2) & (at < 0), head)
+    _insert(lines, rows, at, missing | bare, head)
     return mark + "".join(lines).encode(code)
 
 
@@ -124,10 +124,26 @@ def _numbers(body: list[tuple[int, list[str]]], header: Header, progress: Progre
     return values
 
 
-def _has_columns_for(header: Header, values: FloatArray, changed: BoolArray) -> bool:
+def _bare(there: BoolArray) -> BoolArray:
+    """Rows (frames, joints) that a part of a table needs besides those ``there``.
+
+    Without them it would not have all of its frames, or joints in their order.
+    """
+    bare = np.zeros(there.shape, dtype=bool)
+    if not (there.any(axis=0).all() and there[0].any()):
+        bare[0] = ~there[0]
+    bare[-1, 0] |= not (there | bare)[-1].any()
+    return bare
+
+
+def _has_columns_for(header: Header, part: Part, changed: BoolArray, *, unseen: bool) -> bool:
     """Whether a file can say what is changed; without rotations it need not say that none is."""
+    if (part.times is not None and "time" not in header.at) or (
+        unseen and "confidence" not in header.at
+    ):
+        return False
     lacks = [k for k, name in enumerate(NUMBERS) if name not in header.at]
-    turns = values[..., _ROTATION]
+    turns = part.values[..., _ROTATION]
     unturned = (turns == 0).all(axis=2) | (turns == (0.0, 0.0, 0.0, 1.0)).all(axis=2)
     none = lacks == [*range(*_ROTATION.indices(len(NUMBERS)))] and bool(unturned.all())
     return none or not changed[..., lacks].any()
