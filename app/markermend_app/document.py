@@ -25,7 +25,7 @@ from markermend_app.looking import Looking
 from markermend_app.rows import Rows
 from markermend_app.style import theme
 from markermend_app.telling import told
-from markermend_app.walk import open_after, same_moment
+from markermend_app.walk import ahead_and_beside, open_after
 
 AHEAD = 3
 """Artifacts after the current one whose repairs are proposed ahead of time."""
@@ -217,10 +217,11 @@ class Document(Looking):
             return
         row = self._rows.row_of(artifact.id)
         ahead = [session.artifact(i) for i in open_after(session, self.queue, row)[:AHEAD]]
-        beside = same_moment(session, artifact) if session.original.skeleton else ()
-        self.preview.want(session, self.mesh, self._at_once(session), (*ahead, *beside))
+        now = self.at_once(session)
+        beside = ahead_and_beside(session, now, ahead)
+        self.preview.want(session, self.mesh, now, beside)
 
-    def _at_once(self, session: Session) -> list[Artifact]:
+    def at_once(self, session: Session) -> list[Artifact]:
         """What is repaired at once; references chosen by hand are those of one marker."""
         ids = self.together[:1] if self.preview.references else self.together
         return [session.artifact(i) for i in ids]
@@ -277,7 +278,7 @@ class Document(Looking):
             return
         if artifact.status is Status.REPAIRED:
             return
-        made = [(a.id, self.preview.get(a)) for a in self._at_once(session)]
+        made = [(a.id, self.preview.get(a)) for a in self.at_once(session)]
         if any(proposal is None for _, proposal in made):
             self._repair_when_ready = artifact.id
             return

@@ -50,6 +50,7 @@ ODDITIES = (
     "Frame numbers go from {0} to {1} in line {2}; poses were read one after the other.",
     "No number stands before {0} poses, in line {1} for one; they were read all the same.",
     "The header counts {0} frames; {1} were read.",
+    "Its skeleton is taken to be {0}, the only one here.",
 )
 """What is odd about a file, as far as operators meet it often."""
 
@@ -81,11 +82,34 @@ PROBLEMS = (
     "A BVH tells no unit of length, and bones of this size would be taken for {0}; write a CSV.",
     "“{0}” may not be read; check its permissions.",
     "“{0}” cannot be opened: {1}.",
-    "A BVH holds every joint of every pose. Frames in which joints are not known: {0}. Repair "
-    "these gaps first, in the window by F, or all of them by markermend clean; or write a CSV.",
     "{0} could not be written: {1}; nothing was changed, choose another place or free some space.",
 )
 """Why a file cannot be opened or written."""
+
+HERE = {
+    "{0} needs its skeleton: put the ASF file beside it, named {1}.asf, or say which it is "
+    "(denoise --skeleton).": (
+        "{0} needs its skeleton: put the ASF file beside it, named {1}.asf, or choose it."
+    ),
+    "{0} needs its skeleton: none of the ASF files beside it is named {1}.asf. Name the right one "
+    "so (what stands before the first _ will do, as in 02.asf for 02_01.amc), or say which it is "
+    "(denoise --skeleton).": (
+        "{0} needs its skeleton: none of the ASF files beside it is named {1}.asf. Name the right "
+        "one so (what stands before the first _ will do, as in 02.asf for 02_01.amc), or choose it."
+    ),
+    "{0} needs its skeleton: {1}, the only ASF file beside it, does not have {2} as it is there. "
+    "Put the right one beside it, named {3}.asf, or say which it is (denoise --skeleton).": (
+        "{0} needs its skeleton: {1}, the only ASF file beside it, does not have {2} as it is "
+        "there. Put the right one beside it, named {3}.asf, or choose it."
+    ),
+    "A BVH holds every joint of every pose. Frames in which joints are not known: {0}. Repair "
+    "these gaps first, in the window by F, or all of them by markermend clean; or write a CSV.": (
+        "A BVH holds every joint of every pose. Frames in which joints are not known: {0}. Repair "
+        "these gaps first, {repair} the one under review and {repair_accepted} all that are "
+        "accepted; or write a CSV."
+    ),
+}
+"""What advises the command line, and what is told instead in the window, with keys of actions."""
 
 REVIEWS = (
     "The review made of this take at “{0}” goes on here.",

@@ -115,6 +115,7 @@ _SAME = (
     "It would leave more damage than it mends: a {0} of {1} mm.",
     "Already exchanged together with {0}.",
     "No counterpart is known that carries the opposite step.",
+    "Angles were exchanged here, not places; restoring the skeleton gives them back.",
     "There is no signal to smooth inside a gap.",
     "The interval is empty already.",
     "Edited by hand since; how far off it may be is not known any more.",
@@ -141,13 +142,12 @@ _FILES = (
 _FORMS: Mapping[str, str] = {
     "Detect (sudden)": "Find gaps, peaks, noise and steps",
     "Detect (all kinds)": "Find artifacts of all classes",
-    # Here nobody can say which it is.
-    "{0} needs its skeleton: put the ASF file beside it, named {1}.asf, or say which it is.": (
-        "{0} needs its skeleton: put the ASF file beside it, named {1}.asf, and open it again."
-    ),
+    **file_words.HERE,
     **{form: form for form in (*_FILES, *_OF_METHODS, *_SAME)},
 }
 """Forms as the engine writes them, and as they are told."""
+# Whose keys some forms name.
+_ACTIONS = ("repair", "repair_accepted")
 _PARTS = (
     *("head", "trunk", "shoulder", "pelvis", "upper arm"),
     *("forearm", "hand", "thigh", "shank", "foot"),
@@ -197,7 +197,15 @@ def told(text: str) -> str:
     form, parts = known
     first, *rest = parts or ("",)
     said = tr(first) if form in _OF_METHODS else told(first)
-    return tr(form).format(said, *map(told, rest))
+    return tr(form).format(said, *map(told, rest), **_ways(form))
+
+
+def _ways(form: str) -> dict[str, str]:
+    """How actions are done whose keys a form names."""
+    # Actions know the document, which tells sentences.
+    from markermend_app.actions import shortcuts
+
+    return {name: shortcuts.way_to(name) for name in _ACTIONS if f"{{{name}}}" in form}
 
 
 def told_repair(method: str, error_mm: float | None) -> str:

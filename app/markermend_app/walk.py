@@ -8,7 +8,8 @@ from markermend.artifact import Artifact, Status, within
 from markermend.review.session import Session
 from markermend.review.step import Step, artifacts_of
 
-_MOST_BESIDE = 8
+# Each restores the recording anew, which takes seconds.
+_MOST_SLOW = 8
 
 
 def open_after(
@@ -33,11 +34,35 @@ def open_after(
     return tuple(i for i in order if i in pending)
 
 
-def same_moment(session: Session, artifact: Artifact) -> tuple[Artifact, ...]:
-    """Others that are not repaired yet and share frames with an artifact, the first few."""
+def ahead_and_beside(
+    session: Session, at_once: Sequence[Artifact], ahead: Sequence[Artifact]
+) -> tuple[Artifact, ...]:
+    """Artifacts whose repairs are proposed beside others, in the order in which they are made.
+
+    Of a recording of joints they are those that come next and those of the same moment: a body
+    that is carried off has an artifact for each of its joints. What restoring the recording told
+    already comes first, however much it is; of the rest of the same moment there are a few.
+
+    Parameters
+    ----------
+    session : the review
+    at_once : what is repaired at once, the one under review first
+    ahead : those that come next
+    """
+    if not session.original.skeleton:
+        return tuple(ahead)
+    from markermend.poses.take import at_hand, pose_of
+
+    take = session.original
+    known = at_hand(pose_of(take))
     waiting = session.listed_with(Status.PENDING, Status.ACCEPTED)
-    same = within(waiting, (artifact.start, artifact.stop))
-    return tuple(a for a in same if a.id != artifact.id)[:_MOST_BESIDE]
+    same = within(waiting, (at_once[0].start, at_once[0].stop))
+    every = dict.fromkeys((*ahead, *(a for a in same if a not in at_once)))
+    quick, slow = list[Artifact](), list[Artifact]()
+    for a in every:
+        joints = [take.index(marker) for marker in a.markers]
+        (quick if known[a.start : a.stop, joints].all() else slow).append(a)
+    return (*quick, *slow[: len(ahead) + _MOST_SLOW])
 
 
 def about(session: Session, queue: Sequence[str], step: Step, current: str | None) -> str | None:

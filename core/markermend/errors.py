@@ -4,6 +4,7 @@
 
     MarkermendError
     ├── FileFormatError   the file is damaged, or of a kind that cannot be read
+    │   └── NoSkeletonError   an AMC has no ASF beside it that is surely its own
     ├── ExportError       the result could not be written; nothing was changed
     │   └── RangeError    a value does not fit the file's 16-bit integers; floats would hold it
     ├── DataError         the take does not allow what was asked (no such marker, too few frames)
@@ -22,6 +23,10 @@ class MarkermendError(Exception):
 
 class FileFormatError(MarkermendError):
     """A file is damaged or of a kind that cannot be read."""
+
+
+class NoSkeletonError(FileFormatError):
+    """A movement (AMC) has no skeleton (ASF) beside it that is surely its own."""
 
 
 class ExportError(MarkermendError):

@@ -7,9 +7,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from markermend.arrays import runs
+from markermend.artifact import Artifact, Kind
+from markermend.review.file import open_session
 from markermend.take import Take
 from markermend.vertical import vertical_axis
 from markermend_app.panels.scene.camera import Camera
+from markermend_app.panels.scene.follow import lost_frames
 from markermend_app.panels.scene.stage import centre_at, reach_of, set_stage
 
 
@@ -75,16 +79,30 @@ def test_vertical_axis_of_a_walking_body(up):
     assert vertical_axis(positions) == up
 
 
-def test_amid_a_gap_the_middle_is_where_the_body_is_seen_next():
+def test_amid_a_gap_the_middle_goes_evenly_from_where_the_body_is_seen_to_where_it_is_next():
     positions = np.arange(3000.0)[:, None, None] * np.ones((1, 2, 3))
+    none = np.zeros(3000, dtype=bool)
     positions[200:900] = np.nan
-    assert centre_at(positions, 100, [0, 1])[0] == 100
-    assert centre_at(positions, 300, [0])[0] == 199
-    assert centre_at(positions, 700, [0, 1])[0] == 900
-    assert np.isnan(centre_at(np.full((40, 2, 3), np.nan), 7, [0, 1])).all()
+    assert centre_at(positions, 100, [0, 1], none)[0] == 100
+    middles = [centre_at(positions, frame, [0], none)[0] for frame in range(195, 905)]
+    np.testing.assert_allclose(middles, range(195, 905), atol=3)
+    assert max(np.diff(middles)) < 1.1
+    assert np.isnan(centre_at(np.full((40, 2, 3), np.nan), 7, [0, 1], none[:40])).all()
     # Nobody waits for a whole recording to be looked through.
     positions[200:] = np.nan
-    assert np.isnan(centre_at(positions, 2900, [0, 1])).all()
+    assert np.isnan(centre_at(positions, 2900, [0, 1], none)).all()
+
+
+def test_lost_frames_do_not_say_where_the_middle_is():
+    positions = np.arange(300.0)[:, None, None] * np.ones((1, 2, 3))
+    lost = np.zeros(300, dtype=bool)
+    lost[100:150] = True
+    positions[lost] += 5000.0
+    middles = [centre_at(positions, frame, [0, 1], lost)[0] for frame in range(300)]
+    np.testing.assert_allclose(middles, range(300), atol=3)
+    # At the end of a recording there is nothing to go to.
+    lost[100:] = True
+    assert centre_at(positions, 250, [0, 1], lost)[0] == pytest.approx(99, abs=3)
 
 
 def test_one_marker_is_seen_with_its_way():
@@ -101,3 +119,27 @@ def test_stage_of_an_empty_take_stands():
     assert np.isfinite(stage.middle).all()
     assert stage.radius > 0
     assert stage.unit > 0
+
+
+def test_frames_in_which_most_of_what_is_seen_is_wrong_are_lost(document):
+    session = document.session
+    labels = session.original.labels
+    document.remove([a.id for a in session.artifacts])
+    gaps = [Artifact(m, "xyz", 140, 150, Kind.GAP) for m in labels]
+    # Of the eight markers the first is missing from frame 60 to 90.
+    places = ((labels[:4], 100, 120), (labels[:5], 200, 210), (labels[1:5], 60, 90))
+    steps = [Artifact(m, "xyz", i, j, Kind.STEP) for some, i, j in places for m in some]
+    document.add_detected([*gaps, *steps], "test")
+    assert runs(lost_frames(session, range(8))).tolist() == [[60, 90], [200, 210]]
+    document.accept([a.id for a in session.artifacts if a.start == 60])
+    document.reject([a.id for a in session.artifacts if a.start == 200])
+    assert runs(lost_frames(session, range(8))).tolist() == [[60, 90]]
+
+
+def test_a_body_that_is_wrong_for_long_is_followed_all_the_same(tmp_path):
+    take = Take(np.zeros((1000, 2, 3)), ("A", "B"), 100.0)
+    session = open_session(take, folder=tmp_path).session
+    flags = [Artifact(m, "xyz", 100, stop, Kind.NOISE) for m, stop in (("A", 700), ("B", 550))]
+    session.add_detected(flags, "test")
+    assert runs(lost_frames(session, [1])).tolist() == [[100, 550]]
+    assert not lost_frames(session, [0]).any()

@@ -38,6 +38,9 @@ def test_hold_walk_let_go_and_repair(window, qtbot):
     settled(qtbot)
     assert panel.isVisible()
     assert "F repairs" in panel.said.text()
+    without = comparison.hopeless
+    words = "other method has no" if without == 1 else "other methods have no"
+    assert (f"{without} {words} answer here." in panel.said.text()) == (without > 0)
     errors = [c.error_mm for c in comparison.candidates if c.error_mm is not None]
     assert len(errors) >= 3
     assert "±" in panel.rows[0][2].text()
@@ -63,6 +66,17 @@ def test_hold_walk_let_go_and_repair(window, qtbot):
     qtbot.keyClick(window, Qt.Key.Key_F)
     assert document.session.notes[gap].method == chosen
     assert document.session.artifact(gap).status is Status.REPAIRED
+
+
+def test_what_is_repaired_already_is_said_to_be(window, qtbot):
+    qtbot.waitUntil(lambda: window.document.proposal is not None, timeout=WAIT)
+    gap = window.document.current.id
+    qtbot.keyClick(window, Qt.Key.Key_F)
+    window.document.select(gap)
+    QTest.keyPress(window, Qt.Key.Key_C)
+    settled(qtbot)
+    assert window.candidates.said.text() == "This is repaired already; U takes that back."
+    QTest.keyRelease(window, Qt.Key.Key_C)
 
 
 def test_arrows_walk_as_the_desktop_sends_them_wherever_the_focus_is(window, qtbot):

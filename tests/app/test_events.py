@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt
 import markermend as mm
 from markermend.artifact import Kind, Status
 from markermend.poses.nuitrack import JOINTS, to_nuitrack
+from markermend.poses.take import pose_of, restored
 from markermend_app.panels.inspector.artifact import ArtifactPage
 from markermend_app.panels.queue.model import MARKER
 from markermend_app.rows import Rows
@@ -131,3 +132,19 @@ def test_rows_are_walked_from_where_one_is():
     assert [rows.beside(i, 1) for i in ("a", "b", "c", "x", None)] == ["c", "c", None, "a", "a"]
     assert [rows.beside(i, -1) for i in ("a", "c", None)] == [None, "a", "c"]
     assert Rows().beside(None, 1) is None
+
+
+def test_a_review_that_is_opened_again_is_restored_before_it_is_walked(
+    opened, qtbot, tmp_path, monkeypatch
+):
+    decided(opened, qtbot, Qt.Key.Key_F)
+    assert opened.commands.put_by()
+    asked = []
+    monkeypatch.setattr(
+        "markermend.repairs.skeleton.restored",
+        lambda pose, progress: asked.append((pose, opened.document.mesh)) or restored(pose),
+    )
+    opened.document.open(None, None)
+    opened.commands.open_path(tmp_path / "walk.csv")
+    qtbot.waitUntil(lambda: opened.document.proposal is not None, timeout=3 * WAIT)
+    assert asked == [(pose_of(opened.document.session.original), None)]

@@ -117,6 +117,17 @@ def test_axes_class_and_edges_change_the_artifact(qtbot, inspector, document):
     qtbot.waitUntil(lambda: (page.first.value(), page.last.value()) == (381, 430))
 
 
+def test_only_of_what_was_not_recorded_a_gap_is_certain(inspector, document):
+    select(document, Kind.GAP)
+    sureness = inspector.artifact.sureness
+    assert sureness.text() == "certain: nothing was recorded"
+    marker = document.session.original.labels[1]
+    document.mark(Artifact(marker, "xyz", 300, 310, Kind.NOISE, why="marked by hand"))
+    assert sureness.text() == "marked by hand"
+    document.change(document.current.id, kind=Kind.GAP)
+    assert "certain:" not in sureness.text()
+
+
 def test_methods_stand_in_the_order_of_their_keys_and_can_be_chosen(qtbot, inspector, document):
     select(document, Kind.PEAK)
     methods = inspector.artifact.methods

@@ -159,8 +159,8 @@ def test_ghost_shows_where_the_preview_puts_the_marker(scene, document, monkeypa
     repair = Repair("linear", (patch,))
     monkeypatch.setattr(Document, "proposal", property(lambda self: repair))
     document.select(peak.id)
-    marker, way, start = scene.seen.ghost()
-    assert (marker, start) == ("LELB", 150)
+    [(column, way, start)] = scene.seen.ghosts()
+    assert (column, start) == (document.session.original.index("LELB"), 150)
     now = document.session.positions[150, 5]
     np.testing.assert_allclose(way, [[now[0], 123.0, now[2]]])
     assert peak.status is Status.PENDING

@@ -9,10 +9,13 @@ from PySide6.QtWidgets import (
     QLabel,
     QMenu,
 )
+from recordings import exchange_angles
 
 from markermend.artifact import Kind, Status
 from markermend.poses.nuitrack import JOINTS
-from markermend_app.actions.palette import entries, ranked
+from markermend.review.fitting import exchangers
+from markermend_app.actions.elsewhere import elsewhere
+from markermend_app.actions.palette import Palette, entries, ranked
 from markermend_app.dialogs.preferences import Preferences
 from markermend_app.panels.inspector.artifact import ArtifactPage
 from markermend_app.panels.markers.marker_menu import add_marker_verbs
@@ -51,19 +54,51 @@ def test_restoring_is_compared_with_the_others_and_stands_first(opened, qtbot):
     document.select(gap.id)
     comparison.start(["C"])
     qtbot.waitUntil(lambda: comparison.candidates is not None, timeout=WAIT)
-    restored = next(c for c in comparison.candidates if c.method == "skeleton")
-    # Both were tried where the head was seen, so that the figures can be compared.
-    assert restored.trials > 0
+    restored = comparison.candidates[0]
+    assert restored.method == "skeleton"
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    # One figure wherever it is told.
+    assert restored.error_mm == document.proposal.error_mm
     assert {"local_regression", "spline"} <= {c.method for c in comparison.candidates}
     assert all(c.error_mm is not None for c in comparison.candidates if c.trials)
+    said = opened.candidates.said
+    qtbot.waitUntil(lambda: "each method's own estimate" in said.text(), timeout=WAIT)
+    comparison.stop()
+
+
+def test_the_best_is_what_compare_has_first(window, shared_data, tmp_path, qtbot):
+    for name in ("02.asf", "02_01.amc"):
+        (tmp_path / name).write_bytes((shared_data / "poses" / name).read_bytes())
+    window.commands.open_path(tmp_path / "02_01.amc")
+    document, comparison = window.document, window.comparison
+    qtbot.waitUntil(lambda: document.session is not None, timeout=WAIT)
+    qtbot.waitUntil(lambda: not window.lane.busy, timeout=WAIT)
+    document.show(["root"])
+    document.go_to(105)
+    qtbot.keyClick(window, Qt.Key.Key_V)
+    document.go_to(135)
+    qtbot.keyClick(window, Qt.Key.Key_V)
+    qtbot.keyClick(window, Qt.Key.Key_M)
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    said = document.proposal.error_mm
+    comparison.start(["C"])
+    qtbot.waitUntil(lambda: comparison.candidates is not None, timeout=WAIT)
+    assert comparison.place == 0
+    assert comparison.candidates[0].method == document.proposal.method == "local_regression"
+    assert comparison.candidates[0].error_mm == document.proposal.error_mm == said
+    methods = window.inspector.findChild(ArtifactPage).methods
+    assert methods.buttons["auto"].text() == "Best: Local regression"
     comparison.stop()
 
 
 def test_what_is_compared_of_a_mix_up_is_called_as_it_is_elsewhere(opened, qtbot):
     document, comparison = opened.document, opened.comparison
     document.select(next(a.id for a in document.session.artifacts if a.counterpart))
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    said = document.proposal.error_mm
     comparison.start(["C"])
     qtbot.waitUntil(lambda: comparison.candidates is not None, timeout=WAIT)
+    assert comparison.candidates[0].error_mm == document.proposal.error_mm == said
     place = [c.method for c in comparison.candidates].index("swap")
     qtbot.waitUntil(lambda: opened.candidates.rows[place][1].text() == "Swap joints", timeout=WAIT)
     comparison.stop()
@@ -102,6 +137,7 @@ def test_what_ties_swapped_joints_is_no_bone(opened, qtbot):
     repaired = document.session.with_status
     qtbot.waitUntil(lambda: bool(repaired(Status.REPAIRED)), timeout=WAIT)
     document.select(None)
+    document.show(swap.markers)
     document.go_to(swap.start + 1)
     tie = theme.current().warning
 
@@ -136,8 +172,8 @@ def test_a_mix_up_is_told_of_both_of_its_joints(opened, qtbot):
     assert {JOINTS.index(m) for m in swap.markers} <= set(opened.scene.seen.rings())
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
     document.repair_current()
-    done = lambda: document.session.history[-1].startswith(f"Repair step on {both}")
-    qtbot.waitUntil(done, timeout=WAIT)
+    repaired = f"Repair step on {both}"
+    qtbot.waitUntil(lambda: document.session.history[-1].startswith(repaired), timeout=WAIT)
     document.select(swap.id)
     assert opened.inspector.findChild(ArtifactPage).title.text() == both
 
@@ -148,6 +184,11 @@ def test_a_mix_up_is_told_of_both_of_its_joints(opened, qtbot):
         (("left_ankle", "right_ankle"), "L/R ankle"),
         (("rtibia", "ltibia"), "L/R tibia"),
         (("LeftArm", "RightArm"), "L/R Arm"),
+        (("KneeLeft", "KneeRight"), "L/R Knee"),
+        (("shin.L", "shin.R"), "L/R shin"),
+        (("knee_r", "knee_l"), "L/R knee"),
+        (("Bip01 L Thigh", "Bip01 R Thigh"), "L/R Bip01 Thigh"),
+        (("mixamorig:LeftLeg", "mixamorig:RightLeg"), "L/R mixamorig:Leg"),
         (("left_ankle", "right_knee"), "left_ankle ↔ right_knee"),
         (("left_hip", "left_hip2"), "left_hip ↔ left_hip2"),
         (("lhand",), "lhand"),
@@ -167,6 +208,12 @@ def test_actions_speak_of_joints_and_those_without_use_rest(opened, window, qtbo
     names = [entry.text for entry in ranked("joint", found)]
     assert "By hand: Rename joint…" in names
     assert "left_wrist" in names
+    swap = next(entry for entry in ranked("swap joints", found))
+    assert swap.text == "Review: Repair method: Swap joints"
+    methods = ranked("restore skel", list(elsewhere(opened)))
+    assert methods[0].text == "Review: Repair method: Restore skeleton"
+    methods[0].do()
+    assert opened.document.method == "skeleton"
     menu = QMenu()
     opened.document.show(["head"])
     add_marker_verbs(menu, opened.document, lambda _: None)
@@ -202,7 +249,8 @@ def test_restoring_is_named_where_it_is_the_best(opened, qtbot):
     methods = opened.inspector.findChild(ArtifactPage).methods
     gap = next(a for a in document.session.artifacts if a.kind is Kind.GAP)
     document.select(gap.id)
-    assert methods.buttons["auto"].text() == "Best: Restore skeleton"
+    best = methods.buttons["auto"]
+    qtbot.waitUntil(lambda: best.text() == "Best: Restore skeleton", timeout=WAIT)
     assert methods.buttons["swap"].text() == "6 Swap joints"
     assert not methods.buttons["swap"].isEnabled()
     assert opened.inspector.findChild(ArtifactPage).sureness.text().startswith("certain")
@@ -220,3 +268,42 @@ def test_the_overview_is_in_the_order_of_the_tree(opened):
     assert place["left_ankle"] == place["left_knee"] + 1
     assert sorted(rows.row_of) == list(range(len(JOINTS)))
     assert [name for name, *_ in rows.groups] == names
+
+
+def test_joints_whose_angles_were_exchanged_are_not_offered_to_swap(
+    window, shared_data, tmp_path, qtbot
+):
+    folder = shared_data / "poses"
+    (tmp_path / "02.asf").write_bytes((folder / "02.asf").read_bytes())
+    names = ("femur", "tibia", "foot", "toes")
+    path = exchange_angles(folder / "02_01.amc", tmp_path / "02_01.amc", names, range(100, 140))
+    window.commands.open_path(path)
+    document = window.document
+    qtbot.waitUntil(lambda: document.current is not None, timeout=3 * WAIT)
+    assert document.current.counterpart
+    swap = window.inspector.findChild(ArtifactPage).methods.buttons["swap"]
+    qtbot.waitUntil(lambda: not swap.isEnabled(), timeout=WAIT)
+    qtbot.keyClick(window, Qt.Key.Key_6)
+    outcome = window.inspector.findChild(ArtifactPage).methods.outcome
+    qtbot.waitUntil(lambda: "Angles were exchanged here" in outcome.text(), timeout=WAIT)
+    before = document.session.positions.copy()
+    qtbot.keyClick(window, Qt.Key.Key_F)
+    np.testing.assert_array_equal(document.session.positions, before)
+
+
+def test_the_joint_of_the_other_side_is_offered_first_to_swap_with(opened, qtbot):
+    document = opened.document
+    document.show(["left_wrist"])
+    document.go_to(60)
+    qtbot.keyClick(opened, Qt.Key.Key_V)
+    document.go_to(70)
+    qtbot.keyClick(opened, Qt.Key.Key_V)
+    qtbot.keyClick(opened, Qt.Key.Key_W)
+    (asked,) = opened.findChildren(Palette)
+    assert asked.list.item(0).text() == "right_wrist"
+    # Others would jump less: what is listed next is in order.
+    exchanged = exchangers(document.session.take, "left_wrist", 60, 71)
+    jumps = [mm for _, mm in exchanged[1:]]
+    assert jumps == sorted(jumps)
+    assert jumps[0] < exchanged[0][1]
+    asked.close()

@@ -10,7 +10,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 import markermend as mm
-from markermend.errors import FileFormatError
+from markermend.errors import FileFormatError, NoSkeletonError
 from markermend.files.amc import read_amc
 from markermend.files.asf import read_asf
 
@@ -252,6 +252,41 @@ def test_skeleton_that_is_not_there(tmp_path):
         mm.read_pose(tmp_path / "a_1.amc")
     with pytest.raises(FileFormatError, match="There is no file"):
         mm.read_pose(tmp_path / "a_1.amc", skeleton=tmp_path / "b.asf")
+
+
+def test_the_only_skeleton_is_taken_where_the_movement_fits_it(small):
+    movement = (small / "a_1.amc").rename(small / "other.amc")
+    assert (
+        "Its skeleton is taken to be a.asf, the only one here." in mm.read_pose(movement).warnings
+    )
+    (small / "a.asf").write_text(ASF.replace("lower", "upper_part"))
+    with pytest.raises(NoSkeletonError, match=r"a\.asf.*does not have lower"):
+        mm.read_pose(movement)
+
+
+def test_of_several_skeletons_none_is_taken_that_no_name_leads_to(small):
+    movement = (small / "a_1.amc").rename(small / "other.amc")
+    (small / "b.asf").write_text(ASF)
+    with pytest.raises(NoSkeletonError, match=r"none of the ASF files .* other\.asf"):
+        mm.read_pose(movement)
+    movement.write_text(AMC.replace("#!OML", "#!OML:ASF C:\\takes\\B.ASF"))
+    assert mm.read_pose(movement).source.skeleton.file == small / "b.asf"
+
+
+@pytest.mark.parametrize("header", ["#!OML", "#!OML:ASF D:\\gone.ASF"])
+@pytest.mark.parametrize("name", ["walk.amc", "b_2.amc"])
+def test_what_is_written_under_another_name_opens_with_its_skeleton(small, header, name):
+    (small / "a_1.amc").write_text(AMC.replace("#!OML", header))
+    (small / "b.asf").write_text(ASF.replace("length 4", "length 9"))
+    pose = mm.read_pose(small / "a_1.amc")
+    mm.write_pose(pose, small / name)
+    back = mm.read_pose(small / name)
+    assert back.source.skeleton.file == small / "a.asf"
+    np.testing.assert_array_equal(back.positions, pose.positions)
+    text = (small / name).read_text()
+    assert text.count("#!OML:ASF") == 1
+    mm.write_pose(pose, small / "a_2.amc")
+    assert (small / "a_2.amc").read_bytes() == (small / "a_1.amc").read_bytes()
 
 
 def test_mangled_files_never_fail_otherwise(tmp_path):

@@ -212,6 +212,26 @@ def test_one_frame_is_enough_to_be_found(walk):
     assert np.argwhere(found).tolist() == [[300, wrist]]
 
 
+def test_a_joint_that_is_away_for_most_of_the_time_is_not_taken_for_where_it_belongs(walk):
+    head, positions = walk.joints.index("head"), np.array(walk.positions[:180])
+    positions[40:140, head, 1] += 1200.0
+    broken = walk.with_samples(positions, walk.rotations[:180], np.ones(positions.shape[:2]))
+    found = marked(mend_faults(broken)[1], walk)
+    assert found[40:140, head].all()
+    assert found.sum() == 100
+    told = restore(broken, prior=shipped_prior()).pose
+    assert np.abs(told.positions[:, head] - walk.positions[:180, head]).max() < 60.0
+
+
+def test_a_joint_that_is_never_in_its_place_is_left_where_it_is(walk):
+    head, positions = walk.joints.index("head"), np.array(walk.positions[:180])
+    random = np.random.default_rng(0)
+    positions[:, head] += random.normal(size=(180, 3)) * np.linspace(400, 3000, 180)[:, None]
+    broken = walk.with_samples(positions, walk.rotations[:180], np.ones(positions.shape[:2]))
+    mended, _ = mend_faults(broken)
+    assert mended.seen[:, head].any()
+
+
 @pytest.fixture(scope="module")
 def angles(shared_data):
     return mm.read_pose(shared_data / "poses" / "02_01.amc")

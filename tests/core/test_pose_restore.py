@@ -65,11 +65,43 @@ def test_how_far_a_bridge_may_be_off_is_what_it_misses_of_such_movement(gap):
     assert 0.5 < told / missed < (40 if gap == (40, 360) else 2.0)
 
 
-def test_a_bridge_from_few_known_frames_is_told_as_unknown():
+def test_where_hardly_anything_is_known_a_bridge_may_be_off_by_what_was_gone():
     known = np.zeros(30, dtype=bool)
     known[[5, 20]] = True
-    error = bridging_error(np.zeros((30, 3)), known)
-    assert np.isnan(error[6:20]).all()
+    path = np.arange(30)[:, None] * [3.0, 4.0, 0.0]
+    assert_allclose(bridging_error(path, known)[6:20], 5.0 * np.arange(1, 15))
+    flickers = np.arange(30) % 8 < 4
+    assert_allclose(bridging_error(path, flickers)[12:16], 5.0 * np.arange(1, 5))
+    known[20] = False
+    assert np.isnan(bridging_error(path, known)[~known]).all()
+    assert np.isnan(bridging_error(path, np.zeros(30, dtype=bool))).all()
+
+
+def test_a_root_that_was_never_seen_stays_so():
+    pose = hide(arm(), slice(None), 0)
+    told = restore(pose)
+    assert not told.filled.any()
+    assert np.isnan(told.pose.positions[:, 0]).all()
+    assert_allclose(told.pose.positions[:, 1:], pose.positions[:, 1:], atol=1e-6)
+
+
+def test_a_joint_that_flickers_is_restored_without_a_prior():
+    pose = arm()
+    hidden = hide(pose, np.arange(400) % 24 < 12, 4)
+    told = restore(hidden)
+    assert told.pose.seen.all()
+    assert np.median(far(told.pose, pose)[:, 4][told.filled[:, 4]]) < 20.0
+
+
+def test_movement_too_large_for_single_precision_is_filled_all_the_same():
+    random = np.random.default_rng(3)
+    values = np.cumsum(random.normal(size=(600, 4)), axis=0) @ random.normal(size=(4, 40)) * 1e4
+    known = np.ones(values.shape, dtype=bool)
+    known[300:330, 7] = False
+    filled = fill(values, known, 100.0)
+    assert np.isfinite(filled.values).all()
+    off = np.abs(filled.values - values)[300:330, 7]
+    assert off.mean() < 0.2 * np.ptp(values[:, 7])
 
 
 def test_what_moves_with_others_is_filled_from_them():

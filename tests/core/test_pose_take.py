@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from recordings import exchange_angles
 
 import markermend as mm
 from markermend.artifact import Artifact, Kind
@@ -12,8 +13,8 @@ from markermend.errors import ExportError
 from markermend.poses.breaking import break_pose
 from markermend.poses.nuitrack import JOINTS, to_nuitrack
 from markermend.poses.restore import INFERRED
-from markermend.poses.take import changed_joints, pose_of
-from markermend.repairs import propose
+from markermend.poses.take import at_hand, changed_joints, pose_of
+from markermend.repairs import advise, evidence_for, propose
 
 HIDDEN = slice(200, 230)
 
@@ -84,6 +85,18 @@ def test_an_interval_marked_by_hand_is_worked_out_anew(walk, tmp_path):
     assert repair.band_mm.shape == (20,)
 
 
+def test_what_restoring_told_is_at_hand_and_an_interval_marked_by_hand_is_not(broken):
+    take = mm.read(broken)
+    pose = pose_of(take)
+    assert not at_hand(pose).any()
+    found = mm.detect(take)
+    known = at_hand(pose)
+    assert known.shape == (take.frames, take.markers)
+    for a in found:
+        assert known[a.start : a.stop, [take.index(m) for m in a.markers]].all()
+    assert not known.all()
+
+
 def test_an_amc_is_the_same_where_nothing_was_repaired(shared_data, tmp_path):
     source = shared_data / "poses" / "02_01.amc"
     take = mm.read(source)
@@ -144,3 +157,32 @@ def test_the_command_line_writes_what_skeletons_are_written_as(
     capsys.readouterr()
     assert main(["convert", str(tmp_path / "markers.c3d"), "-o", str(tmp_path / "no.bvh")]) == 1
     assert "should end in" in capsys.readouterr().err
+
+
+@pytest.fixture
+def crossed(shared_data, tmp_path):
+    """A file of angles in which those of the legs are exchanged for a while."""
+    folder = shared_data / "poses"
+    (tmp_path / "02.asf").write_bytes((folder / "02.asf").read_bytes())
+    leg = ("femur", "tibia", "foot", "toes")
+    return exchange_angles(folder / "02_01.amc", tmp_path / "02_01.amc", leg, range(100, 140))
+
+
+def test_joints_whose_angles_were_exchanged_are_not_swapped(crossed, shared_data, capsys):
+    take, truth = mm.read(crossed), mm.read_pose(shared_data / "poses" / "02_01.amc")
+    found = mm.detect(take)
+    assert {a.counterpart for a in found} == {"rfemur", "rtibia", "rfoot", "rtoes"}
+    for artifact in found:
+        refused = propose(take, artifact, found, method="swap")
+        assert refused.patches == ()
+        assert refused.reason.startswith("Angles were exchanged here, not places;")
+    ranked = advise(evidence_for(take, found), found[0], methods=("skeleton",))
+    assert [(a.method, bool(a.repair.patches)) for a in ranked] == [
+        ("skeleton", True),
+        ("swap", False),
+    ]
+    clean = mm.repair(take, found)
+    np.testing.assert_allclose(clean.positions, truth.positions, atol=0.01)
+    target = crossed.parent / "o.amc"
+    main(["clean", str(crossed), "--method", "swap", "-o", str(target)])
+    assert "Angles were exchanged here" in "".join(capsys.readouterr())

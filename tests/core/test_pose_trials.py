@@ -36,6 +36,9 @@ def test_without_room_shorter_gaps_are_tried():
     (trial,) = trials_of(filled, 100.0)
     assert (trial.start, trial.stop, trial.joints) == (72, 98, (0,))
     assert trials_of(filled[10:80], 100.0) == ()
+    flickers = np.zeros((60, 2), dtype=bool)
+    flickers[np.arange(60) % 16 < 14, 0] = True
+    assert trials_of(flickers, 100.0) == ()
     assert trials_of(filled[:0], 100.0) == ()
 
 

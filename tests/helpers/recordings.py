@@ -11,3 +11,21 @@ from markermend.bench.gaps import only_named
 def read_named(name: str, folder: Path) -> mm.Take:
     """Find a take by name anywhere below a folder, and keep its named markers."""
     return only_named(mm.read(next(iter(sorted(folder.rglob(f"{name}.c3d"))))))
+
+
+def exchange_angles(source: Path, target: Path, names: tuple[str, ...], frames: range) -> Path:
+    """Write an AMC in which left and right segments have each other's angles in some frames."""
+    lines, pose = source.read_text().splitlines(), -1
+    place: dict[tuple[int, str], int] = {}
+    for n, line in enumerate(lines):
+        if line.strip().isdigit():
+            pose = int(line) - 1
+        elif pose in frames:
+            place[pose, line.split()[0]] = n
+    for frame in frames:
+        for name in names:
+            left, right = place[frame, "l" + name], place[frame, "r" + name]
+            here, there = (lines[n].partition(" ")[2] for n in (left, right))
+            lines[left], lines[right] = f"l{name} {there}", f"r{name} {here}"
+    target.write_text("\n".join(lines) + "\n")
+    return target

@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QMenu
 
+from markermend.artifact import Status
 from markermend_app import settings
 from markermend_app.actions.palette import Entry
+from markermend_app.document import Document
 from markermend_app.style import theme
 from markermend_app.words import tr
 
@@ -18,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def elsewhere(window: MainWindow) -> Iterator[Entry]:
-    """Panels, what the plots and the 3D view can show, and the takes opened lately."""
+    """Panels, what the plots and the 3D view can show, methods, and the takes opened lately."""
     blank = theme.blank_icon()
     view, panels = tr("View"), tr("Panels")
     for name, dock in window.docks.items():
@@ -31,9 +33,25 @@ def elsewhere(window: MainWindow) -> Iterator[Entry]:
             words = f"{space}: {button.accessibleName()}"
             yield Entry(words, "", button.icon(), True, button.click)
         yield from _entries(buttons.menu, space)
+    yield from _methods(window.document)
     for path in settings.recent():
         open_it = partial(window.commands.open_path, path)
         yield Entry(path.name, tr("recent take"), theme.icon("open"), True, open_it, str(path))
+
+
+def _methods(document: Document) -> Iterator[Entry]:
+    """Repair methods without a key, once an artifact is looked at: repairs load late."""
+    if document.current is None:
+        return
+    from markermend.repairs import REPAIRS
+
+    usable = document.editable and document.current.status is not Status.REPAIRED
+    path = f"{tr('Review')}: {tr('Repair method')}"
+    for method in REPAIRS.values():
+        if method.key is None:
+            choose = partial(document.choose_method, method.name)
+            text, summary = f"{path}: {tr(method.label)}", tr(method.summary)
+            yield Entry(text, "", theme.icon("method"), usable, choose, summary)
 
 
 def _entries(menu: QMenu, path: str) -> Iterator[Entry]:

@@ -51,10 +51,12 @@ def build(owner: QWidget, document: Document, run: Callable[[str], None]) -> dic
         """Call the methods by their names, once an artifact is looked at: repairs load late."""
         if document.current is not None:
             from markermend.repairs import REPAIRS
+            from markermend_app.panels.inspector.methods import label_of
 
             for method in REPAIRS.values():
                 if method.key is not None:
-                    made[f"method_{method.key}"].setText(tr(method.label))
+                    text = label_of(method.name, joints=document.joints)
+                    made[f"method_{method.key}"].setText(text)
 
     document.opened.connect(lambda: _speak(made, joints=document.joints))
     document.current_changed.connect(name_methods)

@@ -57,9 +57,14 @@ class Preview(QObject):
         artifacts: Sequence[Artifact],
         following: Sequence[Artifact],
     ) -> None:
-        """Have proposals made for what is under review, and ahead of time for the next ones."""
+        """Have proposals made for what is under review, and ahead of time for the next ones.
+
+        Of joints that are mixed up it is also asked whether they can be exchanged.
+        """
         now: list[Key] = [
             (a, self.method, self.references) for a in artifacts if a.status is not Status.REPAIRED
         ]
+        mixed_up = session.original.skeleton and any(a.counterpart for a, _, _ in now[:1])
+        swap: list[Key] = [(now[0][0], "swap", ())] if mixed_up else []
         ahead: list[Key] = [(a, AUTO, ()) for a in following]
-        self.proposals.want(session, mesh, list(dict.fromkeys([*now, *ahead])))
+        self.proposals.want(session, mesh, list(dict.fromkeys([*now, *swap, *ahead])))

@@ -46,6 +46,20 @@ def show_problem(parent: QWidget, error: Exception) -> None:
     box.exec()
 
 
+def ask_skeleton(parent: QWidget, error: Exception) -> bool:
+    """Say why a movement has no skeleton, and ask whether to choose one."""
+    box = QMessageBox(parent)
+    box.setIcon(QMessageBox.Icon.Warning)
+    box.setWindowTitle(_tr("Markermend"))
+    box.setText(told(str(error)))
+    box.setInformativeText(_tr("What you choose is copied beside it, under its name."))
+    choose = box.addButton(_tr("Choose skeleton…"), Role.AcceptRole)
+    box.addButton(Buttons.Cancel)
+    box.setDefaultButton(choose)
+    box.exec()
+    return box.clickedButton() is choose
+
+
 def tell_damaged(parent: QWidget, take: Take) -> None:
     """Say that what was opened is not the whole recording; the work under way goes on."""
     name = take.source.path.name if take.source is not None else _tr("This take")

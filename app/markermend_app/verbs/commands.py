@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from markermend.artifact import Artifact, Status, within
-from markermend.errors import DataError, MarkermendError
+from markermend.errors import DataError, MarkermendError, NoSkeletonError
 from markermend.mesh import Mesh
 from markermend.progress import Progress
 from markermend.review.file import SessionFile
@@ -26,6 +26,7 @@ from markermend_app.document import Document
 from markermend_app.later import SOON_MS, Later
 from markermend_app.telling import told
 from markermend_app.verbs.exporting import Exporter
+from markermend_app.verbs.skeletons import give_skeleton
 
 
 class Commands(QObject):
@@ -106,9 +107,13 @@ class Commands(QObject):
             opened.file.close()
 
         def failed(error: Exception) -> None:
+            if isinstance(error, NoSkeletonError) and give_skeleton(self._window, path, error):
+                self.open_by(path, work, broke)
+                return
             if broke is not None:
                 broke(error)
-            self.show_problem(error)
+            if not isinstance(error, NoSkeletonError):
+                self.show_problem(error)
 
         label = self.tr("Opening {0}").format(path.name)
         self._lane.submit(label, work, done, failed, dropped)
@@ -140,9 +145,13 @@ class Commands(QObject):
         def work(progress: Progress) -> Any:
             from markermend.mesh import infer_mesh
             from markermend.repairs import REPAIRS
+            from markermend.repairs.skeleton import get_ready
 
             # The first look at them reads what all packages on this machine bring.
             len(REPAIRS)
+            if take.skeleton and file.session.begun:
+                # Detecting does that in a new one. Proposals rest on it, and are let go on walking.
+                get_ready(take, progress)
             return infer_mesh(take, progress=progress)
 
         def done(mesh: Mesh) -> None:

@@ -13,7 +13,7 @@ from markermend.errors import ExportError, RangeError
 from markermend.files import Export
 from markermend.progress import Progress
 from markermend.take import Take
-from markermend_app import settings
+from markermend_app import settings, units
 from markermend_app.background.jobs import Lane
 from markermend_app.background.loading import proposed_place
 from markermend_app.background.saver import Saver
@@ -21,6 +21,9 @@ from markermend_app.dialogs import ask as dialogs
 from markermend_app.dialogs import export as export_dialog
 from markermend_app.dialogs.file_filters import export_filter
 from markermend_app.document import Document
+
+# Repaired joints are expected to be off by more anyway; what is told then needs no answer.
+_HARDLY_OFF_MM = 5.0
 
 
 class Exporter(QObject):
@@ -181,7 +184,7 @@ class Exporter(QObject):
     def _tell(self, export: Export) -> None:
         """Say what was written, and where it is not what was seen."""
         self.said.emit(self._summary(export))
-        if export.off or export.lost:
+        if export.off_mm > _HARDLY_OFF_MM or export.lost:
             dialogs.tell_off(self._window, export)
 
     def _summary(self, export: Export) -> str:
@@ -189,6 +192,9 @@ class Exporter(QObject):
         one = self.tr("Exported to {0}; 1 sample differs.")
         many = self.tr("Exported to {0}; {1} samples differ.")
         text = (one if export.samples == 1 else many).format(export.path, export.samples)
+        if export.off:
+            rigid = self.tr("Its bones are rigid: {0} is {1} off there, no joint is more.")
+            text += " " + rigid.format(export.off[0][0], units.length(export.off_mm))
         if export.backup is not None:
             text += " " + self.tr("The original is kept as {0}.").format(export.backup.name)
         if export.dropped:

@@ -19,6 +19,7 @@ from markermend.files.amc_patch import (
     tells_degrees,
     tells_rate,
 )
+from markermend.files.amc_skeleton import saying
 from markermend.files.asf import bare, words_of
 from markermend.files.plausible import FARTHEST, read_as_missing
 from markermend.files.text import read_lines
@@ -31,28 +32,6 @@ _MOST_NAMED = 8
 _LONGEST_NAME = 40
 # Channels by segment, number of poses, number of the first, and a sentence for each oddity.
 _Read = tuple[dict[str, FloatArray], int, int, list[str]]
-
-
-def find_skeleton(path: Path) -> Path:
-    """Skeleton of a movement: of the same name, of its subject (``01`` of ``01_05``), or the only.
-
-    Raises
-    ------
-    FileFormatError
-        when the folder has none that fits
-    """
-    there = [p for p in sorted(path.parent.iterdir()) if p.suffix.lower() == ".asf"]
-    by_name = {p.stem.lower(): p for p in there}
-    stem = path.stem.lower()
-    for name in (stem, stem.rpartition("_")[0], stem.partition("_")[0]):
-        if name in by_name:
-            return by_name[name]
-    if len(there) == 1:
-        return there[0]
-    raise FileFormatError(
-        f"{path.name} needs its skeleton: put the ASF file beside it, named"
-        f" {path.stem.partition('_')[0]}.asf, or say which it is."
-    )
 
 
 def read_amc(path: Path, skeleton: Skeleton) -> tuple[Movement, float | None, list[str]]:
@@ -266,7 +245,12 @@ def _finite(cells: list[str]) -> list[float]:
 
 
 def write_amc(
-    movement: Movement, file: IO[bytes], progress: Progress, *, rate: float = USUAL_RATE
+    movement: Movement,
+    file: IO[bytes],
+    progress: Progress,
+    target: Path,
+    *,
+    rate: float = USUAL_RATE,
 ) -> None:
     """Write a movement: over the file it was read from, else in degrees.
 
@@ -275,6 +259,7 @@ def write_amc(
     movement : skeleton and channels; segments are left out of poses where they are NaN
     file : written from its beginning
     progress : told the share of poses written
+    target : what the file will be called, by which its skeleton is looked for
     rate : poses per second, told where that is not what a file without a rate has
 
     Raises
@@ -286,10 +271,10 @@ def write_amc(
     own = movement.file
     content = None if own is None else patched(own, movement, progress, rate=rate)
     if content is not None:
-        file.write(content)
+        file.write(saying(content, target, movement.skeleton.file))
         return
     channels = movement.channels or _at_rest(movement)
-    file.write(b":FULLY-SPECIFIED\n:DEGREES\n")
+    file.write(saying(b":FULLY-SPECIFIED\n:DEGREES\n", target, movement.skeleton.file))
     if rate != USUAL_RATE:
         file.write(rate_line(rate) + b"\n")
     names = [s.name for s in movement.skeleton.segments if s.name in channels and s.dofs]

@@ -74,7 +74,7 @@ def read_asf(path: Path) -> Skeleton:
     if len(set(names)) != len(names) or ROOT in names:
         raise FileFormatError(f"{path.name} is damaged: two bones have the same name.")
     segments = _hang([root, *bones], _hierarchy(sections.get("hierarchy", []), path), path)
-    return Skeleton(segments, _MM_PER_INCH / unit, degrees, position)
+    return Skeleton(segments, _MM_PER_INCH / unit, degrees, position, path)
 
 
 def _sections(path: Path) -> dict[str, list[tuple[int, list[str]]]]:

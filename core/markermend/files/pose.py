@@ -10,8 +10,9 @@ from pathlib import Path
 from typing import IO
 
 from markermend.errors import DataError, ExportError, FileFormatError
-from markermend.files.amc import find_skeleton, read_amc, write_amc
+from markermend.files.amc import read_amc, write_amc
 from markermend.files.amc_patch import USUAL_RATE
+from markermend.files.amc_skeleton import check_guess, find_skeleton
 from markermend.files.asf import read_asf
 from markermend.files.atomic import write_whole
 from markermend.files.bvh_read import read_bvh
@@ -71,8 +72,15 @@ def read_pose(
             raise IsADirectoryError(str(where))
         match where.suffix.lower():
             case ".amc":
-                body = read_asf(Path(skeleton) if skeleton is not None else find_skeleton(where))
+                asf, guessed = (Path(skeleton), False) if skeleton else find_skeleton(where)
+                body = read_asf(asf)
+                if guessed:
+                    check_guess(where, body, asf)
                 movement, stated, warnings = read_amc(where, body)
+                if guessed:
+                    warnings.insert(
+                        0, f"Its skeleton is taken to be {asf.name}, the only one here."
+                    )
                 if stated is None and rate is None:
                     warnings.append("The file tells no rate; 120 Hz was assumed.")
                 hertz = rate or stated or USUAL_RATE
@@ -185,7 +193,7 @@ def pose_writer(
             turning, writing = part(report, 0.0, 0.7), part(report, 0.7, 1.0)
             movement = inverse_kinematics(pose, pose.source, progress=turning)
             off = dict(zip(pose.joints, how_far_off(movement, pose).tolist(), strict=True))
-            return lambda file: write_amc(movement, file, writing, rate=pose.rate), off
+            return lambda file: write_amc(movement, file, writing, target, rate=pose.rate), off
         case _:
             raise ExportError(
                 f"{target.name} should end in {', '.join(WRITABLE)}, to tell what to write."

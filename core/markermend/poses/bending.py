@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -45,6 +45,11 @@ class Bends:
     _middle: dict[int, FloatArray]
     _mean: FloatArray
     _directions: FloatArray
+
+    def of(self, frames: IntArray) -> Bends:
+        """The same body in some of the frames."""
+        poses, at, local = (x[frames] for x in (self.poses, self.at, self._local))
+        return replace(self, poses=poses, at=at, _local=local)
 
     def slopes(self, frames: IntArray, at_once: int) -> Iterator[Float32Array]:
         """(at_once, joints · 7, n) how features change with coordinates, for some frames in turn.

@@ -97,28 +97,28 @@ def bridging_error(path: FloatArray, known: BoolArray) -> FloatArray:
     Parameters
     ----------
     path : (frames, n) of one point; anything where not known
-    known : (frames,) bool, true somewhere
+    known : (frames,) bool
 
     Returns
     -------
-    (frames,) root mean square distance, 0 where known. Where no stretch is known that is as long
-    as a gap, shorter ones are tried, and what they miss grows by the square of the length, as what
-    is missed of a movement at constant acceleration does.
+    (frames,) root mean square distance, 0 where known; NaN where nothing is known. Where no stretch
+    is known that is as long as a gap, shorter ones are tried, and what they miss grows by the
+    square of the length, as what is missed of a movement at constant acceleration does. Where none
+    is known to be tried, it is the way made in a gap's time.
     """
     error = np.zeros(len(path))
+    if not known.any():
+        return np.full(len(path), np.nan)
     longest = max(int(np.max(np.diff(runs(known), axis=1))) - 2 * SIDE, 1)
     for start, stop in runs(~known).tolist():
         count = stop - start
-        if start == 0 or stop == len(path):
-            held = _held_error(path, known, count)
-            error[start:stop] = held if start else held[::-1]
-            continue
         length = min(count, longest)
         starts = free_starts(known, length, SIDE)
-        starts = starts[:: max(len(starts) // _TRIED, 1)]
-        if not len(starts):
-            error[start:stop] = np.nan
+        if start == 0 or stop == len(path) or not len(starts):
+            held = _held_error(path, known, count)
+            error[start:stop] = held[::-1] if start == 0 else held
             continue
+        starts = starts[:: max(len(starts) // _TRIED, 1)]
         inside = path[starts[:, None] + np.arange(length)]
         told = np.einsum("ls,nsc->nlc", bridge(length), path[starts[:, None] + around(0, length)])
         off = np.sqrt(np.mean(np.sum((inside - told) ** 2, axis=2), axis=0))
@@ -128,13 +128,17 @@ def bridging_error(path: FloatArray, known: BoolArray) -> FloatArray:
 
 
 def _held_error(path: FloatArray, known: BoolArray, count: int) -> FloatArray:
-    """(count,) root mean square way that is made in 1, 2, … frames, by what is known."""
+    """(count,) root mean square way that is made in 1, 2, … frames; NaN where one is known."""
+    apart = np.diff(np.flatnonzero(known))
+    if not len(apart):
+        return np.full(count, np.nan)
     lags, off = [0], [0.0]
-    for lag in np.unique(np.linspace(1, count, min(count, _TRIED)).astype(int)):
+    some = np.linspace(1, 2 * count, min(2 * count, _TRIED)).astype(int)
+    for lag in np.unique([*some, apart.min()]).tolist():
         both = known[lag:] & known[:-lag]
         if both.any():
             way = (path[lag:] - path[:-lag])[both]
-            lags.append(int(lag))
+            lags.append(lag)
             off.append(float(np.sqrt(np.mean(np.sum(way**2, axis=1)))))
     return np.interp(np.arange(1, count + 1), lags, off)
 

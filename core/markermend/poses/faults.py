@@ -67,6 +67,8 @@ def mend_faults(pose: Pose) -> tuple[Pose, tuple[Fault, ...]]:
     still = stiff(pose) & pose.seen
     frozen, pose = frozen | still, _hidden(pose, still)
     wrong = misplaced(pose)
+    # Of a joint that would never be in its place nobody could tell where that is.
+    wrong[:, ~(pose.seen & ~wrong).any(axis=0)] = False
     kinds = {
         VANISHED: vanished,
         FROZEN: frozen,

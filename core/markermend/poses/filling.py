@@ -32,6 +32,8 @@ _BRIEF_S, _BRIEF, _LONG = 0.3, 0.85, 0.5
 # Added to variances before regressing: absolute, and of a channel hidden part of the time.
 _RIDGE, _LEVEL_RIDGE, _DOUBT = 1e-4, 1e-3, 0.1
 _SHORT_RIDGE = 1e-6
+# Share of the whole variance that is added where that is not enough.
+_ILL = 1e-6
 _MOSTLY_HIDDEN = 0.999
 # How much movement within a gap counts beside whole poses where levels are regressed.
 _PASSING = 1.5
@@ -351,7 +353,12 @@ def _regress(
         return across, own
     among[np.diag_indices(len(inputs))] *= 1 + doubt
     among[np.diag_indices(len(inputs))] += np.float32(ridge)
-    weights = solved(among, across)
+    try:
+        weights = solved(among, across)
+    except np.linalg.LinAlgError:
+        # Movement so large that single precision does not see the ridge beside it.
+        more = ridge + _ILL * float(np.diagonal(covariance)[inputs].sum())
+        return _regress(covariance, inputs, targets, more, doubt)
     return weights, np.maximum(own - np.sum(across * weights, axis=0), 0)
 
 

@@ -76,7 +76,8 @@ def _seen_from(pose: Pose, parents: tuple[int, ...], gone: BoolArray, room: floa
     Where a joint was misplaced, its child is judged from the joint's parent, unless it went along:
     an elbow that jumped leaves the wrist alone, another person's arm takes it along.
     """
-    wrong, bones = gone.copy(), bone_lengths(pose.positions, parents)
+    wrong = gone.copy()
+    bones = bone_lengths(np.where(gone[..., None], np.nan, pose.positions), parents)
     for joint in parents_first(parents, pose.joints):
         parent = parents[joint]
         if parent < 0:
@@ -103,7 +104,7 @@ def _out_of_reach(
     """(frames,) bool: its distance from the nearest ancestor in its place is impossible."""
     out = np.zeros(pose.frames, dtype=bool)
     ancestor, unjudged = parents[joint], pose.seen[:, joint].copy()
-    usual = unjudged.copy()
+    usual = unjudged & ~wrong[:, joint]
     while ancestor >= 0 and unjudged.any():
         far = lengths_of(pose.positions[:, joint] - pose.positions[:, ancestor])
         usual &= ~wrong[:, ancestor]

@@ -290,6 +290,7 @@ def _agreed(
     unsure = np.ones(features.shape)
     unsure[:, channels.joints] = variance.reshape(pose.frames, -1, FEATURES)
     unsure = np.maximum(unsure if noisy else _FIRM * unsure, _SURE**2)
+    unsettled = None if noisy else np.asarray(hidden.any(axis=(0, 2)))
     for _ in range(rounds):
         if noisy:
             pilot = fuse(features, bones, channels.normal.root)
@@ -297,7 +298,7 @@ def _agreed(
             pilot = _with_bones(features, known, bones)
         if pose.frames < _SETTLES or np.isnan(pilot).any():
             return pilot, bones
-        settled = settle(features, unsure, pilot, pose.parents, pose.order)
+        settled = settle(features, unsure, pilot, pose.parents, pose.order, unsettled)
         if not noisy:
             settled[..., :3][known[0]] = features[..., :3][known[0]]
             settled[..., 3:][known[1]] = features[..., 3:][known[1]]
@@ -349,6 +350,8 @@ def _finished(
     """Back to millimetres and global axes."""
     joints, count = list(channels.joints), len(pose.joints)
     positions, rotations = denormalise(features, channels.normal)
+    # A root that was never seen is where poses are looked at from.
+    positions[:, ~pose.seen.any(axis=0)] = np.nan
     rotations = signed_like(rotations, pose.rotations, trusted_turns(pose))
     there = ~np.isnan(positions[..., 0])
     rotations[:, np.isnan(pose.rotations).all(axis=(0, 2))] = np.nan

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from markermend.arrays import FloatArray
+from markermend.arrays import BoolArray, FloatArray
 from markermend.poses.bending import Bends, find_bends
 from markermend.poses.smoothing import smooth_bands
 from markermend.poses.solving import solved
@@ -21,6 +21,7 @@ def settle(
     pilot: FloatArray,
     parents: Sequence[int],
     order: Sequence[int],
+    wanted: BoolArray | None = None,
 ) -> FloatArray:
     """Return the most probable poses, given noisy ones and how this body bends.
 
@@ -32,6 +33,7 @@ def settle(
         the noisy ones, and rotations of unit length
     parents : index of each joint's parent, -1 for the root
     order : joints, parents first
+    wanted : (frames,) bool, poses that are to settle; others may stay. None for all
 
     Notes
     -----
@@ -40,9 +42,14 @@ def settle(
     the prior; features are linearised at the pilot, and each frame is one least-squares problem.
     A few frames in a row bend alike and share slopes and variances.
     """
-    bends = find_bends(_signed(pilot, features), parents, order)
-    moved, _ = _solved(bends, features, variance, bends.at)
-    return bends.features(bends.at + moved, features)
+    bends, rows = find_bends(_signed(pilot, features), parents, order), np.arange(len(features))
+    if wanted is not None:
+        rows = rows[np.logical_or.reduceat(wanted, rows[::_ALIKE])[rows // _ALIKE]]
+        bends = bends.of(rows)
+    moved, _ = _solved(bends, features[rows], variance[rows], bends.at)
+    settled = features.copy()
+    settled[rows] = bends.features(bends.at + moved, features[rows])
+    return settled
 
 
 def settle_in_time(

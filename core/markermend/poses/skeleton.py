@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
@@ -52,12 +52,14 @@ class Skeleton:
     scale_mm : millimetres per unit of length
     degrees : the angles of the skeleton file and, unless it says otherwise, of its movements
     position : of the root at rest, in units of length
+    file : that it was read from
     """
 
     segments: tuple[Segment, ...]
     scale_mm: float
     degrees: bool = True
     position: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    file: Path | None = field(default=None, compare=False)
 
     @property
     def names(self) -> tuple[str, ...]:

@@ -74,7 +74,7 @@ def trials_of(filled: BoolArray, rate: float) -> tuple[Trial, ...]:
             room, length = _room(free, length, least)
             away = -np.abs(room - start)
         else:
-            if len(found) >= _FEW or taken.sum() + length > _SHARE * len(filled):
+            if not found or len(found) >= _FEW or taken.sum() + length > _SHARE * len(filled):
                 continue
             room = free_starts(free, length, _BESIDE)
             away = np.min([np.abs(room - trial.start) for trial in found], axis=0)

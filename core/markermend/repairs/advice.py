@@ -14,6 +14,7 @@ from markermend.artifact import Artifact, Kind, axis_columns
 from markermend.parameters import read_params
 from markermend.repairs.body_frame import rank_references
 from markermend.repairs.choice import choose
+from markermend.repairs.of_joints import RESTORING, best_of
 from markermend.repairs.registry import REPAIRS, Evidence, Repair, find_method
 from markermend.repairs.result import axes_of, without_own
 from markermend.take import Take
@@ -23,9 +24,6 @@ CANDIDATES = ("local_regression", "kalman", "spline", "pchip", "makima", "linear
 
 COMPARED = (*CANDIDATES, "rigid", "pattern", "cyclic", "savgol")
 """Methods an operator may want to see beside each other; those with no answer come last."""
-
-OF_JOINTS = "skeleton"
-"""The method that comes first for joints of a skeleton recording."""
 
 MODELS = ("glr", "lgrnn", "li", "lpr", "pca", "pma", "pma_all", "pma_no_pca", "ffnn_loose")
 """Methods without an error of their own that are quick enough to be measured while someone waits.
@@ -95,9 +93,14 @@ def advise(
 
     Returns
     -------
-    One for each method, best first; the usual choice (:func:`markermend.repairs.choose`, for
-    joints of a skeleton recording its restoring) stays before others that are not better by a
-    fifth. A swap whose counterpart is known is first: it invents nothing.
+    One for each method, best first; the usual choice (:func:`markermend.repairs.choose`) stays
+    before others that are not better by a fifth. A swap whose counterpart is known is first: it
+    invents nothing.
+
+    Of joints of a skeleton recording what is made when no method is named is first. There methods
+    that say how far off they may be are not tried elsewhere: joints are bridged to both sides there
+    and only held at an end, where trials say a third of what is true, and what methods say of
+    themselves follows the truth.
     """
     own = without_own(evidence, artifact)
     names = candidates(own, artifact) if methods is None else tuple(methods)
@@ -112,13 +115,17 @@ def advise(
         if choose(artifact) == "swap":
             method = find_method("swap")
             advice.insert(0, Advice(method.run(own, artifact, method.params()), 0))
-    usual = OF_JOINTS if own.take.skeleton else choose(artifact)
+    if own.take.skeleton:
+        both_sides = artifact.counterpart is not None
+        best = RESTORING if both_sides else best_of(a.repair for a in advice)
+        return tuple(sorted(advice, key=lambda a: (a.method != best, _rank(a, best))))
+    usual = choose(artifact)
     return tuple(sorted(advice, key=lambda a: _rank(a, usual)))
 
 
 def compared(take: Take) -> tuple[str, ...]:
     """Methods an operator may want to see beside each other in a take."""
-    return (OF_JOINTS, *COMPARED) if take.skeleton else COMPARED
+    return (RESTORING, *COMPARED) if take.skeleton else COMPARED
 
 
 def candidates(evidence: Evidence, artifact: Artifact) -> tuple[str, ...]:
@@ -239,7 +246,8 @@ def _measure(tried: _Trials, name: str) -> Advice:
     """Propose with one method and measure it at each place."""
     method = find_method(name)
     repair = method.run(tried.evidence, tried.artifact, method.params())
-    misses = _misses(tried, name, method.params()) if repair.patches else []
+    sure = tried.evidence.take.skeleton and repair.error_mm is not None
+    misses = _misses(tried, name, method.params()) if repair.patches and not sure else []
     if not misses:
         return Advice(repair, 0)
     told = _told(tried, repair, misses)

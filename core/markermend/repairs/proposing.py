@@ -24,6 +24,7 @@ from markermend.repairs.automatic import (
 )
 from markermend.repairs.lengths import at_usual_distances, ties_of
 from markermend.repairs.look_again import looked_at
+from markermend.repairs.of_joints import best_of_joint
 from markermend.repairs.registry import Evidence, Repair, find_method
 from markermend.repairs.result import refuse, without_own
 from markermend.repairs.trust import as_good_as_new, evidence_for, only_these
@@ -136,9 +137,9 @@ def propose_from(
         )
     evidence = without_own(evidence, artifact)
     skeleton = evidence.take.skeleton
-    if skeleton and method == AUTO:
-        method = "skeleton"
     with _threads().limit(limits=1):
+        if skeleton and method == AUTO:
+            return best_of_joint(evidence, artifact)
         if method != AUTO:
             found = find_method(method)
             done = found.run(evidence, artifact, read_params(found, params))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,9 +11,11 @@ import numpy as np
 from markermend.artifact import Artifact, axis_columns
 from markermend.errors import DataError
 from markermend.patch import Patch
-from markermend.poses.take import pose_of, restored_without
+from markermend.poses.take import pose_of, restored, restored_without
+from markermend.progress import Progress
 from markermend.repairs.registry import Evidence, Repair, register
 from markermend.repairs.result import MEAN_OVER_RMS, as_mapping, axes_of, refuse
+from markermend.take import Take
 
 NAME = "skeleton"
 
@@ -26,7 +29,7 @@ class SkeletonParams:
     NAME,
     label="Restore skeleton",
     summary="Works a joint out from the others, from time, from its bones and from how bodies move;"
-    " only for skeleton recordings, where it is the best.",
+    " only for skeleton recordings, where it mostly is the best.",
     params=SkeletonParams,
 )
 def repair_skeleton(evidence: Evidence, artifact: Artifact, params: Any) -> Repair:
@@ -58,5 +61,19 @@ def repair_skeleton(evidence: Evidence, artifact: Artifact, params: Any) -> Repa
         )
         for marker, joint in zip(artifact.markers, joints, strict=True)
     )
+    if np.isnan(band).any():
+        return Repair(NAME, patches, params=as_mapping(params))
     error = float(MEAN_OVER_RMS * band.mean())
     return Repair(NAME, patches, error_mm=error, band_mm=band, params=as_mapping(params))
+
+
+def get_ready(take: Take, progress: Progress | None = None) -> None:
+    """Restore a skeleton recording, on which all of its repairs rest, unless that was done.
+
+    Parameters
+    ----------
+    take : a skeleton recording
+    progress : told the share done; may raise to stop
+    """
+    with suppress(DataError):
+        restored(pose_of(take), progress)

@@ -9,9 +9,13 @@ import numpy as np
 
 from markermend.artifact import Artifact, axis_columns
 from markermend.patch import Patch
+from markermend.poses.exchanging_angles import angles_changed_back
+from markermend.poses.take import pose_of
 from markermend.repairs.registry import Evidence, Repair, register
 from markermend.repairs.result import as_mapping, refuse
 from markermend.take import AXES, Origin
+
+_ANGLES = "Angles were exchanged here, not places; restoring the skeleton gives them back."
 
 
 @dataclass(frozen=True)
@@ -30,7 +34,8 @@ def repair_swap(evidence: Evidence, artifact: Artifact, params: Any) -> Repair:
     """Give each marker of a swap the samples of the next, and the last those of the first.
 
     Where any of them is missing all three axes are exchanged, since a sample cannot be half
-    there; the gap then changes sides too.
+    there; the gap then changes sides too. Joints whose angles changed places stand at their own
+    side, so that there is nothing to exchange.
     """
     take, names = evidence.take, artifact.markers
     if len(names) < 2:
@@ -40,6 +45,8 @@ def repair_swap(evidence: Evidence, artifact: Artifact, params: Any) -> Repair:
         return refuse("swap", f"{others} cannot be the counterpart.", params)
     rows = slice(artifact.start, artifact.stop)
     columns = [take.index(name) for name in names]
+    if take.skeleton and angles_changed_back(pose_of(take))[1][rows, columns].any():
+        return refuse("swap", _ANGLES, params)
     axes = artifact.axes if take.present[rows, columns].all() else AXES
     patches = []
     for label, donor in zip(names, [*columns[1:], columns[0]], strict=True):

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from markermend.arrays import IntArray
+from markermend.poses.nuitrack import twins
 from markermend.take import Take, is_unlabelled
 
 REACH_S = 0.5
@@ -90,7 +91,8 @@ def exchangers(take: Take, marker: str, start: int, stop: int) -> tuple[tuple[st
     -------
     Labels of all others, and the longest jump that either would make at an edge of the interval
     if the two were exchanged within it, mm; infinite where one of them is missing there. Named
-    ones come before unlabelled ones, then the smallest jump.
+    ones come before unlabelled ones, then the smallest jump; of joints that of the other side is
+    first, which sensors take one for most.
     """
     own = take.index(marker)
     jumps = np.zeros(take.markers)
@@ -101,4 +103,6 @@ def exchangers(take: Take, marker: str, start: int, stop: int) -> tuple[tuple[st
             back = np.linalg.norm(within[own] - out, axis=1)
             jumps = np.maximum(jumps, np.maximum(there, back))
     jumps = np.where(np.isnan(jumps), np.inf, jumps)
-    return _ranked(take, {i: float(jump) for i, jump in enumerate(jumps) if i != own})
+    ranked = _ranked(take, {i: float(jump) for i, jump in enumerate(jumps) if i != own})
+    other = take.labels[twins(take.labels)[own]] if take.skeleton else ""
+    return tuple(sorted(ranked, key=lambda pair: pair[0] != other))

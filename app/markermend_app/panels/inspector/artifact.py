@@ -165,11 +165,18 @@ class ArtifactPage(QWidget):
 
     def _sureness(self, a: Artifact) -> str:
         """How sure it is that something is wrong; of what is plain nobody has to be told."""
-        if a.kind is Kind.GAP and a.confidence >= 1.0:
-            return self.tr("certain: nothing was recorded")
         if a.why == "marked by hand":
             return self.tr("marked by hand")
+        if a.kind is Kind.GAP and a.confidence >= 1.0 and not self._recorded(a):
+            return self.tr("certain: nothing was recorded")
         return f"{100 * a.confidence:.0f} %, {self._words(a.confidence)}"
+
+    def _recorded(self, a: Artifact) -> bool:
+        """Whether the file has anything in the frames of an artifact."""
+        session = self._document.session
+        assert session is not None
+        take = session.original
+        return bool(take.present[a.start : a.stop, take.index(a.marker)].any())
 
     def _words(self, confidence: float) -> str:
         """Confidence for people."""

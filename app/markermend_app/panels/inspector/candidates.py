@@ -10,6 +10,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QColor, QPainter, QPixmap
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 
+from markermend.artifact import Status
 from markermend_app import units
 from markermend_app.actions import shortcuts
 from markermend_app.items.curve import Curve
@@ -59,7 +60,7 @@ class Candidates(QFrame):
         self._style()
         if not c.shown:
             return
-        joints = self._panel.document.joints
+        current, joints = self._panel.document.current, self._panel.document.joints
         for i, labels in enumerate(self.rows):
             for label in labels:
                 label.setVisible(i < len(found))
@@ -76,13 +77,23 @@ class Candidates(QFrame):
                 label.setFont(font)
         if c.candidates is None:
             self.said.setText(self.tr("Working out what every method would do…"))
+        elif current is not None and current.status is Status.REPAIRED:
+            text = self.tr("This is repaired already; {0} takes that back.")
+            self.said.setText(text.format(shortcuts.way_to("reopen")))
         elif not found:
             self.said.setText(self.tr("No method has an answer here."))
         else:
             text = self.tr("↑ ↓ choose, {0} repairs. ± is judged by like stretches in sight.")
+            if joints:
+                text = self.tr(
+                    "↑ ↓ choose, {0} repairs. ± is each method's own estimate; only half of it "
+                    "goes before Restore skeleton."
+                )
             text = text.format(shortcuts.way_to("repair"))
             if c.hopeless:
-                text += " " + self.tr("Without an answer here: {0}.").format(c.hopeless)
+                one = self.tr("1 other method has no answer here.")
+                many = self.tr("{0} other methods have no answer here.")
+                text += " " + (one if c.hopeless == 1 else many.format(c.hopeless))
             self.said.setText(text)
         self.adjustSize()
         self._place()

@@ -13,9 +13,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from markermend.artifact import Status
+from markermend.artifact import Artifact, Status
 from markermend_app import units
 from markermend_app.actions import shortcuts
+from markermend_app.background.preview import AUTO
 from markermend_app.document import Document
 from markermend_app.panels.inspector.take import heading, plain
 from markermend_app.panels.markers.naming import short_names
@@ -86,7 +87,7 @@ class MethodList(QWidget):
         from markermend.repairs import REPAIRS
 
         tip = self.tr("The method that is expected to err least here")
-        self._grid.addWidget(self._made("auto", self.tr("Best for this artifact"), tip), 0, 0, 1, 2)
+        self._grid.addWidget(self._made(AUTO, self.tr("Best for this artifact"), tip), 0, 0, 1, 2)
         keyed = [method for method in REPAIRS.values() if method.key is not None]
         for method in keyed:
             tip = self.tr("{0} (key {1})").format(tr(method.summary), method.key)
@@ -149,9 +150,7 @@ class MethodList(QWidget):
         # An exclusive group keeps one checked, but none is while one of the list is chosen.
         self._group.setExclusive(False)
         for name, button in self.buttons.items():
-            # Joints change places only in a mix-up that was found.
-            idle = name == "swap" and self._document.joints and a.counterpart is None
-            button.setEnabled(offered and not idle)
+            button.setEnabled(offered and not (name == "swap" and self._no_swap(a)))
             with QSignalBlocker(button):
                 button.setChecked(name == chosen)
         self._group.setExclusive(True)
@@ -172,14 +171,23 @@ class MethodList(QWidget):
             self.outcome.setProperty("role", role)
             self.outcome.style().polish(self.outcome)
 
+    def _no_swap(self, a: Artifact) -> bool:
+        """Whether joints did not change places: only those of a mix-up do, unless refused there."""
+        if not self._document.joints:
+            return False
+        answer = self._document.proposals.get(a, "swap")
+        return a.counterpart is None or (answer is not None and not answer.patches)
+
     def _speak(self) -> None:
         """Name what differs where joints are repaired."""
         from markermend.repairs import REPAIRS
 
-        joints, best, swap = self._document.joints, self.buttons["auto"], self.buttons["swap"]
+        joints, best, swap = self._document.joints, self.buttons[AUTO], self.buttons["swap"]
         text = self.tr("Best for this artifact")
-        if joints:
-            text = self.tr("Best: {0}").format(label_of("skeleton", joints=True))
+        a = self._document.current
+        made = None if a is None else self._document.proposals.get(a, AUTO)
+        if joints and made is not None and made.patches:
+            text = self.tr("Best: {0}").format(label_of(made.method, joints=True))
         best.setText(text)
         swap.setText(f"{REPAIRS['swap'].key} {label_of('swap', joints=joints)}")
 

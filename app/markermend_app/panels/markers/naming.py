@@ -9,7 +9,8 @@ from collections.abc import Mapping, Sequence
 from markermend.artifact import PAIRED
 from markermend_app.words import tr
 
-_SIDED = re.compile(r"(left|right|l|r)[ _.-]?(.+)", re.IGNORECASE)
+_SIDE = re.compile(r"left|right|l|r", re.IGNORECASE)
+_BETWEEN = re.compile(r"([ _.-])[ _.-]+")
 
 
 def short_names(labels: Sequence[str]) -> Mapping[str, str]:
@@ -24,9 +25,18 @@ def paired_name(names: Sequence[str]) -> str:
 
     Whole, the names have no room in a column, and without their middles they all look alike.
     """
-    found = [_SIDED.fullmatch(name) for name in names]
-    if len(names) == 2 and found[0] and found[1]:
-        (one, part), (other, same) = found[0].groups(), found[1].groups()
-        if part == same and {one[0].lower(), other[0].lower()} == {"l", "r"}:
-            return tr("L/R {0}").format(part)
+    # SciPy comes along, which a window without joints need not wait for.
+    from markermend.poses.nuitrack import twins
+
+    if len(names) == 2 and twins(names) == [1, 0]:
+        one, other = map(_without_side, names)
+        shared = next((part for part in one if part in other), "")
+        if shared:
+            return tr("L/R {0}").format(shared)
     return PAIRED.join(names)
+
+
+def _without_side(name: str) -> list[str]:
+    """What may be left of a name without the word for its side."""
+    parts = [name[: m.start()] + name[m.end() :] for m in _SIDE.finditer(name)]
+    return [_BETWEEN.sub(r"\1", part).strip(" _.-") for part in parts]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 
 import numpy as np
 from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt
@@ -17,7 +17,6 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QWidget
 
 from markermend.arrays import FloatArray
-from markermend.measures import differing
 from markermend_app import units
 from markermend_app.document import Document
 from markermend_app.items.focus import paint_focus
@@ -28,10 +27,10 @@ from markermend_app.panels.scene.buttons import SceneButtons
 from markermend_app.panels.scene.camera import Camera
 from markermend_app.panels.scene.follow import Follower
 from markermend_app.panels.scene.looks import Looks, marker_colours
-from markermend_app.panels.scene.proposed import proposed_body
 from markermend_app.panels.scene.seen import Seen
 from markermend_app.panels.scene.select import Outline, nearest
 from markermend_app.panels.scene.stage import Stage, set_stage
+from markermend_app.panels.scene.versions import paint_other_version, paint_proposal
 from markermend_app.style import theme
 
 PICK_PX = 14.0
@@ -79,6 +78,8 @@ class Scene(QWidget):
         document.opened.connect(self._opened)
         document.mesh_changed.connect(self._link)
         document.artifacts_changed.connect(self._redraw)
+        document.artifacts_changed.connect(self.follower.forget)
+        document.data_changed.connect(self.follower.forget)
         document.frame_changed.connect(self._frame_changed)
         for signal in (
             document.data_changed,
@@ -217,16 +218,16 @@ class Scene(QWidget):
         shown = {take.index(s): i for i, s in enumerate(self._document.shown) if s in take}
         paint.paint_floor(sight, self.stage)
         self._paint_trails(sight, positions, shown)
-        self._paint_body(sight, now)
         if self.looks.ghost:
-            self._paint_other(sight, positions, others, shown)
+            versions = positions, others
+            paint_other_version(sight, self._document, self.seen, versions, shown)
+        self._paint_body(sight, now)
         damage = self.seen.damage() if self.looks.colours == "damage" else np.zeros(0)
         colours = marker_colours(self.looks, take.markers, self._document.mesh, damage)
         rings, least = self.seen.rings(), self.looks.least
         discs = paint.Discs(now, self.seen.radius, shown, rings, colours, least)
         self._at = paint.paint_discs(sight, discs)
-        self._paint_proposed(sight, now)
-        spots = self._paint_ghost(sight, now)
+        spots = paint_proposal(sight, self._document, self.seen, now, self._at)
         followed = [take.index(s) for s in self._document.preview.references]
         paint.paint_followed(sight, spots[followed])
         named = list(dict.fromkeys([*list(shown)[:MANY_LABELS], *followed]))
@@ -253,31 +254,6 @@ class Scene(QWidget):
         paint.paint_links(sight, now, self.seen.links[~off], t.bones, 1.6)
         paint.paint_links(sight, now, self.seen.links[off], t.axes["x"], 2.4)
 
-    def _paint_proposed(self, sight: paint.Sight, now: FloatArray) -> None:
-        """Paint the bones of joints where the proposed repairs would put them."""
-        placed, proposed = proposed_body(self._document, now)
-        links = self.seen.links
-        paint.paint_proposed(sight, placed, links[proposed[links].any(axis=1)])
-
-    def _paint_other(
-        self,
-        sight: paint.Sight,
-        positions: FloatArray,
-        others: FloatArray,
-        shown: Mapping[int, int],
-    ) -> None:
-        """Paint the other version, before or after the repairs, where it differs."""
-        frame = self._document.frame
-        near = self.seen.near()
-        color = theme.blend(theme.current().original, theme.current().text, 0.2)
-        for column in shown:
-            mine, other = positions[near, column], others[near, column]
-            way = np.where(differing(mine, other)[:, None], other, np.nan)
-            paint.paint_trails(sight, way[None], color, 1.2, Qt.PenStyle.DotLine)
-        now, other = positions[frame], others[frame]
-        apart = differing(now, other)
-        paint.paint_other(sight, now[apart], other[apart], color)
-
     def _paint_trails(
         self, sight: paint.Sight, positions: FloatArray, shown: dict[int, int]
     ) -> None:
@@ -289,26 +265,6 @@ class Scene(QWidget):
         for column, place in shown.items():
             color = theme.faded(theme.marker_color(place), 0.7)
             paint.paint_trails(sight, near[None, :, column], color, 1.6)
-
-    def _paint_ghost(self, sight: paint.Sight, now: FloatArray) -> FloatArray:
-        """Paint the way of the previewed repair, and its place in this frame.
-
-        Returns (markers, 2) pixels where names stand: a missing marker's at its proposed place.
-        """
-        ghost, session = self.seen.ghost(), self._document.session
-        if ghost is None or session is None:
-            return self._at
-        marker, way, start = ghost
-        color = theme.current().accent
-        paint.paint_trails(sight, way[None], color, 1.6, Qt.PenStyle.DashLine)
-        at = self._document.frame - start
-        spots = self._at.copy()
-        if 0 <= at < len(way):
-            column = session.original.index(marker)
-            spot = paint.paint_ghost(sight, way[at], now[column])
-            if np.isnan(spots[column, 0]):
-                spots[column] = spot
-        return spots
 
     # Hands
 

@@ -93,19 +93,24 @@ class Seen:
         hit = np.flatnonzero((table[:, 0] <= frame) & (frame < table[:, 1]))
         return {int(table[i, 2]): kinds[i] for i in hit.tolist()}
 
-    def ghost(self) -> tuple[str, FloatArray, int] | None:
-        """Marker, (frames, 3) way of the previewed repair and the first frame of that way."""
+    def ghosts(self) -> list[tuple[int, FloatArray, int]]:
+        """Where the previewed repair puts markers: those of a mix-up go to each other's place.
+
+        Returns
+        -------
+        of each its column, its (frames, 3) way in mm, and the first frame of that way
+        """
         artifact, proposal, session = (
             self._document.current,
             self._document.proposal,
             self._document.session,
         )
         if artifact is None or session is None or proposal is None:
-            return None
-        patch = next((p for p in proposal.patches if p.marker == artifact.marker), None)
-        if patch is None:
-            return None
-        column = session.original.index(patch.marker)
-        way = session.positions[patch.start : patch.stop, column].copy()
-        way[:, axis_columns(patch.axes)] = patch.values
-        return patch.marker, way, patch.start
+            return []
+        found = []
+        for patch in proposal.patches:
+            column = session.original.index(patch.marker)
+            way = session.positions[patch.start : patch.stop, column].copy()
+            way[:, axis_columns(patch.axes)] = patch.values
+            found.append((column, way, patch.start))
+        return found

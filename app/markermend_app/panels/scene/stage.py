@@ -10,7 +10,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from markermend.arrays import FloatArray
+from markermend.arrays import BoolArray, FloatArray
 from markermend.files.axes import vertical_of
 from markermend.take import AXES, Take
 from markermend.vertical import vertical_axis
@@ -129,23 +129,52 @@ def reach_of(take: Take, body: Sequence[int]) -> float:
     return max(float(np.percentile(away, 90)), LEAST_RADIUS_MM) if len(away) else 1000.0
 
 
-def centre_at(positions: FloatArray, frame: int, body: Sequence[int]) -> FloatArray:
-    """(3,) middle of what is seen of some markers around a frame.
+def centre_at(
+    positions: FloatArray, frame: int, body: Sequence[int], lost: BoolArray
+) -> FloatArray:
+    """Middle of what is seen of some markers around a frame.
 
-    Amid a gap of all of them it is where they are seen next; NaN when that is long before or after.
+    Amid frames without any it goes evenly from where they are seen last to where they are next.
+
+    Parameters
+    ----------
+    positions : (frames, markers, 3) mm
+    frame : the one that is looked at
+    body : columns of the markers
+    lost : (frames,) bool, frames that count as if none of them was seen
+
+    Returns
+    -------
+    (3,) mm, NaN when they are seen long before or after only
     """
     reach = _AROUND
-    while reach < _AWAY:
-        start = max(0, frame - reach)
-        near = positions[start : frame + reach + 1, body]
-        seen = ~np.isnan(near[..., 0])
-        if seen.any():
-            away = np.abs(np.arange(start, start + len(near)) - frame)
-            first = int(away[seen.any(axis=1)].min())
-            close = seen & (away <= max(first, _AROUND))[:, None]
-            return np.asarray(np.median(near[close], axis=0))
+    while True:
+        start, seen = _seen(positions, frame, body, lost, reach)
+        found = start + np.flatnonzero(seen.any(axis=1))
+        last, following = found[found <= frame][-1:], found[found >= frame][:1]
+        if (last.size and following.size) or len(seen) == len(positions) or 4 * reach > _AWAY:
+            break
         reach *= 4
-    return np.full(3, np.nan)
+    if not found.size:
+        return np.full(3, np.nan)
+    ends = np.array([*last, *following])
+    places = np.array([_middle(positions, int(end), body, lost) for end in ends])
+    return np.array([np.interp(frame, ends, places[:, axis]) for axis in range(3)])
+
+
+def _middle(positions: FloatArray, frame: int, body: Sequence[int], lost: BoolArray) -> FloatArray:
+    """(3,) mm, middle of some markers that are seen in a frame and in those around it."""
+    start, seen = _seen(positions, frame, body, lost, _AROUND)
+    return np.asarray(np.median(positions[start : start + len(seen), body][seen], axis=0))
+
+
+def _seen(
+    positions: FloatArray, frame: int, body: Sequence[int], lost: BoolArray, reach: int
+) -> tuple[int, BoolArray]:
+    """First of the frames as near as that, and (n, markers) bool which are seen in these."""
+    start = max(0, frame - reach)
+    near = slice(start, frame + reach + 1)
+    return start, ~np.isnan(positions[near, body, 0]) & ~lost[near, None]
 
 
 def _extent(points: FloatArray) -> float:
