@@ -74,6 +74,12 @@ PROBLEMS = (
     "There is no file “{0}”; check its name and folder.",
     "There is no take at “{0}”; check its name and folder.",
     "“{0}” is a folder; name a file in it.",
+    "“{0}” holds no take ending in {1}; name others, or match them as by “*.amc”.",
+    "{0} is damaged: line {1} begins with “{2}”, which is the number of no pose.",
+    "An AMC cannot say that a segment is never seen, and would show {0} at rest. Write more "
+    "frames, repair these gaps first, or write a CSV.",
+    "A BVH of these joints could not be read again: {0}; rename joints, or write a CSV.",
+    "A BVH tells no unit of length, and bones of this size would be taken for {0}; write a CSV.",
     "“{0}” may not be read; check its permissions.",
     "“{0}” cannot be opened: {1}.",
     "{0} could not be written: {1}; nothing was changed, choose another place or free some space.",

@@ -155,6 +155,29 @@ def test_why_a_file_cannot_be_opened_is_told(brackets, tmp_path):
         assert name in said
 
 
+def test_why_joints_cannot_be_read_or_written_is_told(brackets, tmp_path):
+    root = ":root\norder RX RY RZ\naxis XYZ\nposition 0 0 0\norientation 0 0 0\n"
+    bone = "begin\nid 1\nname a\ndirection 0 1 0\nlength 4\naxis 0 0 0 XYZ\ndof rx\nend\n"
+    tree = ":hierarchy\nbegin\nroot a\nend\n"
+    (tmp_path / "a.asf").write_text(f"{root}:bonedata\n{bone}{tree}")
+    text = "1\nroot 0 0 0\na 1\n2\nroot 0 0 0\n3\nroot 0 0 0\na 1\n"
+    (tmp_path / "a.amc").write_text(text)
+    take = mm.read(tmp_path / "a.amc")
+    small = mm.read_pose(tmp_path / "a.amc")
+    small = small.with_samples(np.zeros((3, 2, 3)), np.full((3, 2, 4), 0.5), np.ones((3, 2)))
+    (tmp_path / "b.amc").write_text(text.replace("2\n", "9" * 99 + "\n", 1))
+    attempts = (
+        lambda: mm.write(take, tmp_path / "b.amc", frames=(1, 2)),
+        lambda: mm.write_pose(small, tmp_path / "b.bvh"),
+        lambda: mm.write_pose(replace(small, joints=("a b", "a_b")), tmp_path / "b.bvh"),
+        lambda: mm.read_pose(tmp_path / "b.amc", skeleton=tmp_path / "a.asf"),
+    )
+    for attempt in attempts:
+        with pytest.raises(mm.MarkermendError) as caught:
+            attempt()
+        assert told(str(caught.value)).startswith("⟦"), caught.value
+
+
 def test_what_is_odd_about_a_file_keeps_its_values(brackets, tmp_path):
     path = tmp_path / "odd.csv"
     path.write_text("time,A_X,A_Y,A_Z\n0.00,1,2,3\n0.01,0,0,0\n0.02,x,2,3\n")

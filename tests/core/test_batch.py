@@ -242,8 +242,15 @@ def test_takes_are_found_and_named(tmp_path: Path, monkeypatch: pytest.MonkeyPat
         names("out")
     with pytest.raises(MarkermendError, match="no take at “c”"):
         names("c")
-    with pytest.raises(ExportError, match="is a file; name a folder"):
-        run_batch(find_takes(["a.c3d"]), "b/table.csv", jobs=1)
+    for named in ("a.c3d", "b/table.csv"):
+        found = find_takes([named], leave_out="b/table.csv")
+        with pytest.raises(ExportError, match="is a file; name a folder"):
+            run_batch(found, "b/table.csv", jobs=1)
+    Path("poses").mkdir()
+    Path("poses/02_01.amc").touch()
+    with pytest.raises(MarkermendError, match=r"“poses” holds no take ending in \.c3d, \.trc"):
+        names("poses")
+    assert names("poses/*.amc") == ["02_01"]
 
 
 def test_exports_beside_their_source_are_not_takes(tmp_path: Path) -> None:

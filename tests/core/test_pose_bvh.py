@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -90,6 +92,29 @@ def test_joints_at_the_ends_of_their_bones_are_written_where_these_begin(tmp_pat
     assert one[0] == two[0]
 
 
+def test_a_rate_comes_back(tmp_path):
+    pose = mm.read_pose(written(tmp_path, TEXT))
+    for rate in (240.0, 119.88, 1000.0, 29.97):
+        mm.write_pose(replace(pose, rate=rate), tmp_path / "fast.bvh")
+        assert mm.read_pose(tmp_path / "fast.bvh").rate == rate
+
+
+@pytest.mark.parametrize(("times", "unit"), [(0.01, "metres"), (30.0, "millimetres")])
+def test_a_body_that_would_come_back_in_another_size_is_refused(tmp_path, times, unit):
+    pose = mm.read_pose(written(tmp_path, TEXT))
+    other = pose.with_samples(pose.positions * times, pose.rotations)
+    with pytest.raises(ExportError, match=f"bones of this size would be taken for {unit}; write a"):
+        mm.write_pose(other, tmp_path / "other.bvh")
+    assert not (tmp_path / "other.bvh").exists()
+
+
+def test_two_names_that_would_be_one_are_refused(tmp_path):
+    pose = mm.read_pose(written(tmp_path, TEXT))
+    alike = replace(pose, joints=("Left Arm", "Left_Arm", "Left_Arm_end"))
+    with pytest.raises(ExportError, match="it has two joints called “Left_Arm”; rename joints"):
+        mm.write_pose(alike, tmp_path / "alike.bvh")
+
+
 def test_a_root_that_stands_still_keeps_its_place(tmp_path):
     pose = mm.read_pose(written(tmp_path, TEXT))
     mm.write_pose(pose, tmp_path / "still.bvh")
@@ -139,6 +164,9 @@ def test_without_rotations_there_is_no_bvh(tmp_path):
         ),
         (("Frame Time: 0.0333333", "Frame Time: 1e300"), "walk.bvh would have 1e-300 poses"),
         (("Frames: 2", "Frames: two"), "“two” is no number of frames"),
+        (("Frames: 2", "Frames: ²"), "“²” is no number of frames"),
+        (("Frames: 2", f"Frames: {'9' * 5000}"), "“9{40}” is no number of frames"),
+        (("CHANNELS 3", f"CHANNELS {'9' * 5000}"), "“9{40}” is no number of channels"),
         (("Frames: 2", "Frames: 1"), "more poses follow than the 1"),
         (("CHANNELS 3", "CHANNELS all"), "“all” is no number of channels of “LeftLeg”"),
         (
@@ -195,7 +223,7 @@ def test_a_rate_that_is_given_holds(tmp_path):
 def test_joints_may_hang_deeper_than_python_calls(tmp_path):
     depth = 3000
     places = np.zeros((2, depth, 3))
-    places[..., 1] = 10.0 * np.arange(depth)
+    places[..., 1] = 100.0 * np.arange(depth)
     turns = np.tile([0.0, 0.0, 0.0, 1.0], (2, depth, 1))
     names = tuple(f"j{n}" for n in range(depth))
     pose = Pose(places, turns, names, tuple(range(-1, depth - 1)), 30.0)
@@ -203,7 +231,7 @@ def test_joints_may_hang_deeper_than_python_calls(tmp_path):
     back = mm.read_pose(tmp_path / "deep.bvh")
     # An end is written where the last joint is.
     assert back.joints == (*names, f"j{depth - 1}_end")
-    assert_allclose(back.positions[:, -1], places[:, -1] * 100, rtol=0.01)
+    assert_allclose(back.positions[:, -1], places[:, -1], rtol=0.01)
 
 
 def test_a_file_cut_short_keeps_its_poses(tmp_path):

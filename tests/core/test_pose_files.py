@@ -82,6 +82,7 @@ def test_what_was_read_from_a_table_and_not_changed_keeps_its_last_digit(tmp_pat
         rows.append(f"{frame},knee,hip,1,{-400.000123 - frame},3,0,0,0.2,0.7,1")
     source.write_text("\n".join(rows) + "\n")
     pose = mm.read_pose(source)
+    source.unlink()
     positions = pose.positions.copy()
     positions[10, 1] += 1.23456789
     mm.write_pose(pose.with_samples(positions, pose.rotations, pose.confidence), target)

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import permutations
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
+import markermend as mm
 from markermend.errors import Cancelled
 from markermend.poses.inverse import how_far_off, inverse_kinematics
+from markermend.poses.quaternion import multiply, turn
 from markermend.poses.skeleton import Movement, Segment, Skeleton, forward_kinematics
 
 FRAMES = 30
@@ -61,6 +65,46 @@ def test_a_joint_that_was_moved_is_reached_and_the_others_stay(movement):
     for name, values in movement.channels.items():
         np.testing.assert_array_equal(found.channels[name][:10], values[:10])
         np.testing.assert_array_equal(found.channels[name][20:], values[20:])
+
+
+def degrees_apart(one, two):
+    same = np.minimum(np.abs(np.sum(one * two, axis=-1)), 1.0)
+    return np.degrees(2.0 * np.arccos(same))
+
+
+@pytest.mark.parametrize("count", [1, 2, 3])
+def test_however_far_a_segment_bends_its_turns_come_back(count):
+    """Euler angles cut to two tell another turn where the second is 90 degrees or more."""
+    orders = list(permutations(("rx", "ry", "rz"), count))
+    head = Segment("root", -1, (0.0, 0.0, 1.0), 0.0, dofs=("rx", "ry", "rz"))
+    limbs = [
+        Segment("".join(order), 0, (1.0, 0.0, 0.0), 2.0, (10.0, 20.0, 30.0), "xyz", order)
+        for order in orders
+    ]
+    draw = np.random.default_rng(2)
+    channels = {s.name: draw.uniform(-179, 179, (FRAMES, len(s.dofs))) for s in (head, *limbs)}
+    movement = Movement(Skeleton((head, *limbs), 50.0), channels, FRAMES)
+    pose = forward_kinematics(movement, 100.0)
+    noise = Rotation.from_rotvec(draw.normal(0.0, 0.01, (pose.rotations[..., 0].size, 3)))
+    noisy = multiply(pose.rotations, noise.as_quat().reshape(pose.rotations.shape))
+    whole = multiply(np.array([0.0, 0.6, 0.0, 0.8]), pose.rotations)
+    for rotations, off in ((whole, 1e-4), (noisy, 5.0)):
+        found = inverse_kinematics(replace(pose, rotations=rotations), movement)
+        again = forward_kinematics(found, 100.0)
+        assert degrees_apart(again.rotations, rotations).max() < off
+
+
+def test_a_recording_turned_as_a_whole_is_written_as_a_turn_of_the_root(shared_data):
+    pose = mm.read_pose(shared_data / "poses" / "01_11.amc")
+    about = np.array([0.0, np.sqrt(0.5), 0.0, np.sqrt(0.5)])
+    turned = pose.with_samples(
+        turn(about, pose.positions), multiply(about, pose.rotations), pose.confidence
+    )
+    movement = inverse_kinematics(turned, pose.source)
+    assert how_far_off(movement, turned).max() < 0.1
+    for name, values in pose.source.channels.items():
+        if name != "root":
+            np.testing.assert_allclose(movement.channels[name], values, atol=1e-4)
 
 
 def test_places_count_more_than_turns_that_do_not_fit_them(movement):

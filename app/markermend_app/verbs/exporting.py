@@ -197,6 +197,9 @@ class Exporter(QObject):
             text += " " + rigid.format(export.off[0][0], units.length(export.off_mm))
         if export.backup is not None:
             text += " " + self.tr("The original is kept as {0}.").format(export.backup.name)
+        if export.dropped:
+            lost = self.tr("It was written anew, so without further columns of its source: {0}.")
+            text += " " + lost.format(", ".join(export.dropped))
         return text
 
     def _ask_target(self, take: Take) -> Path | None:

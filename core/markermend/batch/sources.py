@@ -55,9 +55,17 @@ def find_takes(
         folders have one name
     """
     outside = None if leave_out is None else Path(leave_out).resolve()
+    if outside is not None and outside.is_file():
+        # That nothing can be written into it is for the batch to say.
+        outside = None
     found: dict[Path, PurePosixPath] = {}
     for item in given:
         matched = list(_expand(str(item)))
+        if not matched and Path(item).is_dir():
+            raise MarkermendError(
+                f"“{item}” holds no take ending in {', '.join(_searched())}; name others, or"
+                " match them as by “*.amc”."
+            )
         if not matched:
             raise MarkermendError(f"There is no take at “{item}”; check its name and folder.")
         for path, below in matched:
@@ -92,7 +100,7 @@ def _expand(item: str) -> Iterator[tuple[Path, Path]]:
     """Files of one thing given, each with its path below the folder that was named."""
     path = Path(item)
     if path.is_dir():
-        suffixes = (*_SUFFIXES, *formats())
+        suffixes = _searched()
         for below in sorted(path.rglob("*")):
             inside = below.relative_to(path)
             hidden = any(step.startswith(".") for step in inside.parts)
@@ -109,6 +117,11 @@ def _expand(item: str) -> Iterator[tuple[Path, Path]]:
         for match in sorted(glob.glob(item, recursive=True)):
             if Path(match).is_file():
                 yield Path(match), Path(match).relative_to(root)
+
+
+def _searched() -> tuple[str, ...]:
+    """Endings of files that are taken from a folder."""
+    return *_SUFFIXES, *formats()
 
 
 def _is_export(path: Path, suffixes: tuple[str, ...]) -> bool:

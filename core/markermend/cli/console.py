@@ -203,11 +203,11 @@ def write_figures(folder: str, figures: Mapping[str, str]) -> None:
 def check_take_output(path: str, *, source: str = "") -> None:
     """Refuse, before any work is done, a take's name that does not tell its format.
 
-    What a skeleton recording can be written as too, its source's ending tells; a CSV may be one.
+    What a skeleton recording can be written as too, its source's ending tells; a table may be one.
     """
-    from markermend.plugins.formats import SKELETONS, writable, writable_in_words
+    from markermend.plugins.formats import writable, writable_in_words
 
-    skeleton = Path(source).suffix.lower() in (*SKELETONS, ".csv")
+    skeleton = Path(source).suffix.lower() not in ("", ".c3d", ".trc")
     if Path(path).suffix.lower() not in writable(skeleton=skeleton):
         endings = writable_in_words(skeleton=skeleton)
         raise ExportError(f"“{path}” should end in {endings}, to tell what to write.")
@@ -227,6 +227,10 @@ def written(export: Export) -> list[str]:
         lines.append(
             f"Not in the file wherever what they hang on is missing: {', '.join(export.lost)}."
             " Repair that too, or write a CSV."
+        )
+    if export.dropped:
+        lines.append(
+            f"Written anew, so without further columns of its source: {', '.join(export.dropped)}."
         )
     return [*lines, *off_by_rigid_bones(export.off_mm)]
 

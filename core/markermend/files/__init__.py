@@ -14,13 +14,12 @@ import numpy as np
 
 from markermend.arrays import IntArray
 from markermend.errors import ExportError, FileFormatError
-from markermend.files.opening import named, not_opened
+from markermend.files.opening import SNIFFED, named, not_opened
 from markermend.progress import Progress, quiet
 from markermend.take import Origin, Take
 
 __all__ = ["TOLD_MM", "Export", "read", "stale_outputs", "write"]
 
-_SNIFFED = 512
 TOLD_MM = 0.5
 """A joint no further off than this is where it should be."""
 
@@ -41,6 +40,8 @@ class Export:
         bones are rigid, and how far at most in mm; the farthest first
     lost : joints that an AMC lacks in frames in which the take has them, since what they hang on is
         missing there
+    dropped : columns of the table of joints that was read which the file has no more, since it
+        could not be written over that
     """
 
     path: Path
@@ -49,6 +50,7 @@ class Export:
     outputs: tuple[str, ...] = ()
     off: tuple[tuple[str, float], ...] = ()
     lost: tuple[str, ...] = ()
+    dropped: tuple[str, ...] = ()
 
     @property
     def off_mm(self) -> float:
@@ -91,7 +93,7 @@ def _reader(path: Path) -> Callable[..., Take]:
     if path.exists() and not path.is_file() and not path.is_dir():
         raise FileFormatError(f"{path} is a pipe or device; takes are read from files only.")
     with path.open("rb") as file:
-        head = file.read(_SNIFFED)
+        head = file.read(SNIFFED)
     suffix = path.suffix.lower()
     if head.startswith(SIGNATURE):
         return read_trc
@@ -102,10 +104,12 @@ def _reader(path: Path) -> Callable[..., Take]:
         raise FileFormatError(f"{path.name} is empty; look for another copy of it.")
     if suffix == ".trc":
         return read_trc
-    if suffix in SKELETONS or (suffix == ".csv" and _names_joints(head)):
+    if suffix in SKELETONS:
         return _read_skeleton
     if suffix != ".csv" and suffix in formats():
         return formats()[suffix].run
+    if not binary and _names_joints(head):
+        return _read_skeleton
     if binary:
         raise FileFormatError(
             f"{path.name} is of an unknown kind; C3D, TRC, CSV, AMC, ASF and BVH can be read."
@@ -150,8 +154,8 @@ def write(
     ----------
     take : the recording
     path : where to, ending in ``.c3d``, ``.trc`` or ``.csv``, for joints in ``.amc`` or ``.bvh``
-        too; a file that is there is replaced, but the take's own source only on request
-    overwrite : replace the source too; it is kept beside, as ``name.bak``
+        too; a file that is there is replaced
+    overwrite : replace the take's own source too, which is kept beside, as ``name.bak``
     as_float : write a C3D file of floats even where the source has 16-bit integers
     record : what was done, a line each, written into the C3D file's MARKERMEND group
     mark_outputs : name in that group the model outputs that no longer match
@@ -191,9 +195,9 @@ def write(
     report = progress or quiet
     # Also the check that all of the frames are there.
     part = take if frames is None else crop(take, *frames)
-    off: dict[str, float] = {}
+    off, dropped = dict[str, float](), list[str]()
     if take.skeleton and target.suffix.lower() in SKELETONS_WRITTEN:
-        fill, off = _skeleton_writer(take, target, report, frames or (0, take.frames))
+        fill, off = _skeleton_writer(take, target, report, frames or (0, take.frames), dropped)
     else:
         before = frames[0] if frames else 0
         fill = _writer(part, target, report, as_float, record, mark_outputs, before)
@@ -208,7 +212,7 @@ def write(
     lost = tuple(joint for joint, mm in off.items() if not isfinite(mm))
     told = [(joint, mm) for joint, mm in off.items() if mm >= TOLD_MM and joint not in lost]
     far = tuple(sorted(told, key=lambda pair: -pair[1]))
-    return Export(target, int(written[0].sum()), backup, outputs, far, lost)
+    return Export(target, int(written[0].sum()), backup, outputs, far, lost, tuple(dropped))
 
 
 def stale_outputs(take: Take, changed: Sequence[str] | None = None) -> tuple[str, ...]:
@@ -293,9 +297,12 @@ def _writer(
 
 
 def _skeleton_writer(
-    take: Take, target: Path, report: Progress, frames: tuple[int, int]
+    take: Take, target: Path, report: Progress, frames: tuple[int, int], dropped: list[str]
 ) -> tuple[Callable[[IO[bytes]], IntArray], dict[str, float]]:
-    """How some frames of a take of joints are written, and how far off joints are there, mm."""
+    """How some frames of a take of joints are written, and how far off joints are there, mm.
+
+    Once they are, columns that are lost of the table that was read are added to ``dropped``.
+    """
     from markermend.files.pose import crop_pose, pose_writer
     from markermend.poses.take import as_pose, changed_joints
 
@@ -306,7 +313,7 @@ def _skeleton_writer(
     fill, off = pose_writer(part, target, report, whole=None if whole else pose)
 
     def write_joints(file: IO[bytes]) -> IntArray:
-        fill(file)
+        dropped.extend(fill(file) or ())
         changed = changed_joints(take)[slice(*frames)]
         return np.asarray(np.count_nonzero(changed, axis=0), dtype=np.int64)
 

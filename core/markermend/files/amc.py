@@ -9,10 +9,18 @@ from typing import IO
 import numpy as np
 
 from markermend.arrays import FloatArray, IntArray
-from markermend.errors import FileFormatError
-from markermend.files.amc_patch import patched, starts_pose, tells_degrees
+from markermend.errors import ExportError, FileFormatError
+from markermend.files.amc_patch import (
+    USUAL_RATE,
+    is_number,
+    patched,
+    rate_line,
+    starts_pose,
+    tells_degrees,
+    tells_rate,
+)
 from markermend.files.amc_skeleton import saying
-from markermend.files.asf import words_of
+from markermend.files.asf import bare, words_of
 from markermend.files.plausible import FARTHEST, read_as_missing
 from markermend.files.text import read_lines
 from markermend.poses.skeleton import TURNS, Movement, Skeleton
@@ -20,6 +28,10 @@ from markermend.progress import Progress
 from markermend.rates import rate_of
 
 _POSES_A_REPORT = 1024
+_MOST_NAMED = 8
+_LONGEST_NAME = 40
+# Channels by segment, number of poses, number of the first, and a sentence for each oddity.
+_Read = tuple[dict[str, FloatArray], int, int, list[str]]
 
 
 def read_amc(path: Path, skeleton: Skeleton) -> tuple[Movement, float | None, list[str]]:
@@ -43,10 +55,7 @@ def read_amc(path: Path, skeleton: Skeleton) -> tuple[Movement, float | None, li
     if not body:
         raise FileFormatError(f"{path.name} is cut short: no pose follows its header.")
     alike = _read_alike(body, skeleton)
-    if alike is not None:
-        channels, frames, warnings = alike, len(next(iter(alike.values()))), list[str]()
-    else:
-        channels, frames, warnings = _read_lines(path, skeleton)
+    channels, frames, first, warnings = alike or _read_lines(path, skeleton)
     if not degrees:
         dofs = {segment.name: segment.dofs for segment in skeleton.segments}
         for name, values in channels.items():
@@ -56,19 +65,19 @@ def read_amc(path: Path, skeleton: Skeleton) -> tuple[Movement, float | None, li
     left_out = [s.name for s in skeleton.segments if s.dofs and s.name not in channels]
     if left_out:
         warnings.append(f"Segments without movement, left as at rest: {', '.join(left_out)}.")
-    return Movement(skeleton, channels, frames, path), rate, warnings
+    return Movement(skeleton, channels, frames, path, first), rate, warnings
 
 
 def _head(path: Path, skeleton: Skeleton) -> tuple[bool, float | None, list[str]]:
     """Unit of angles, rate, and the lines from the first pose on."""
     lines = read_lines(path)
     rate, degrees = None, skeleton.degrees
-    for i, line in enumerate(lines):
-        word, told = line.strip().upper(), tells_degrees(line)
+    for i, line in enumerate(map(bare, lines)):
+        told, hertz = tells_degrees(line), tells_rate(line)
         if told is not None:
             degrees = told
-        elif word.startswith(":SAMPLES-PER-SECOND"):
-            rate = _rate(word.split()[-1], path.name)
+        elif hertz is not None:
+            rate = rate_of(hertz, path.name)
         elif _begins(line.split()[:1], skeleton):
             return degrees, rate, lines[i:]
     return degrees, rate, []
@@ -76,23 +85,14 @@ def _head(path: Path, skeleton: Skeleton) -> tuple[bool, float | None, list[str]
 
 def _begins(words: list[str], skeleton: Skeleton) -> bool:
     """Whether poses begin in a line that begins so: by a number or, where that lacks, a segment."""
-    return bool(words) and (words[0].isdigit() or words[0] in skeleton.names)
+    return bool(words) and (is_number(words[0]) or words[0] in skeleton.names)
 
 
-def _rate(word: str, name: str) -> float | None:
-    """Poses per second; None where there is no number above 0."""
-    try:
-        value = float(word)
-    except ValueError:
-        return None
-    return rate_of(value, name) if value > 0 else None
-
-
-def _read_alike(body: list[str], skeleton: Skeleton) -> dict[str, FloatArray] | None:
+def _read_alike(body: list[str], skeleton: Skeleton) -> _Read | None:
     """Read poses that all have the same lines, at once; None where they do not, or look odd."""
-    if not body[0].strip().isdigit():
+    if not is_number(body[0].strip()):
         return None
-    first = next((i for i, line in enumerate(body[1:], 1) if line.strip().isdigit()), len(body))
+    first = next((i for i, line in enumerate(body[1:], 1) if is_number(line.strip())), len(body))
     words = [line.split() for line in body[1:first]]
     dofs = {segment.name: segment.dofs for segment in skeleton.segments}
     if any(not w or len(w) != 1 + len(dofs.get(w[0], ())) or w[0] not in dofs for w in words):
@@ -104,7 +104,7 @@ def _read_alike(body: list[str], skeleton: Skeleton) -> dict[str, FloatArray] | 
     if len(flat) % width:
         return None
     table = np.array(flat, dtype=object).reshape(-1, width)
-    if not all(cell.isdigit() for cell in table[:, 0]) or len(_jumps(table[:, 0].tolist())):
+    if not all(map(is_number, table[:, 0])) or len(_jumps(table[:, 0].tolist())):
         return None
     place, channels = 1, dict[str, FloatArray]()
     for name, *values in words:
@@ -118,10 +118,10 @@ def _read_alike(body: list[str], skeleton: Skeleton) -> dict[str, FloatArray] | 
             return None
         channels[name] = numbers
         place += 1 + len(values)
-    return channels
+    return channels, len(table), int(table[0, 0]), []
 
 
-def _read_lines(path: Path, skeleton: Skeleton) -> tuple[dict[str, FloatArray], int, list[str]]:
+def _read_lines(path: Path, skeleton: Skeleton) -> _Read:
     """Read line by line what may lack segments, hold comments, or be damaged."""
     dofs = {segment.name: segment.dofs for segment in skeleton.segments}
     lines = [(n, w) for n, w in words_of(path) if not w[0].startswith(":")]
@@ -133,7 +133,7 @@ def _read_lines(path: Path, skeleton: Skeleton) -> tuple[dict[str, FloatArray], 
             f"Frame numbers go from {before} to {after} in line {number}; poses were read one after"
             " the other."
         )
-    if len(poses) > 1 and len(poses[-1]) < len(poses[-2]):
+    if len(poses) > 1 and _cut_short(list(poses[-1]), list(poses[-2])):
         poses.pop()
         warnings.append("The file is cut short; its last pose was left out.")
     if not any(poses):
@@ -143,7 +143,12 @@ def _read_lines(path: Path, skeleton: Skeleton) -> tuple[dict[str, FloatArray], 
         if any(name in pose for pose in poses):
             blank = [np.nan] * len(dofs[name])
             channels[name] = np.array([pose.get(name, blank) for pose in poses])
-    return channels, len(poses), warnings
+    return channels, len(poses), int(starts[0][0]), warnings
+
+
+def _cut_short(last: list[str], before: list[str]) -> bool:
+    """Whether segments of a pose are a beginning of those of the pose before it, and no more."""
+    return last == before[: len(last)] != before
 
 
 def _poses_of(
@@ -155,16 +160,13 @@ def _poses_of(
     unknown: dict[str, None] = {}
     unnumbered: list[int] = []
     for number, (name, *cells) in lines:
+        if name not in dofs and name.isdecimal():
+            _check_number(file, number, name, cells)
         if starts_pose(name, dofs):
-            if cells and len(_finite(cells)) == len(cells):
-                raise FileFormatError(
-                    f"{file} is damaged: line {number} has only numbers; it should begin with the"
-                    " name of a segment, or be the number of a pose."
-                )
             poses.append({})
             starts.append((name, number))
         elif name not in dofs:
-            unknown[name] = None
+            unknown[name[:_LONGEST_NAME]] = None
         else:
             if not poses:
                 after = next((int(w[0]) for _, w in lines if starts_pose(w[0], dofs)), 2)
@@ -202,6 +204,20 @@ def _poses_of(
     return poses, starts, warnings
 
 
+def _check_number(file: str, number: int, word: str, cells: list[str]) -> None:
+    """Refuse what stands where a pose should begin, and begins none."""
+    if not is_number(word):
+        raise FileFormatError(
+            f"{file} is damaged: line {number} begins with “{word[:_LONGEST_NAME]}”, which is the"
+            " number of no pose."
+        )
+    if cells and len(_finite(cells)) == len(cells):
+        raise FileFormatError(
+            f"{file} is damaged: line {number} has only numbers; it should begin with the"
+            " name of a segment, or be the number of a pose."
+        )
+
+
 def _jumps(numbers: list[str]) -> IntArray:
     """Which numbers of poses another follows than the next."""
     return np.flatnonzero(np.diff(np.array([float(number) for number in numbers])) != 1)
@@ -228,7 +244,14 @@ def _finite(cells: list[str]) -> list[float]:
     return values if np.isfinite(values).all() else []
 
 
-def write_amc(movement: Movement, file: IO[bytes], progress: Progress, target: Path) -> None:
+def write_amc(
+    movement: Movement,
+    file: IO[bytes],
+    progress: Progress,
+    target: Path,
+    *,
+    rate: float = USUAL_RATE,
+) -> None:
     """Write a movement: over the file it was read from, else in degrees.
 
     Parameters
@@ -237,23 +260,46 @@ def write_amc(movement: Movement, file: IO[bytes], progress: Progress, target: P
     file : written from its beginning
     progress : told the share of poses written
     target : what the file will be called, by which its skeleton is looked for
+    rate : poses per second, told where that is not what a file without a rate has
+
+    Raises
+    ------
+    ExportError
+        when a segment is never seen: without a line it would come back at rest
     """
-    content = patched(movement.file, movement, progress) if movement.file is not None else None
+    _check_seen(movement)
+    own = movement.file
+    content = None if own is None else patched(own, movement, progress, rate=rate)
     if content is not None:
         file.write(saying(content, target, movement.skeleton.file))
         return
     channels = movement.channels or _at_rest(movement)
     file.write(saying(b":FULLY-SPECIFIED\n:DEGREES\n", target, movement.skeleton.file))
+    if rate != USUAL_RATE:
+        file.write(rate_line(rate) + b"\n")
     names = [s.name for s in movement.skeleton.segments if s.name in channels and s.dofs]
     for pose in range(movement.frames):
         if pose % _POSES_A_REPORT == 0:
             progress(pose / movement.frames, "Writing poses")
-        lines = [str(pose + 1)]
+        lines = [str(movement.first + pose)]
         for name in names:
             values = channels[name][pose]
             if np.isfinite(values).all():
                 lines.append(" ".join([name, *(f"{value:.9g}" for value in values.tolist())]))
         file.write(("\n".join(lines) + "\n").encode())
+
+
+def _check_seen(movement: Movement) -> None:
+    """Refuse what would show a segment at rest that these poses have nothing of."""
+    channels = movement.channels
+    never = [name for name, values in channels.items() if np.isnan(values).any(axis=1).all()]
+    if never:
+        more = len(never) - _MOST_NAMED
+        names = ", ".join(never[:_MOST_NAMED]) + (f" (+ {more})" if more > 0 else "")
+        raise ExportError(
+            f"An AMC cannot say that a segment is never seen, and would show {names} at rest."
+            " Write more frames, repair these gaps first, or write a CSV."
+        )
 
 
 def _at_rest(movement: Movement) -> dict[str, FloatArray]:

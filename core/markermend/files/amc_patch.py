@@ -15,13 +15,23 @@ from markermend.progress import Progress
 
 _COMMENT = re.compile(rb"#|//|;")
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
+_RATE = ":SAMPLES-PER-SECOND"
+USUAL_RATE = 120.0
+"""Poses per second of a movement that does not tell."""
+# More are no count of poses, and from some on no number to Python.
+_MOST_DIGITS = 15
 _SAME = 1e-9
 _POSES_A_REPORT = 256
 
 
+def is_number(word: str) -> bool:
+    """Whether a word can be the number of a pose."""
+    return word.isascii() and word.isdigit() and len(word) <= _MOST_DIGITS
+
+
 def starts_pose(word: str, segments: Container[str]) -> bool:
     """Whether a line begins with the number of a pose; what stands behind it is a comment."""
-    return word.isdigit() and word not in segments
+    return is_number(word) and word not in segments
 
 
 def tells_degrees(line: str) -> bool | None:
@@ -30,7 +40,26 @@ def tells_degrees(line: str) -> bool | None:
     return True if word.startswith(":DEGREES") else False if word.startswith(":RADIANS") else None
 
 
-def patched(path: Path, movement: Movement, progress: Progress) -> bytes | None:
+def tells_rate(line: str) -> float | None:
+    """Poses per second by a line of the header; None where it says nothing of them above 0."""
+    words = line.upper().split()
+    if not words or not words[0].startswith(_RATE):
+        return None
+    try:
+        value = float(words[-1])
+    except ValueError:
+        return None
+    return value if value > 0 else None
+
+
+def rate_line(rate: float) -> bytes:
+    """The line of the header that tells a rate."""
+    return f"{_RATE} {rate:.9g}".encode()
+
+
+def patched(
+    path: Path, movement: Movement, progress: Progress, *, rate: float = USUAL_RATE
+) -> bytes | None:
     """A movement's file with other numbers where the movement is another.
 
     Header, comments, order of segments, endings of lines and every number that is not changed stay
@@ -41,15 +70,19 @@ def patched(path: Path, movement: Movement, progress: Progress) -> bytes | None:
     path : the file, as it was when the movement was read
     movement : of the same poses; where a segment is NaN its line goes
     progress : told the share of poses written; may raise to stop
+    rate : poses per second, which the header tells where it told others, or none and these are not
+        the usual
 
     Returns
     -------
     The file's content; None where the file is not there any more or has other poses
     """
     try:
-        lines = path.read_bytes().splitlines(keepends=True)
+        raw = path.read_bytes()
     except OSError:
         return None
+    mark = _BYTE_ORDER_MARK if raw.startswith(_BYTE_ORDER_MARK) else b""
+    lines = raw.removeprefix(mark).splitlines(keepends=True)
     told = _in_file(movement, degrees=movement.skeleton.degrees)
     head, poses = _poses(lines, told)
     for line in head:
@@ -58,13 +91,27 @@ def patched(path: Path, movement: Movement, progress: Progress) -> bytes | None:
             told = _in_file(movement, degrees=degrees)
     if len(poses) != movement.frames:
         return None
-    usual, out = _usual_order(poses, told), head
+    usual, out = _usual_order(poses, told), [mark, *_with_rate(head, rate, _ending(lines[0]))]
     for pose, block in enumerate(poses):
         if pose % _POSES_A_REPORT == 0:
             progress(pose / movement.frames, "Writing poses")
         values = {name: rows[pose] for name, rows in told.items() if all(map(isfinite, rows[pose]))}
         out += _patched_pose(block, values, told, usual)
     return b"".join(out)
+
+
+def _with_rate(head: list[bytes], rate: float, ending: bytes) -> list[bytes]:
+    """Lines of a header that tells this rate."""
+    told = [tells_rate(" ".join(_words(line))) for line in head]
+    there = [i for i, hertz in enumerate(told) if hertz is not None]
+    # Where it is told twice the last holds.
+    if ((told[there[-1]] if there else None) or USUAL_RATE) == rate:
+        return head
+    if there:
+        old = head[there[-1]]
+        return [*head[: there[-1]], rate_line(rate) + _behind(old), *head[there[-1] + 1 :]]
+    last = max((i for i, line in enumerate(head) if line.lstrip().startswith(b":")), default=-1)
+    return [*head[: last + 1], rate_line(rate) + ending, *head[last + 1 :]]
 
 
 def _poses(lines: list[bytes], told: Collection[str]) -> tuple[list[bytes], list[list[bytes]]]:
@@ -81,8 +128,7 @@ def _poses(lines: list[bytes], told: Collection[str]) -> tuple[list[bytes], list
 
 def _words(line: bytes) -> list[str]:
     """Words of a line, without its comment."""
-    bare = _COMMENT.split(line, maxsplit=1)[0].removeprefix(_BYTE_ORDER_MARK)
-    return bare.decode("latin-1").split()
+    return _COMMENT.split(line, maxsplit=1)[0].decode("latin-1").split()
 
 
 def _usual_order(poses: list[list[bytes]], told: Collection[str]) -> list[str]:
@@ -109,7 +155,7 @@ def _patched_pose(
     missing = [name for name in usual if name in values and name not in ends]
     if not missing:
         return out
-    ending = block[0][len(block[0].rstrip(b"\r\n")) :] or b"\n"
+    ending = _ending(block[0])
     if not out[-1].endswith((b"\r", b"\n")):
         # The last line of the file.
         out[-1] += ending
@@ -144,8 +190,17 @@ def _says(cells: list[str], values: list[float]) -> bool:
 
 
 def _said(line: bytes, name: str, values: list[float]) -> bytes:
-    """The line with other values; its comment and ending stay."""
-    ending = line[len(line.rstrip(b"\r\n")) :]
+    """The line with other values."""
+    return " ".join([name, *(f"{v:.9g}" for v in values)]).encode("latin-1") + _behind(line)
+
+
+def _behind(line: bytes) -> bytes:
+    """Comment and ending of a line."""
     comment = _COMMENT.search(line.rstrip())
     also = b" " + line.rstrip()[comment.start() :] if comment else b""
-    return " ".join([name, *(f"{v:.9g}" for v in values)]).encode("latin-1") + also + ending
+    return also + line[len(line.rstrip(b"\r\n")) :]
+
+
+def _ending(line: bytes) -> bytes:
+    """How a line ends; as on most systems where it does not."""
+    return line[len(line.rstrip(b"\r\n")) :] or b"\n"

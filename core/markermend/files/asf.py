@@ -19,13 +19,18 @@ _MOST_SEGMENTS = 10_000
 _WIDEST = 1e4
 
 
+def bare(line: str) -> str:
+    """A line without its comment, which begins with #, // or ;."""
+    for mark in ("#", "//", ";"):
+        line = line.partition(mark)[0]
+    return line
+
+
 def words_of(path: Path) -> list[tuple[int, list[str]]]:
-    """Number and words of each line that says something; comments begin with #, // or ;."""
+    """Number and words of each line that says something besides a comment."""
     lines = []
     for number, line in enumerate(read_lines(path), 1):
-        for mark in ("#", "//", ";"):
-            line = line.partition(mark)[0]
-        words = line.split()
+        words = bare(line).split()
         if words:
             lines.append((number, words))
     return lines

@@ -13,7 +13,7 @@ from markermend.encoding import utf8
 from markermend.errors import ExportError
 
 
-def write_whole(target: Path, fill: Callable[[IO[bytes]], None], *, backup: bool) -> Path | None:
+def write_whole(target: Path, fill: Callable[[IO[bytes]], object], *, backup: bool) -> Path | None:
     """Fill a temporary file beside the target, flush it to the disk, and rename it.
 
     Parameters

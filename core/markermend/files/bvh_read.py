@@ -22,6 +22,7 @@ _TURNS = {"Xrotation": "X", "Yrotation": "Y", "Zrotation": "Z"}
 # Mean length of bones, in the file's own unit, below which it must be metres, or centimetres.
 _METRES, _CENTIMETRES = 1.0, 60.0
 _MOST_JOINTS = 10_000
+_MOST_DIGITS = 15
 # A name of more words is none.
 _MOST_WORDS = 10
 
@@ -75,6 +76,19 @@ def read_bvh(path: Path, *, rate: float | None = None) -> Pose:
         np.where(wild, 0.0, 1.0),
         warnings=(*warnings, *read_as_missing(int(wild.sum()))),
     )
+
+
+def unit_of(hierarchy: str) -> tuple[float, str]:
+    """Millimetres in the unit that a hierarchy, up to its movement, is read in, and its name.
+
+    Raises
+    ------
+    ValueError
+        when it cannot be read
+    IndexError
+        when it is cut short
+    """
+    return _unit(_hierarchy(hierarchy.split()))
 
 
 def _hierarchy(words: list[str]) -> list[_Joint]:
@@ -137,9 +151,14 @@ def _offset(words: list[str], joint: _Joint) -> FloatArray:
     return values
 
 
+def _is_count(word: str) -> bool:
+    """Whether a word is a number of channels or frames; Python reads none of too many digits."""
+    return word.isascii() and word.isdigit() and len(word) <= _MOST_DIGITS
+
+
 def _channels(words: list[str], joint: _Joint) -> list[str]:
     """Channels of a joint, by the words behind CHANNELS."""
-    if not words[0].isdigit():
+    if not _is_count(words[0]):
         raise ValueError(f"“{words[0][:40]}” is no number of channels of “{joint.name}”")
     names = words[1 : 1 + int(words[0])]
     unknown = [name for name in names if name not in MOVES and name not in _TURNS]
@@ -161,7 +180,7 @@ def _movement(lines: list[str], first: int) -> tuple[int, float, list[tuple[int,
         at += 1
     if head[:2] != ["MOTION", "Frames:"] or head[3:5] != ["Frame", "Time:"]:
         raise ValueError("after its hierarchy no movement with frames and frame time follows")
-    if not head[2].isdigit():
+    if not _is_count(head[2]):
         raise ValueError(f"“{head[2][:40]}” is no number of frames")
     step = number(head[5])
     if not np.isfinite(step):

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import ExportError
-from markermend.files.bvh_read import CM, END, MOVES
+from markermend.files.bvh_read import CM, END, MOVES, unit_of
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import inverse, multiply, turn
 from markermend.poses.turnless import turned_as_parents, turnless
@@ -40,7 +40,8 @@ def write_bvh(
     Raises
     ------
     ExportError
-        when there is no pose, a joint was not seen, or rotations are unknown
+        when there is no pose, a joint was not seen, rotations are unknown, or what is read again
+        would be of another size or have two joints of one name
 
     Notes
     -----
@@ -66,7 +67,8 @@ def write_bvh(
     if whole is not None:
         offsets = _offsets(pose, pose.parents)
     _describe(children[-1][0], pose, children, usual, carried, lines, order)
-    lines += ["MOTION", f"Frames: {pose.frames}", f"Frame Time: {1.0 / pose.rate:.7f}"]
+    _check_read_again(lines)
+    lines += ["MOTION", f"Frames: {pose.frames}", f"Frame Time: {1.0 / pose.rate:.9g}"]
     file.write(("\n".join(lines) + "\n").encode())
     columns = []
     for joint in order:
@@ -108,6 +110,23 @@ def _writable(pose: Pose, whole: Pose | None) -> tuple[Pose, Pose]:
     if sum(parent < 0 for parent in pose.parents) != 1:
         raise ExportError("A BVH has one root; this recording has several.")
     return pose, pose if whole is None else _complete(turned_as_parents(whole, without))
+
+
+def _check_read_again(lines: list[str]) -> None:
+    """Refuse a hierarchy that would not come back, or in another size."""
+    try:
+        scale, unit = unit_of(" ".join(lines))
+    except (ValueError, IndexError) as error:
+        reason = str(error) or "its names have braces"
+        raise ExportError(
+            f"A BVH of these joints could not be read again: {reason}; rename joints, or write a"
+            " CSV."
+        ) from error
+    if scale != CM:
+        raise ExportError(
+            f"A BVH tells no unit of length, and bones of this size would be taken for {unit};"
+            " write a CSV."
+        )
 
 
 def _in_words(pose: Pose, gaps: BoolArray) -> str:

@@ -8,6 +8,9 @@ from pathlib import Path
 
 from markermend.errors import FileFormatError
 
+SNIFFED = 4096
+"""Bytes that tell what a file is: a table of joints may begin with comments and long names."""
+
 
 def named(path: str | PathLike[str]) -> Path:
     """The path of a recording.

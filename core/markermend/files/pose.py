@@ -11,13 +11,19 @@ from typing import IO
 
 from markermend.errors import DataError, ExportError, FileFormatError
 from markermend.files.amc import read_amc, write_amc
+from markermend.files.amc_patch import USUAL_RATE
 from markermend.files.amc_skeleton import check_guess, find_skeleton
 from markermend.files.asf import read_asf
 from markermend.files.atomic import write_whole
 from markermend.files.bvh_read import read_bvh
 from markermend.files.bvh_write import write_bvh
-from markermend.files.opening import named, not_opened
-from markermend.files.pose_csv import Table, read_pose_csv, write_pose_csv
+from markermend.files.opening import SNIFFED, named, not_opened
+from markermend.files.pose_csv import (
+    Table,
+    names_joints,
+    read_pose_csv,
+    write_pose_csv,
+)
 from markermend.poses.inverse import how_far_off, inverse_kinematics
 from markermend.poses.pose import Pose
 from markermend.poses.skeleton import Movement, forward_kinematics
@@ -28,8 +34,6 @@ __all__ = ["read_pose", "write_pose"]
 
 READABLE = (".csv", ".bvh", ".amc", ".asf")
 WRITABLE = (".csv", ".bvh", ".amc")
-
-_USUAL_AMC_RATE = 120.0
 
 
 def read_pose(
@@ -44,7 +48,8 @@ def read_pose(
     Parameters
     ----------
     path : Acclaim movement (AMC, whose ASF is looked for beside it) or skeleton (ASF: one pose,
-        at rest), Biovision hierarchy (BVH), or a table of joints (CSV)
+        at rest), Biovision hierarchy (BVH), or a table of joints (CSV, or of another name that
+        tells nothing)
     skeleton : the ASF of an AMC, where it is not beside it
     rate : poses per second, instead of what the file tells (where it does not: AMC 120, CSV 30)
     progress : may raise to stop
@@ -78,15 +83,15 @@ def read_pose(
                     )
                 if stated is None and rate is None:
                     warnings.append("The file tells no rate; 120 Hz was assumed.")
-                hertz = rate or stated or _USUAL_AMC_RATE
+                hertz = rate or stated or USUAL_RATE
                 return forward_kinematics(movement, hertz, warnings=tuple(warnings))
-            case ".csv":
-                return read_pose_csv(where, rate=rate, progress=progress)
             case ".bvh":
                 return read_bvh(where, rate=rate)
             case ".asf":
                 rest = Movement(read_asf(where), {}, 1)
-                return forward_kinematics(rest, rate or _USUAL_AMC_RATE)
+                return forward_kinematics(rest, rate or USUAL_RATE)
+            case ending if ending == ".csv" or _begins_as_joints(where):
+                return read_pose_csv(where, rate=rate, progress=progress)
     except OSError as error:
         raise not_opened(Path(error.filename or where), error) from error
     except DataError as error:
@@ -98,6 +103,12 @@ def read_pose(
     raise FileFormatError(
         f"{where.name} is no skeleton recording; its name should end in {', '.join(READABLE)}."
     )
+
+
+def _begins_as_joints(path: Path) -> bool:
+    """Whether a file begins as a table of joints, whatever its name."""
+    with path.open("rb") as file:
+        return names_joints(file.read(SNIFFED))
 
 
 def write_pose(pose: Pose, path: str | PathLike[str], *, progress: Progress | None = None) -> float:
@@ -136,33 +147,37 @@ def crop_pose(pose: Pose, start: int, stop: int) -> Pose:
     Returns
     -------
     Pose
-        with the part of what was read that belongs to these poses
+        with the part of what was read that belongs to these poses; they keep their numbers, and
+        time goes on
     """
     source, rows = pose.source, slice(start, stop)
     if isinstance(source, Movement):
         source = source.part(start, stop)
     elif isinstance(source, Table):
-        source = Table(source.written[rows], source.read[rows])
+        source = replace(source, written=source.written[rows], read=source.read[rows])
     return replace(
         pose,
         positions=pose.positions[rows],
         rotations=pose.rotations[rows],
         confidence=pose.confidence[rows],
         source=source,
+        first_frame=pose.first_frame + start,
+        first_time=pose.first_time + start / pose.rate,
     )
 
 
 def pose_writer(
     pose: Pose, target: Path, report: Progress, *, whole: Pose | None = None
-) -> tuple[Callable[[IO[bytes]], None], dict[str, float]]:
+) -> tuple[Callable[[IO[bytes]], tuple[str, ...] | None], dict[str, float]]:
     """Choose by a name's ending how a recording is written, or a part of the ``whole`` one.
 
     The other parameters and errors are those of :func:`write_pose`.
 
     Returns
     -------
-    What writes it, and how far off in mm joints are there at most: the bones of an AMC are rigid,
-    and a joint that hangs on one that is missing cannot be told, which is infinitely far
+    What writes it, which returns the columns of a table that are lost; and how far off in mm joints
+    are there at most: the bones of an AMC are rigid, and a joint that hangs on one that is missing
+    cannot be told, which is infinitely far
     """
     match target.suffix.lower():
         case ".csv":
@@ -178,7 +193,7 @@ def pose_writer(
             turning, writing = part(report, 0.0, 0.7), part(report, 0.7, 1.0)
             movement = inverse_kinematics(pose, pose.source, progress=turning)
             off = dict(zip(pose.joints, how_far_off(movement, pose).tolist(), strict=True))
-            return lambda file: write_amc(movement, file, writing, target), off
+            return lambda file: write_amc(movement, file, writing, target, rate=pose.rate), off
         case _:
             raise ExportError(
                 f"{target.name} should end in {', '.join(WRITABLE)}, to tell what to write."

@@ -1,17 +1,17 @@
 """Read and write skeleton recordings as comma-separated values, one row a frame and joint.
 
-The columns are ``frame`` (from 0), ``time`` in seconds, ``joint``, ``parent`` (empty for the root),
-``x``, ``y``, ``z`` in mm, the rotation ``qx``, ``qy``, ``qz``, ``qw`` and ``confidence``. A joint
-that was not seen is at 0, 0, 0 with rotation 0, 0, 0, 1 and confidence 0; one that was seen, but
-not how it is turned, has rotation 0, 0, 0, 0. What was read from such a table and not changed since
-is written to the last digit, what was computed to a micrometre. Where the file that was read has
-all of these columns, its rows that are not changed are written as there.
+The columns are ``frame``, ``time`` in seconds, ``joint``, ``parent`` (empty for the root), ``x``,
+``y``, ``z`` in mm, or another unit that stands behind them, as in ``x (m)``, the rotation ``qx``,
+``qy``, ``qz``, ``qw`` and ``confidence``. A joint that was not seen is at 0, 0, 0 with rotation
+0, 0, 0, 1 and confidence 0; one that was seen, but not how it is turned, has rotation 0, 0, 0, 0.
+What was read from such a table and not changed since is written to the last digit, what was
+computed to a micrometre. Where the file that was read has what tells of a joint and how sure it is,
+its rows that are not changed are written as there; those that it lacks come between them.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from math import isfinite
 from pathlib import Path
@@ -21,9 +21,19 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import FileFormatError
-from markermend.files.plausible import FARTHEST, read_as_missing
-from markermend.files.pose_csv_patch import patched
-from markermend.files.pose_rows import COLUMNS, NUMBERS, Header, header_of, says_nothing
+from markermend.files.plausible import read_as_missing
+from markermend.files.pose_csv_patch import Part, patched
+from markermend.files.pose_rows import (
+    COLUMNS,
+    NUMBERS,
+    UNKNOWN_UNIT,
+    Header,
+    header_of,
+    measured,
+    says_nothing,
+    whole_rows,
+    wild,
+)
 from markermend.files.text import read_lines
 from markermend.poses.nuitrack import PARENT_OF, usual_name
 from markermend.poses.pose import Pose
@@ -48,14 +58,30 @@ class Table:
     ----------
     written : (frames, joints, 8) position, rotation and confidence; NaN where it has none
     read : the same as the recording holds it, with rotations of length 1
-    file : that they are from, where it has every column and its own times hold
+    file : that they are from
     header : of that file
+    rate : poses per second by its times, or what is assumed without
     """
 
     written: FloatArray
     read: FloatArray
-    file: Path | None = None
-    header: Header | None = None
+    file: Path
+    header: Header
+    rate: float
+
+
+@dataclass(frozen=True)
+class _Clock:
+    """Poses per second, seconds at the first of them, and a sentence where it was guessed."""
+
+    rate: float
+    begins: float = 0.0
+    guessed: tuple[str, ...] = ()
+
+
+_NO_CLOCK = _Clock(
+    _SENSOR_RATE, guessed=(f"The file tells no rate; {_SENSOR_RATE:g} Hz was assumed.",)
+)
 
 
 def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None = None) -> Pose:
@@ -79,10 +105,12 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
     if len(lines) < 2:
         raise FileFormatError(f"{path.name} is cut short: no pose follows its header.")
     header = header_of(lines[0][1], path.name, lines[0][0])
-    body, warnings = _whole_rows(lines[1:], header)
+    body, warnings = whole_rows(lines[1:], header)
+    if not header.unit_known:
+        warnings.append(UNKNOWN_UNIT)
     names = [header.joint(row, number) for number, row in body]
     joints = tuple(dict.fromkeys(names))
-    frame, count = _frames(body, header, len(joints))
+    frame, first, count = _frames(body, header, len(joints))
     warnings += _twice(body, frame, names, header)
     values = np.full((count, len(joints), len(NUMBERS)), np.nan)
     place, report = {joint: i for i, joint in enumerate(joints)}, progress or quiet
@@ -90,12 +118,16 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
         if n % (_FRAMES_A_REPORT * len(joints)) == 0:
             report(n / len(body), "Reading poses")
         values[frame[n], place[names[n]]] = header.values(row, number)
-    wild = (np.abs(values) > FARTHEST).any(axis=2)
-    values[wild] = np.nan
-    parents = parents_of([row for _, row in body], header.at, joints, path.name)
-    hertz, guess = _rate([header.time(row) for _, row in body], frame, rate, path.name)
+    far = int(wild(values).sum())
     # What has no place is not seen, and is not written as seen either.
-    values[~np.isfinite(values[..., :3]).all(axis=2)] = np.nan
+    values[~measured(values)] = np.nan
+    parents = parents_of([row for _, row in body], header.at, joints, path.name)
+    clock = _by_times([header.time(row) for _, row in body], frame) or _NO_CLOCK
+    told = clock.rate
+    if rate not in (None, told):
+        # Times that tell another rate are not believed.
+        clock = _Clock(rate)
+    hertz = rate_of(clock.rate, path.name)
     confidence = values[..., 7] if "confidence" in header.at else np.ones(values.shape[:2])
     zero = (values[..., :3] == 0).all(axis=2) & (np.asarray(parents) >= 0)
     confidence = np.where(zero, 0.0, confidence)
@@ -106,13 +138,14 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
         parents,
         hertz,
         confidence,
-        warnings=(*warnings, *guess, *read_as_missing(int(wild.sum()))),
+        warnings=(*warnings, *clock.guessed, *read_as_missing(far)),
+        first_frame=first,
+        first_time=clock.begins,
     )
-    own = path if rate is None and set(COLUMNS) <= set(header.at) else None
-    return replace(pose, source=Table(values, _numbers_of(pose), own, header))
+    return replace(pose, source=Table(values, _numbers_of(pose), path, header, told))
 
 
-def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> None:
+def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> tuple[str, ...]:
     """Write joints.
 
     Parameters
@@ -120,6 +153,10 @@ def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> None:
     pose : the recording
     file : written from its beginning
     progress : told the share of poses written
+
+    Returns
+    -------
+    Columns of the table that was read which are in this one no more, since it was written anew
     """
     names = [quoted(joint) for joint in pose.joints]
     above = [names[parent] if parent >= 0 else "" for parent in pose.parents]
@@ -128,29 +165,35 @@ def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> None:
     if isinstance(table, Table) and table.read.shape == values.shape:
         # A rotation that is made as long as 1 once more is the same.
         same = np.abs(values - table.read) <= _SAME
+        # What a file says of a joint that was not seen is no part of where it is now.
+        same &= (values[..., 7:] > 0) == (table.read[..., 7:] > 0)
         content = _over_its_file(pose, table, values, ~same, progress)
         if content is not None:
             file.write(content)
-            return
+            return ()
         written = np.where(same, table.written, np.nan)
         values = np.where(np.isfinite(written), written, values)
     file.write((",".join(COLUMNS) + "\n").encode())
     for frame in range(pose.frames):
         if frame % _FRAMES_A_REPORT == 0:
             progress(frame / pose.frames, "Writing poses")
-        lines = rows_of(frame, frame / pose.rate, names, above, values[frame])
+        number, time = pose.first_frame + frame, pose.first_time + frame / pose.rate
+        lines = rows_of(number, time, names, above, values[frame])
         for joint in np.flatnonzero(np.isfinite(written[frame]).any(axis=1)):
             lines[joint] = _exactly(lines[joint], written[frame, joint])
         file.write("".join(lines).encode())
+    return table.header.others if isinstance(table, Table) else ()
 
 
 def _over_its_file(
     pose: Pose, table: Table, values: FloatArray, changed: BoolArray, progress: Progress
 ) -> bytes | None:
     """What was read, with what is changed; None where that cannot be."""
-    if table.file is None or table.header is None:
-        return None
-    return patched(table.file, table.header, pose.joints, table.written, values, changed, progress)
+    times = None
+    if pose.rate != table.rate:
+        times = pose.first_time + np.arange(pose.frames) / pose.rate
+    part = Part(pose.joints, pose.parents, pose.first_frame, table.written, values, changed, times)
+    return patched(table.file, table.header, part, progress)
 
 
 def rows_of(
@@ -194,32 +237,10 @@ def names_joints(head: bytes) -> bool:
     return True
 
 
-def _whole_rows(
-    lines: list[tuple[int, str]], header: Header
-) -> tuple[list[tuple[int, list[str]]], list[str]]:
-    """Rows that have all their cells; a last one that is cut short is left out, and said."""
-    rows, warnings = list[tuple[int, list[str]]](), list[str]()
-    for number, line in lines:
-        last = number == lines[-1][0]
-        row = [] if last and line.count('"') % 2 else header.cells(line, number)
-        if len(row) >= header.width:
-            rows.append((number, row))
-        elif last:
-            warnings.append("The file is cut short; its last row was left out.")
-        else:
-            raise FileFormatError(
-                f"{header.name} is damaged: line {number} has {len(row)} cells, the header"
-                f" {header.width}."
-            )
-    if not rows:
-        raise FileFormatError(f"{header.name} holds no whole row.")
-    return rows, warnings
-
-
 def _frames(
     body: list[tuple[int, list[str]]], header: Header, joints: int
-) -> tuple[list[int], int]:
-    """Frame of each row, from 0, and how many there are."""
+) -> tuple[list[int], int, int]:
+    """Frame of each row, from 0, the number of the first, and how many there are."""
     stated = [header.frame(row, number) for number, row in body]
     first, last = min(stated), max(stated)
     # One stray number must not ask for a terabyte.
@@ -228,7 +249,7 @@ def _frames(
             f"{header.name} is damaged: its frames go from {first} to {last}, with {len(body)}"
             " rows."
         )
-    return [frame - first for frame in stated], last - first + 1
+    return [frame - first for frame in stated], first, last - first + 1
 
 
 def _twice(
@@ -289,21 +310,21 @@ def parents_of(
     return tuple(joints.index(above[joint]) if above[joint] else -1 for joint in joints)
 
 
-def _rate(
-    told: list[float], frame: list[int], stated: float | None, name: str
-) -> tuple[float, Iterable[str]]:
-    """Poses per second by the times of rows, and a sentence where it was guessed."""
-    if stated is not None:
-        return rate_of(stated, name), ()
+def _by_times(told: list[float], frame: list[int]) -> _Clock | None:
+    """What times of rows tell; None where they do not grow."""
     times, frames = np.array(told), np.array(frame)
     known = np.abs(times) < _LARGEST_TIME
-    if np.unique(frames[known]).size > 1:
-        slope = float(np.polyfit(frames[known], times[known], 1)[0])
-        if slope > 0:
-            seconds = slope <= _SLOWEST_S
-            hertz = rate_of((1.0 if seconds else 1e3) / slope, name)
-            return float(np.round(hertz, 4)), () if seconds else (_MILLISECONDS,)
-    return _SENSOR_RATE, [f"The file tells no rate; {_SENSOR_RATE:g} Hz was assumed."]
+    if np.unique(frames[known]).size < 2:
+        return None
+    slope = float(np.polyfit(frames[known], times[known], 1)[0])
+    if slope <= 0:
+        return None
+    unit = 1.0 if slope <= _SLOWEST_S else 1e-3
+    at = int(np.argmin(np.where(known, frames, frames.max() + 1)))
+    rate = float(np.round(1.0 / (unit * slope), 4))
+    return _Clock(
+        rate, unit * (told[at] - frame[at] * slope), () if unit == 1 else (_MILLISECONDS,)
+    )
 
 
 def quoted(name: str) -> str:

@@ -7,11 +7,17 @@ import re
 from dataclasses import dataclass
 from math import isfinite, nan
 
+import numpy as np
+
+from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import FileFormatError
+from markermend.files.plausible import FARTHEST
+from markermend.files.units import unit_mm
 
 COLUMNS = ("frame", "time", "joint", "parent", "x", "y", "z", "qx", "qy", "qz", "qw", "confidence")
 NUMBERS = COLUMNS[4:]
 _DELIMITERS = ",;\t"
+_BLANKS = _DELIMITERS + " \r\n"
 _OTHER_NAMES = {
     "name": "joint",
     "jointname": "joint",
@@ -36,6 +42,8 @@ _BLANK = ("", "na", "n/a", "null", "none", "-")
 # As the Kinect's own programs write it.
 _TRACKED = {"tracked": 1.0, "inferred": 0.5, "nottracked": 0.0}
 _MOST_FRAMES = 2.0**53
+_MILLIMETRES = (1.0, 1.0, 1.0)
+UNKNOWN_UNIT = "The columns tell no unit of length that is known; millimetres were assumed."
 
 
 @dataclass(frozen=True)
@@ -48,12 +56,18 @@ class Header:
     at : place of each known column
     width : number of columns
     delimiter : between cells
+    scales : mm in the units of x, y and z
+    unit_known : those that the line tells are
+    others : names of columns that are not known
     """
 
     name: str
     at: dict[str, int]
     width: int
     delimiter: str
+    scales: tuple[float, ...] = _MILLIMETRES
+    unit_known: bool = True
+    others: tuple[str, ...] = ()
 
     def cells(self, line: str, number: int) -> list[str]:
         """Cells of a line; fewer than there are columns where it is cut short.
@@ -80,7 +94,7 @@ class Header:
             when it is no whole number
         """
         cell = row[self.at["frame"]]
-        value = _plain(cell, self.delimiter)
+        value = plain(cell, self.delimiter)
         if not isfinite(value) or value != int(value) or abs(value) > _MOST_FRAMES:
             raise FileFormatError(
                 f"{self.name} is damaged: “{cell[:40]}” in line {number} is no frame number."
@@ -102,10 +116,10 @@ class Header:
 
     def time(self, row: list[str]) -> float:
         """Seconds; NaN where the row has none, or not as a number."""
-        return _plain(row[self.at["time"]], self.delimiter) if "time" in self.at else nan
+        return plain(row[self.at["time"]], self.delimiter) if "time" in self.at else nan
 
     def values(self, row: list[str], number: int) -> list[float]:
-        """Position, rotation and confidence of a row; NaN where it has none.
+        """Position in mm, rotation and confidence of a row; NaN where it has none.
 
         Raises
         ------
@@ -120,7 +134,7 @@ class Header:
             try:
                 found[i] = float(cell)
             except ValueError:
-                found[i] = _plain(cell, self.delimiter)
+                found[i] = plain(cell, self.delimiter)
                 if found[i] == found[i] or cell.strip().lower() in _BLANK:
                     continue
                 word = re.sub(r"[^a-z]", "", cell.lower())
@@ -130,6 +144,8 @@ class Header:
                         " should be a number."
                     ) from None
                 found[i] = _TRACKED[word]
+        if self.scales != _MILLIMETRES:
+            found[:3] = [value * mm for value, mm in zip(found, self.scales, strict=False)]
         return found
 
 
@@ -156,7 +172,7 @@ def cells_of(line: str, delimiter: str, name: str, number: int) -> list[str]:
 
 
 def header_of(line: str, name: str, number: int = 1) -> Header:
-    """Read the line that names the columns, which stand in any order.
+    """Read the line that names the columns, which stand in any order, and their units of length.
 
     Parameters
     ----------
@@ -179,15 +195,69 @@ def header_of(line: str, name: str, number: int = 1) -> Header:
             f"{name} is no table of joints: it lacks the column “{missing[0]}”; it should have"
             f" {', '.join(COLUMNS)}."
         )
-    return Header(name, at, len(head), delimiter)
+    units = [_unit(head[at[axis]]) for axis in "xyz"]
+    scales = tuple(1.0 if mm is None else mm for mm in units)
+    known = {at[column] for column in COLUMNS if column in at}
+    others = tuple(cell.strip() for i, cell in enumerate(head) if i not in known)
+    return Header(name, at, len(head), delimiter, scales, None not in units, others)
+
+
+def _unit(name: str) -> float | None:
+    """Millimetres in the unit that a column's name has in brackets, or none; None if unknown."""
+    unit = re.search(r"[\[(]\s*(\w+)", name)
+    return 1.0 if unit is None else unit_mm(unit[1])
+
+
+def whole_rows(
+    lines: list[tuple[int, str]], header: Header
+) -> tuple[list[tuple[int, list[str]]], list[str]]:
+    """Rows that have all their cells; a last one that is cut short is left out, and said.
+
+    Parameters
+    ----------
+    lines : number and text of each that says something, but for the header
+    header : of these
+
+    Raises
+    ------
+    FileFormatError
+        when another is cut short, or there is none
+    """
+    rows, warnings = list[tuple[int, list[str]]](), list[str]()
+    for number, line in lines:
+        last = number == lines[-1][0]
+        row = [] if last and line.count('"') % 2 else header.cells(line, number)
+        if len(row) >= header.width:
+            rows.append((number, row))
+        elif last:
+            warnings.append("The file is cut short; its last row was left out.")
+        else:
+            raise FileFormatError(
+                f"{header.name} is damaged: line {number} has {len(row)} cells, the header"
+                f" {header.width}."
+            )
+    if not rows:
+        raise FileFormatError(f"{header.name} holds no whole row.")
+    return rows, warnings
 
 
 def says_nothing(line: str) -> bool:
-    """Whether a line is blank or a comment."""
-    return not line.strip() or line.startswith("#")
+    """Whether a line is blank, has blank cells only, or is a comment."""
+    return not line.strip(_BLANKS) or line.startswith("#")
 
 
-def _plain(cell: str, delimiter: str) -> float:
+def measured(values: FloatArray) -> BoolArray:
+    """(...) bool, whether numbers (..., 8) of rows are a place, and of a room."""
+    there = np.isfinite(values[..., :3]).all(axis=-1)
+    return np.asarray(there & ~wild(values))
+
+
+def wild(values: FloatArray) -> BoolArray:
+    """(...) bool, whether numbers (..., 8) of rows are farther out than any room."""
+    return np.asarray((np.abs(values) > FARTHEST).any(axis=-1))
+
+
+def plain(cell: str, delimiter: str) -> float:
     """Value of a cell, with a decimal comma where commas do not stand between cells; else NaN."""
     try:
         return float(cell)

@@ -3,14 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from math import isfinite
 
 import numpy as np
 
 from markermend.arrays import FloatArray
 from markermend.errors import FileFormatError
-from markermend.files.plausible import FARTHEST
 from markermend.files.pose_csv import parents_of, quoted, rows_of
-from markermend.files.pose_rows import COLUMNS, NUMBERS, Header, header_of, says_nothing
+from markermend.files.pose_rows import (
+    COLUMNS,
+    NUMBERS,
+    UNKNOWN_UNIT,
+    Header,
+    header_of,
+    measured,
+    says_nothing,
+)
 from markermend.poses.live import Live
 from markermend.poses.pose import Pose
 from markermend.poses.prior import NOT_FITTING, Prior, shipped_prior
@@ -55,11 +63,13 @@ def follow(
     if not number:
         raise FileFormatError(f"{_STREAM} is empty; it should begin with a line of column names.")
     header = header_of(first_line, _STREAM, number)
+    if not header.unit_known:
+        warn(UNKNOWN_UNIT)
     write(",".join(COLUMNS) + "\n")
     joints: tuple[str, ...] = ()
     live: Live | None = None
     parents: tuple[int, ...] = ()
-    count = 0
+    count, time = 0, -1.0 / rate
     for rows in _poses(telling, header, warn):
         if not joints:
             joints, parents = _body(rows, header)
@@ -73,7 +83,8 @@ def follow(
             places, turns = live(places, turns, sure > 0)
             sure = np.where(sure > 0, sure, INFERRED)
         number, row = rows[0]
-        time = header.time(row) if "time" in header.at else count / rate
+        told = header.time(row)
+        time = told if isfinite(told) else time + 1.0 / rate
         names = [quoted(joint) for joint in joints]
         above = [names[parent] if parent >= 0 else "" for parent in parents]
         unturned = np.where((sure > 0)[:, None], 0.0, NO_TURN)
@@ -153,8 +164,7 @@ def _values(
             values[i] = header.values(row, number)
             if "confidence" not in header.at:
                 values[i, 7] = 1.0
-    unseen = ~np.isfinite(values[:, :3]).all(axis=1) | ~(values[:, 7] > 0)
-    unseen |= (np.abs(values) > FARTHEST).any(axis=1)
+    unseen = ~measured(values) | ~(values[:, 7] > 0)
     unseen |= (values[:, :3] == 0).all(axis=1) & (np.array(parents) >= 0)
     values[~np.isfinite(values[:, 3:7]).all(axis=1), 3:7] = np.nan
     values[unseen] = (*(0.0,) * 3, *(np.nan,) * 4, 0.0)

@@ -313,4 +313,11 @@ def _pose(
             above = mesh.groups[above].parent
         parents.append(-1 if above is None else at[above])
     names = tuple(joint.name for joint in kept)
-    return Pose(np.stack(places, axis=1), rotations, names, tuple(parents), take.rate)
+    return Pose(
+        np.stack(places, axis=1),
+        rotations,
+        names,
+        tuple(parents),
+        take.rate,
+        first_frame=take.first_frame,
+    )

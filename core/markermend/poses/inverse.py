@@ -6,6 +6,9 @@ was measured, or restored, by itself. What is looked at, and reviewed, is where 
 
 from __future__ import annotations
 
+from dataclasses import replace
+from warnings import catch_warnings, filterwarnings
+
 import numpy as np
 from scipy.spatial.transform import Rotation
 from threadpoolctl import threadpool_limits
@@ -14,7 +17,7 @@ from markermend.arrays import BoolArray, FloatArray
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import lengths_of
 from markermend.poses.reaching import SHIFTS, axes_of, reach
-from markermend.poses.skeleton import TURNS, Movement, Segment, forward_kinematics
+from markermend.poses.skeleton import TURNS, Movement, forward_kinematics
 from markermend.progress import Progress, quiet
 
 SAME = 1e-9
@@ -56,7 +59,7 @@ def inverse_kinematics(pose: Pose, source: Movement, *, progress: Progress = qui
             found = reach(source.skeleton, given, pose.positions[block], free[block])
             for name, values in found.items():
                 channels[name][block] = values
-    return Movement(source.skeleton, channels, pose.frames, source.file)
+    return replace(source, channels=channels, frames=pose.frames)
 
 
 def how_far_off(movement: Movement, pose: Pose) -> FloatArray:
@@ -130,23 +133,45 @@ def _nearest_turns(pose: Pose, source: Movement, turned: BoolArray) -> dict[str,
         own = Rotation.from_quat(pose.rotations[anew, i])
         if segment.parent >= 0:
             own = Rotation.from_quat(pose.rotations[anew, segment.parent]).inv() * own
-        turns = _turns(segment)
+        turns = [k for k, dof in enumerate(segment.dofs) if dof in TURNS]
         if turns and len(anew):
-            order = "".join(segment.dofs[k][1] for k in turns)
-            order += "".join(axis for axis in "xyz" if axis not in order)
+            axes = "".join(segment.dofs[k][1] for k in turns)
             frame = axes_of(segment)
-            angles = np.asarray((frame.inv() * own * frame).as_euler(order, degrees=True))  # type: ignore[call-overload]
-            values[np.ix_(anew, np.array(turns))] = angles[:, : len(turns)]
+            columns = np.ix_(anew, np.array(turns))
+            angles = _angles(frame.inv() * own * frame, axes)
+            # A turn may be told as one beyond 180 degrees.
+            rounds = np.round((np.nan_to_num(values[columns]) - angles) / 360.0)
+            values[columns] = angles + 360.0 * rounds
         if segment.parent < 0:
             start = pose.positions[:, i] / skeleton.scale_mm - np.asarray(skeleton.position)
             for k, dof in enumerate(segment.dofs):
                 if dof in SHIFTS:
                     values[anew, k] = start[anew, SHIFTS.index(dof)]
-        values[~seen] = np.nan
+        # What hangs on a joint that was not seen keeps what was measured of it.
+        values[~seen & turned[:, i]] = np.nan
         channels[segment.name] = values
     return channels
 
 
-def _turns(segment: Segment) -> list[int]:
-    """Which of a segment's channels are angles."""
-    return [k for k, dof in enumerate(segment.dofs) if dof in TURNS]
+def _angles(turned: Rotation, axes: str) -> FloatArray:
+    """(frames, axes) degrees of turns about these axes, one after the other, that come nearest.
+
+    Three tell every rotation. Euler angles cut to fewer tell another one where the middle one is
+    near 90 degrees or beyond; so of two turns each is read from the axis that only it moves.
+    """
+    if len(axes) == 3:
+        with catch_warnings():
+            # Where two axes fall together one of their turns is as good as the other.
+            filterwarnings("ignore", message="Gimbal lock")
+            return np.asarray(turned.as_euler(axes, degrees=True))  # type: ignore[call-overload]
+    matrix = turned.as_matrix()
+    if len(axes) == 1:
+        i = "xyz".index(axes)
+        j, k = (i + 1) % 3, (i + 2) % 3
+        sine, cosine = matrix[:, k, j] - matrix[:, j, k], matrix[:, j, j] + matrix[:, k, k]
+        return np.asarray(np.degrees(np.arctan2(sine, cosine)))[:, None]
+    i, j = map("xyz".index, axes)
+    k, sign = 3 - i - j, 1.0 if j == (i + 1) % 3 else -1.0
+    first = np.arctan2(-sign * matrix[:, j, k], matrix[:, j, j])
+    second = np.arctan2(-sign * matrix[:, k, i], matrix[:, i, i])
+    return np.asarray(np.degrees(np.stack([first, second], axis=1)))

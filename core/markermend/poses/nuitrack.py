@@ -194,6 +194,8 @@ def to_nuitrack(pose: Pose) -> Pose:
         pose.rate,
         confidence,
         warnings=pose.warnings,
+        first_frame=pose.first_frame,
+        first_time=pose.first_time,
     )
 
 

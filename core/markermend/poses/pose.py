@@ -28,6 +28,8 @@ class Pose:
         from the positions when not given
     source : the skeleton and movement that were read, where the format has more than joints
     warnings : one sentence for each oddity met while reading
+    first_frame : the file's number of pose 0
+    first_time : seconds at pose 0, by the file
 
     Raises
     ------
@@ -43,6 +45,8 @@ class Pose:
     confidence: FloatArray = field(default_factory=lambda: np.empty((0, 0)))
     source: object | None = None
     warnings: tuple[str, ...] = ()
+    first_frame: int = 0
+    first_time: float = 0.0
 
     def __post_init__(self) -> None:
         positions = np.array(self.positions, dtype=np.float64)

@@ -107,13 +107,14 @@ class _Limbs:
         offset, bone = (np.zeros((frames, len(segments), 3)) for _ in range(2))
         columns, segment, start = [], list[int](), list[FloatArray]()
         for i, one in enumerate(segments):
-            values = channels.get(one.name, np.zeros((frames, len(one.dofs))))
+            there = one.name in channels
+            values = channels[one.name] if there else np.zeros((frames, len(one.dofs)))
             length = np.full(frames, one.length)
             if one.parent < 0:
                 offset[:, i] = skeleton.position
             for k, dof in enumerate(one.dofs):
                 given = np.nan_to_num(values[:, k])
-                if dof in TURNS or (dof in SHIFTS and one.parent < 0 and one.name in channels):
+                if there and (dof in TURNS or (dof in SHIFTS and one.parent < 0)):
                     unit = np.pi / 180 if dof in TURNS else scale
                     columns.append((one.name, k, unit))
                     segment.append(i)

@@ -195,7 +195,16 @@ def to_cmu(pose: Pose, learnt: Segments | None = None) -> Pose:
         else:
             rotations[:, i] = body.rotations[:, JOINTS.index(by_joint)]
     parents = tuple(NAMES.index(name) if name else -1 for name in PARENT_OF.values())
-    whole = Pose(positions, rotations, NAMES, parents, body.rate, confidence)
+    whole = Pose(
+        positions,
+        rotations,
+        NAMES,
+        parents,
+        body.rate,
+        confidence,
+        first_frame=body.first_frame,
+        first_time=body.first_time,
+    )
     return mirrored(whole) if left_handed else whole
 
 

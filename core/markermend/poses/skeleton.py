@@ -79,17 +79,19 @@ class Movement:
         not here stays as at rest.
     frames : number of poses
     file : that it was read from
+    first : number of the first pose
     """
 
     skeleton: Skeleton
     channels: Mapping[str, FloatArray]
     frames: int
     file: Path | None = None
+    first: int = 1
 
     def part(self, start: int, stop: int) -> Movement:
         """The movement in an interval of poses, half-open; it is no file's any more."""
         channels = {name: values[start:stop] for name, values in self.channels.items()}
-        return Movement(self.skeleton, channels, stop - start)
+        return Movement(self.skeleton, channels, stop - start, first=self.first + start)
 
 
 def forward_kinematics(movement: Movement, rate: float, *, warnings: tuple[str, ...] = ()) -> Pose:
@@ -143,7 +145,15 @@ def forward_kinematics(movement: Movement, rate: float, *, warnings: tuple[str, 
         turned.append(local)
     parents = tuple(segment.parent for segment in skeleton.segments)
     return Pose(
-        positions, rotations, skeleton.names, parents, rate, seen, movement, warnings=warnings
+        positions,
+        rotations,
+        skeleton.names,
+        parents,
+        rate,
+        seen,
+        movement,
+        warnings=warnings,
+        first_frame=movement.first,
     )
 
 

@@ -23,7 +23,6 @@ from markermend.poses.pose import Pose
 from markermend.poses.prior import shipped_prior
 from markermend.poses.quaternion import lengths_of
 from markermend.poses.restore import INFERRED, Restored, restore
-from markermend.poses.skeleton import Movement
 from markermend.poses.swinging import swung
 from markermend.progress import Progress
 from markermend.take import SKELETON, Source, Take
@@ -52,9 +51,13 @@ def as_take(pose: Pose, path: Path) -> Take:
     """
     status = path.stat()
     source = Source(path.absolute(), SKELETON, status.st_size, status.st_mtime_ns, layout=pose)
-    first = 1 if isinstance(pose.source, Movement) else 0
     return Take(
-        pose.positions, pose.joints, pose.rate, first, source=source, warnings=pose.warnings
+        pose.positions,
+        pose.joints,
+        pose.rate,
+        pose.first_frame,
+        source=source,
+        warnings=pose.warnings,
     )
 
 
