@@ -2004,6 +2004,26 @@
         <translation>„{0}“ ist ein Ordner; nennen Sie eine Datei darin.</translation>
     </message>
     <message>
+        <source>“{0}” holds no take ending in {1}; name others, or match them as by “*.amc”.</source>
+        <translation>„{0}“ enthält keine Aufnahme mit der Endung {1}; nennen Sie andere, oder wählen Sie sie mit einem Muster wie „*.amc“.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: line {1} begins with “{2}”, which is the number of no pose.</source>
+        <translation>{0} ist beschädigt: Zeile {1} beginnt mit „{2}“, was keine Nummer einer Pose ist.</translation>
+    </message>
+    <message>
+        <source>An AMC cannot say that a segment is never seen, and would show {0} at rest. Write more frames, repair these gaps first, or write a CSV.</source>
+        <translation>Eine AMC-Datei kann nicht angeben, dass ein Segment nie zu sehen ist, und würde {0} in Ruhelage zeigen. Schreiben Sie mehr Frames, reparieren Sie zuerst diese Lücken, oder schreiben Sie eine CSV-Datei.</translation>
+    </message>
+    <message>
+        <source>A BVH of these joints could not be read again: {0}; rename joints, or write a CSV.</source>
+        <translation>Eine BVH-Datei dieser Gelenke ließe sich nicht wieder lesen: {0}; benennen Sie Gelenke um, oder schreiben Sie eine CSV-Datei.</translation>
+    </message>
+    <message>
+        <source>A BVH tells no unit of length, and bones of this size would be taken for {0}; write a CSV.</source>
+        <translation>Eine BVH-Datei nennt keine Längeneinheit, und Knochen dieser Größe würden für {0} gehalten; schreiben Sie eine CSV-Datei.</translation>
+    </message>
+    <message>
         <source>“{0}” may not be read; check its permissions.</source>
         <translation>„{0}“ darf nicht gelesen werden; prüfen Sie die Zugriffsrechte.</translation>
     </message>
@@ -3531,6 +3551,10 @@
     <message>
         <source>The original is kept as {0}.</source>
         <translation>Das Original bleibt als {0} erhalten.</translation>
+    </message>
+    <message>
+        <source>It was written anew, so without further columns of its source: {0}.</source>
+        <translation>Die Datei wurde neu geschrieben, daher ohne weitere Spalten der Quelle: {0}.</translation>
     </message>
     <message>
         <source>Export repaired take</source>
