@@ -226,12 +226,39 @@ def test_where_bones_are_rigid_a_dialog_says_which_joints_are_off(without_a_shin
         # What went wrong together is repaired together, once all of it is worked out.
         qtbot.waitUntil(lambda p=pending: session.with_status(Status.PENDING) != p, timeout=WAIT)
     exporter = window.commands._exporter
-    assert exporter.export_to(tmp_path / "out.amc", ExportChoice(False, False), wait=True)
+    assert exporter.export_to(tmp_path / "out.amc", ExportChoice(False, False))
+    qtbot.waitUntil(lambda: bool(window.findChildren(QMessageBox)), timeout=WAIT)
     (box,) = window.findChildren(QMessageBox)
+    # The review goes on below it.
+    assert not window.lane.busy
     assert "out.amc" in box.text()
     assert "ltibia" in box.informativeText() or "lfoot" in box.informativeText()
     assert " mm" in box.informativeText()
     box.close()
+
+
+def test_joints_that_are_off_are_told_before_a_window_closes(
+    without_a_shin, tmp_path, monkeypatch
+):
+    window, answered = without_a_shin, []
+    target = tmp_path / "out.amc"
+    off = (("ltibia", 30.0),)
+    monkeypatch.setattr("markermend.files.write", lambda _, path, **more: Export(path, 3, off=off))
+    monkeypatch.setattr("markermend_app.dialogs.ask.ask_unexported", lambda *_: "export")
+    asked = ExportChoice(False, False)
+    monkeypatch.setattr("markermend_app.dialogs.export.ask_export", lambda *_, **__: asked)
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(target), ""))
+
+    def answer(box):
+        answered.append((box.informativeText(), window.isVisible()))
+
+    monkeypatch.setattr(QMessageBox, "exec", answer)
+    window.document.reject([window.document.current.id])
+    window.close()
+    ((text, visible),) = answered
+    assert "ltibia 30" in text
+    assert visible
+    assert not window.isVisible()
 
 
 def test_joints_that_are_hardly_off_are_told_in_the_status_line(
@@ -255,8 +282,11 @@ def test_a_dialog_says_which_joints_an_amc_lacks(without_a_shin, tmp_path, qtbot
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
     document.repair_current()
     exporter = window.commands._exporter
-    assert exporter.export_to(tmp_path / "out.amc", ExportChoice(False, False), wait=True)
+    assert exporter.export_to(tmp_path / "out.amc", ExportChoice(False, False))
+    qtbot.waitUntil(lambda: bool(window.findChildren(QMessageBox)), timeout=WAIT)
     (box,) = window.findChildren(QMessageBox)
+    # The review goes on below it.
+    assert not window.lane.busy
     assert "not in the file: lfoot. Repair what they hang on, too." in box.informativeText()
     assert " mm" not in box.informativeText()
     box.close()

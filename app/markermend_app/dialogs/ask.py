@@ -74,8 +74,11 @@ def tell_damaged(parent: QWidget, take: Take) -> None:
     box.open()
 
 
-def tell_off(parent: QWidget, export: Export) -> None:
-    """Say which joints are not where they were reviewed, in a file whose bones are rigid."""
+def tell_off(parent: QWidget, export: Export, *, wait: bool = False) -> None:
+    """Say which joints are not where they were reviewed, in a file whose bones are rigid.
+
+    With ``wait`` until it is answered: what comes next may close the window, and this with it.
+    """
     box = QMessageBox(parent)
     box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     box.setIcon(QMessageBox.Icon.Warning)
@@ -98,7 +101,10 @@ def tell_off(parent: QWidget, export: Export) -> None:
         told.append(why.format(_few(far)))
     told.append(_tr("A CSV or C3D file has every joint where you see it."))
     box.setInformativeText("\n\n".join(told))
-    box.open()
+    if wait:
+        box.exec()
+    else:
+        box.open()
 
 
 def _few(names: Sequence[str]) -> str:
