@@ -12,6 +12,7 @@ from functools import cache, lru_cache
 
 from markermend.artifact import Kind
 from markermend_app import file_words, units
+from markermend_app.method_words import label_of
 from markermend_app.style import theme
 from markermend_app.words import tr
 
@@ -208,12 +209,9 @@ def _ways(form: str) -> dict[str, str]:
     return {name: shortcuts.way_to(name) for name in _ACTIONS if f"{{{name}}}" in form}
 
 
-def told_repair(method: str, error_mm: float | None) -> str:
+def told_repair(method: str, error_mm: float | None, *, joints: bool) -> str:
     """A repair's method and how far off it is expected to be; a swap cannot be off."""
-    from markermend.repairs.registry import REPAIRS
-
-    # A plugin that made it may be gone.
-    label = tr(REPAIRS[method].label) if method in REPAIRS else method
+    label = label_of(method, joints=joints)
     return f"{label}, {units.give_or_take(error_mm)}" if error_mm else label
 
 

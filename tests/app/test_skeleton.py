@@ -237,9 +237,7 @@ def test_where_bones_are_rigid_a_dialog_says_which_joints_are_off(without_a_shin
     box.close()
 
 
-def test_joints_that_are_off_are_told_before_a_window_closes(
-    without_a_shin, tmp_path, monkeypatch
-):
+def test_joints_that_are_off_are_told_before_a_window_closes(without_a_shin, tmp_path, monkeypatch):
     window, answered = without_a_shin, []
     target = tmp_path / "out.amc"
     off = (("ltibia", 30.0),)
@@ -312,6 +310,20 @@ def test_what_is_accepted_only_is_told_when_all_is_decided(opened, qtbot):
     said = opened.queue._hint
     qtbot.waitUntil(lambda: "are decided" in said.text())
     assert "1 is accepted but not repaired; Ctrl+R repairs" in said.text()
+
+
+@pytest.mark.parametrize(
+    ("recording", "told"),
+    [("opened", "Joints were renamed meanwhile"), ("reviewed", "Markers were renamed meanwhile")],
+)
+def test_what_was_searched_under_other_names_is_told(request, recording, told, qtbot, monkeypatch):
+    window, said = request.getfixturevalue(recording), []
+    monkeypatch.setattr("markermend_app.detection.search", lambda *_, **__: ())
+    window.commands.said.connect(said.append)
+    first = window.document.session.original.labels[0]
+    window.commands.detect()
+    window.document.do(lambda session: hand.rename(session, {first: "other"}))
+    qtbot.waitUntil(lambda: f"{told}; detect again." in said, timeout=WAIT)
 
 
 def test_a_bvh_with_gaps_says_which_they_are(opened, tmp_path, monkeypatch):

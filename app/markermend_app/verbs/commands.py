@@ -260,7 +260,10 @@ class Commands(QObject):
             if self._document.session is not session:
                 return
             if session.original is not take:
-                self.said.emit(self.tr("Markers were renamed meanwhile; detect again."))
+                text = self.tr("Markers were renamed meanwhile; detect again.")
+                if take.skeleton:
+                    text = self.tr("Joints were renamed meanwhile; detect again.")
+                self.said.emit(text)
                 return
             name = "all kinds" if slow else SEARCHED
             self._document.add_detected(found, name, by_itself=by_itself)

@@ -151,8 +151,7 @@ class Exporter(QObject):
                 if overwrite and not wait:
                     self.replaced.emit(target)
             # Last, since what waits for an answer must not keep the review from being saved.
-            if export.off_mm > _HARDLY_OFF_MM or export.lost:
-                dialogs.tell_off(self._window, export, wait=wait)
+            self._tell_off(export, wait=wait)
 
         def failed(error: Exception) -> None:
             self._writing = False
@@ -183,6 +182,11 @@ class Exporter(QObject):
         if file is not None:
             file.wrote = wrote
             self._saver.save(file, lambda error: dialogs.show_problem(self._window, error))
+
+    def _tell_off(self, export: Export, *, wait: bool) -> None:
+        """Say where what was written is not what was seen."""
+        if export.off_mm > _HARDLY_OFF_MM or export.lost:
+            dialogs.tell_off(self._window, export, wait=wait)
 
     def _summary(self, export: Export) -> str:
         """Say what was written."""
