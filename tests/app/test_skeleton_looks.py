@@ -302,6 +302,25 @@ def test_the_dial_rests_where_it_changes_nothing(qtbot):
     assert "joints" in page.dial_hint.text()
 
 
+@pytest.mark.parametrize(("recording", "able"), [("opened", False), ("reviewed", True)])
+def test_the_page_that_the_window_opens_knows_whether_the_dial_changes_anything(
+    request, recording, able, monkeypatch
+):
+    window, pages = request.getfixturevalue(recording), []
+    monkeypatch.setattr(Preferences, "exec", lambda page: pages.append(page))
+    window.actions_by_name["preferences"].trigger()
+    pages[0]._read_detection()
+    assert pages[0].dial.isEnabled() == able
+
+
+@pytest.mark.parametrize(("recording", "them"), [("opened", "joints"), ("reviewed", "markers")])
+def test_what_may_be_followed_is_called_what_it_is(request, recording, them, qtbot):
+    window, said = request.getfixturevalue(recording), []
+    window.references.said.connect(said.append)
+    qtbot.keyClick(window, Qt.Key.Key_K)
+    assert said[-1].startswith(f"Choose the {them} that {window.document.current.marker} is to")
+
+
 def test_restoring_is_named_where_it_is_the_best(opened, qtbot):
     document = opened.document
     methods = opened.inspector.findChild(ArtifactPage).methods
