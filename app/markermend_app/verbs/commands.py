@@ -199,7 +199,8 @@ class Commands(QObject):
 
         session = document.session
         changed = changed_outside(session.original, session.take, (0, 0))
-        answer = dialogs.ask_unexported(self._window, document.path, changed)
+        renamed = session.renamed
+        answer = dialogs.ask_unexported(self._window, document.path, changed, renamed)
         if answer == "cancel":
             return False
         self._lane.cancel()
