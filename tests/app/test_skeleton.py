@@ -342,11 +342,13 @@ def test_a_bvh_with_gaps_says_which_they_are(opened, tmp_path, monkeypatch):
 def test_the_export_dialog_of_joints(qtbot, opened):
     document = opened.document
     pending = document.session.with_status(Status.PENDING)
-    dialog = ExportDialog(opened, pending, [], [], 0, True, joints=True)
-    qtbot.addWidget(dialog)
-    dialog.show()
-    boxes = [box for box in dialog.findChildren(QCheckBox) if box.isVisible()]
-    assert not any("C3D" in box.text() for box in boxes)
+    # What will be written is never written unseen, be it chosen for takes of markers.
+    for record in (True, False):
+        dialog = ExportDialog(opened, pending, [], [], 0, record, joints=True)
+        qtbot.addWidget(dialog)
+        dialog.show()
+        boxes = [box for box in dialog.findChildren(QCheckBox) if box.isVisible()]
+        assert any("C3D" in box.text() for box in boxes) == record == dialog.choice.record
     show = next(b for b in dialog.findChildren(QPushButton) if b.text() == "Show list")
     show.setFocus()
     qtbot.keyClick(show, Qt.Key.Key_Return)
@@ -362,7 +364,10 @@ def test_a_review_without_repairs_is_not_said_to_have_some(opened, monkeypatch):
     document = opened.document
     document.reject([document.session.artifacts[0].id])
     assert not opened.commands.let_go()
-    assert asked[-1].startswith("You changed no sample of sensor.csv")
+    assert asked[-1] == "You changed no sample of sensor.csv, but its review would be lost."
+    document.do(lambda s: hand.rename(s, {"torso": "chest"}))
+    assert not opened.commands.let_go()
+    assert asked[-1].startswith("You changed no sample of sensor.csv, but its review and its new")
     document.do(lambda s: hand.cut(s, "head", 10, 20))
     assert not opened.commands.let_go()
     assert asked[-1].startswith("Your repairs of sensor.csv are not exported")

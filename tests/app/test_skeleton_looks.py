@@ -280,6 +280,8 @@ def test_actions_speak_of_markers_again(opened, take_path, qtbot):
     actions = opened.actions_by_name
     qtbot.waitUntil(lambda: opened.document.current is not None, timeout=WAIT)
     assert actions["method_6"].text() == "Swap markers"
+    rename = next(e for e in entries(actions, opened.document) if "Rename marker" in e.text)
+    assert rename.also.count("Give the foremost marker another name") == 1
     assert actions["method_6"].isEnabled()
     swap = opened.inspector.findChild(ArtifactPage).methods.buttons["swap"]
     assert swap.toolTip().startswith("6 Swap markers\nGives the marker")
