@@ -17,6 +17,7 @@ from markermend.repairs import REPAIRS
 from markermend.review.fitting import exchangers
 from markermend_app.actions.elsewhere import elsewhere
 from markermend_app.actions.palette import Palette, entries, ranked
+from markermend_app.dialogs.alike import AlikeDialog
 from markermend_app.dialogs.preferences import Preferences
 from markermend_app.looking import Selection
 from markermend_app.method_words import SUMMARIES
@@ -28,6 +29,7 @@ from markermend_app.panels.markers.naming import paired_name
 from markermend_app.panels.queue.model import MARKER, REPAIR
 from markermend_app.panels.scene import paint
 from markermend_app.panels.scene.proposed import proposed_body
+from markermend_app.scope import Scope
 from markermend_app.style import theme
 
 WAIT = 60_000
@@ -203,6 +205,10 @@ def test_a_swap_of_joints_is_called_so_wherever_a_repair_is_told(opened, qtbot):
     document.select(swap.id)
     document.choose_method("swap")
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    everywhere = Scope("", None)
+    alike = AlikeDialog(document, swap, [everywhere], True, opened)
+    alike.repairs[swap.id] = document.proposal
+    assert alike._outcome(swap).startswith("Swap joints")
     document.repair_current()
     qtbot.waitUntil(lambda: document.session.notes.get(swap.id) is not None, timeout=WAIT)
     assert document.session.notes[swap.id].method == "swap"
