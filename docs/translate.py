@@ -24,7 +24,7 @@ def table_strings() -> list[str]:
     """What is translated from tables rather than where it is written."""
     from markermend.repairs import REPAIRS
     from markermend.smoothers import SMOOTHERS
-    from markermend_app import detection, report_words, telling
+    from markermend_app import detection, method_words, report_words, telling
     from markermend_app.actions import joints, synonyms
     from markermend_app.actions import table as actions
     from markermend_app.dialogs import params_form
@@ -37,6 +37,7 @@ def table_strings() -> list[str]:
     for spec in actions.ACTIONS:
         found += [spec.text, spec.tip or spec.text.rstrip("…"), *spec.menu.lstrip("|").split("/")]
     found += [text for texts in joints.TEXTS.values() for text in texts]
+    found += method_words.SUMMARIES.values()
     found += synonyms.SYNONYMS.values()
     for method in (*REPAIRS.values(), *SMOOTHERS.values()):
         found += [method.label, method.summary]

@@ -16,6 +16,7 @@ VALUES = (
     "residual word 65535, read as -1 ({0} samples)",
     "(0, 0, 0) with a valid residual ({0} samples)",
     "no place in a room ({0} samples)",
+    *("metres", "centimetres", "millimetres"),
 )
 
 ODDITIES = (
@@ -37,6 +38,7 @@ ODDITIES = (
     "The file tells no unit of length; millimetres were assumed.",
     "The file tells no unit of length that is known; millimetres were assumed.",
     "The columns tell no unit of length that is known; millimetres were assumed.",
+    "The file tells no unit; {0} were assumed.",
     "The table has no times; 100 Hz was assumed.",
     "The file does not tell its frame rate; its times were used.",
     "The file does not tell its frame rate; 100 Hz was assumed.",
@@ -51,6 +53,8 @@ ODDITIES = (
     "No number stands before {0} poses, in line {1} for one; they were read all the same.",
     "The header counts {0} frames; {1} were read.",
     "Its skeleton is taken to be {0}, the only one here.",
+    "Segments the skeleton does not have were left out: {0}.",
+    "Segments without movement, left as at rest: {0}.",
 )
 """What is odd about a file, as far as operators meet it often."""
 
@@ -76,6 +80,41 @@ PROBLEMS = (
     "“{0}” is a folder; name a file in it.",
     "“{0}” holds no take ending in {1}; name others, or match them as by “*.amc”.",
     "{0} is damaged: line {1} begins with “{2}”, which is the number of no pose.",
+    "{0} is damaged: line {1} has only numbers; it should begin with the name of a segment, or be "
+    "the number of a pose.",
+    "{0} is damaged: line {1} should give {2} {3} numbers, but reads “{4}”.",
+    "{0} is damaged: line {1} tells of {2} a second time in one pose.",
+    "{0} holds no pose of this skeleton.",
+    "{0} is cut short: no pose follows its header.",
+    "{0} is cut short: its last bone has no end.",
+    "{0} is no Acclaim skeleton: it has no :root or :bonedata.",
+    "{0} is damaged: two bones have the same name.",
+    "{0} is damaged: bone {1} has no length or direction.",
+    "{0} is damaged: bone {1} does not hang on the root.",
+    "{0} is damaged: its hierarchy names {1}, which is no bone.",
+    "{0} is damaged: its unit of length, {1} in line {2}, makes no body.",
+    "{0} is damaged: its unit of length is {1}.",
+    "{0} is damaged: line {1} should have a number of a body, but reads “{2}”.",
+    "{0} is damaged: line {1} should have {2} numbers of a body, but reads “{3}”.",
+    "{0} is damaged: line {1} names no joint.",
+    "{0} is damaged: the parent “{1}” is no joint of it.",
+    "{0} is damaged: its frames go from {1} to {2}, with {3} rows.",
+    "{0} is no table of joints: it lacks the column “{1}”; it should have {2}.",
+    "{0} does not say what “{1}” hangs on; add a column “parent”.",
+    "{0} holds no whole row.",
+    "{0} is damaged: it is cut short.",
+    "{0} is damaged: it does not begin with HIERARCHY.",
+    "{0} is damaged: it has two joints called “{1}”.",
+    "{0} is damaged: more poses follow than the {1} that it tells of.",
+    "{0} is damaged: “{1}” in line {2} is no finite number.",
+    "{0} is no skeleton recording; its name should end in {1}.",
+    "{0} should end in {1}, to tell what to write.",
+    "{0} needs a skeleton (ASF), and these joints have none: only those of an AMC have, as they "
+    "were read; write a CSV.",
+    "There is no pose to write into a BVH.",
+    "A BVH holds rotations, which this recording has none of; write a CSV.",
+    "A BVH holds every joint of every pose, and {0} was never seen; write a CSV.",
+    "A BVH has one root; this recording has several.",
     "An AMC cannot say that a segment is never seen, and would show {0} at rest. Write more "
     "frames, repair these gaps first, or write a CSV.",
     "A BVH of these joints could not be read again: {0}; rename joints, or write a CSV.",

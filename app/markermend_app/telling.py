@@ -12,6 +12,7 @@ from functools import cache, lru_cache
 
 from markermend.artifact import Kind
 from markermend_app import file_words, units
+from markermend_app.method_words import label_of
 from markermend_app.style import theme
 from markermend_app.words import tr
 
@@ -116,6 +117,10 @@ _SAME = (
     "Already exchanged together with {0}.",
     "No counterpart is known that carries the opposite step.",
     "Angles were exchanged here, not places; restoring the skeleton gives them back.",
+    "Only skeleton recordings have joints and bones.",
+    "No bone of this recording was ever seen whole.",
+    "The joint is never seen elsewhere, so that nothing tells.",
+    "The recording is too short: it takes {0} poses, and has {1}.",
     "There is no signal to smooth inside a gap.",
     "The interval is empty already.",
     "Edited by hand since; how far off it may be is not known any more.",
@@ -123,6 +128,16 @@ _SAME = (
     "{0} Smoothed since; the expected error is that of the repair.",
     "The detector still finds damage there: a {0} of {1} mm.",
     "The detector still finds damage there: a {0} of {1} mm and {2} more.",
+    # Why something cannot be done by hand, or at all.
+    "{0} is not seen in these frames; there is nothing to cut.",
+    "{0} is not seen in these frames; there is nothing to take over.",
+    "{0} has samples of its own in {1} of these frames; cut them first, or swap the two from here "
+    "to there.",
+    "Choose another name; these samples have this one already.",
+    "Choose two or more artifacts of one name, to join them.",
+    "Put the cursor inside the artifact, to split it there.",
+    "That is repaired already; reopen it to undo the repair.",
+    "This take is open in another window; close it there to edit here.",
     # Why a name is refused.
     "A marker needs a name.",
     "There is a “{0}” already; choose another name.",
@@ -208,12 +223,9 @@ def _ways(form: str) -> dict[str, str]:
     return {name: shortcuts.way_to(name) for name in _ACTIONS if f"{{{name}}}" in form}
 
 
-def told_repair(method: str, error_mm: float | None) -> str:
+def told_repair(method: str, error_mm: float | None, *, joints: bool) -> str:
     """A repair's method and how far off it is expected to be; a swap cannot be off."""
-    from markermend.repairs.registry import REPAIRS
-
-    # A plugin that made it may be gone.
-    label = tr(REPAIRS[method].label) if method in REPAIRS else method
+    label = label_of(method, joints=joints)
     return f"{label}, {units.give_or_take(error_mm)}" if error_mm else label
 
 

@@ -164,8 +164,14 @@ def repair_in_words(take: Take, artifact: Artifact, method: str) -> str:
     return f"{artifact.kind.value} {artifact.marker} {artifact.axes} frames {first}-{last}{how}"
 
 
+def columns_of(take: Take, artifact: Artifact) -> list[int]:
+    """Columns of an artifact's marker and, for a swap, of its counterparts that the take has."""
+    others = [take.index(marker) for marker in artifact.markers[1:] if marker in take]
+    return [take.index(artifact.marker), *others]
+
+
 def damage_mask(take: Take, artifacts: Iterable[Artifact]) -> BoolArray:
-    """Mark the samples that artifacts cover.
+    """Mark the samples that artifacts cover, those of a swap on all of its markers.
 
     Parameters
     ----------
@@ -192,7 +198,8 @@ def mark_damage(mask: BoolArray, take: Take, artifacts: Iterable[Artifact], valu
     """
     for a in artifacts:
         if a.status is not Status.REJECTED:
-            mask[a.start : a.stop, take.index(a.marker), axis_columns(a.axes)] = value
+            for column in columns_of(take, a):
+                mask[a.start : a.stop, column, axis_columns(a.axes)] = value
 
 
 def distrusted(artifacts: Iterable[Artifact]) -> dict[str, frozenset[tuple[int, int]]]:
@@ -200,7 +207,8 @@ def distrusted(artifacts: Iterable[Artifact]) -> dict[str, frozenset[tuple[int, 
     found: dict[str, set[tuple[int, int]]] = {}
     for a in artifacts:
         if a.status is not Status.REJECTED:
-            found.setdefault(a.marker, set()).add((a.start, a.stop))
+            for marker in a.markers:
+                found.setdefault(marker, set()).add((a.start, a.stop))
     return {marker: frozenset(spans) for marker, spans in found.items()}
 
 
@@ -215,7 +223,7 @@ def trusted_samples(take: Take, artifacts: Iterable[Artifact]) -> BoolArray:
     trusted = take.present.copy()
     for a in artifacts:
         if a.status is not Status.REJECTED:
-            trusted[a.start : a.stop, take.index(a.marker)] = False
+            trusted[a.start : a.stop, columns_of(take, a)] = False
     return trusted
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from markermend.arrays import ByteArray, Float32Array, FloatArray, IntArray
-from markermend.artifact import Artifact, Status, trusted_samples
+from markermend.artifact import Artifact, Status, columns_of, trusted_samples
 from markermend.measures import distance
 from markermend.progress import Progress, quiet
 from markermend.take import Origin, Take
@@ -113,7 +113,7 @@ def damage_share(take: Take, artifacts: Iterable[Artifact]) -> FloatArray:
     bad = take.origin == Origin.MISSING
     for artifact in artifacts:
         if artifact.status is Status.PENDING:
-            bad[artifact.start : artifact.stop, take.index(artifact.marker)] = True
+            bad[artifact.start : artifact.stop, columns_of(take, artifact)] = True
     return np.asarray(bad.sum(axis=0) / max(1, take.frames))
 
 

@@ -101,6 +101,25 @@ def test_artifacts_are_painted_by_class_and_faint_once_rejected(overview):
     assert faint not in (theme.LIGHT.plot, _color(overview, _point(overview, 130, 4)))
 
 
+def test_a_mix_up_is_painted_and_clicked_on_the_rows_of_both_markers(overview):
+    document = overview.document
+    swap = Artifact("CLAV", "xyz", 110, 140, Kind.STEP, counterpart="LELB")
+    document.add_detected([*document.session.artifacts, swap], "")
+
+    def middle(artifact, marker):
+        row = overview._rows.row_of[overview._column_of[marker]]
+        return _point(overview, (artifact.start + artifact.stop) / 2, row)
+
+    places = [middle(swap, marker) for marker in swap.markers]
+    assert [_color(overview, at) for at in places] == [theme.LIGHT.kinds[Kind.STEP]] * 2
+    # Those listed after it lie on one row each.
+    assert len(document.session.artifacts) == 5
+    for artifact in document.session.artifacts:
+        for marker in artifact.markers:
+            QTest.mouseClick(overview, LEFT, pos=middle(artifact, marker))
+            assert document.current == artifact
+
+
 def test_every_other_group_lies_on_a_band(overview):
     arm, trunk = (
         _color(overview, _point(overview, 130, 2)),

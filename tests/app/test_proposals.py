@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from markermend.artifact import Artifact, Kind
 from markermend.errors import Cancelled
 from markermend.mesh import infer_mesh
 from markermend.patch import Patch
@@ -15,7 +16,7 @@ from markermend.progress import heed
 from markermend.repairs.registry import Repair
 from markermend.review.edits import Change
 from markermend.review.session import Session
-from markermend_app.background.proposals import REACH_S, Proposals
+from markermend_app.background.proposals import REACH_S, Proposals, _Request
 
 WAIT = 10_000
 
@@ -122,6 +123,13 @@ def test_a_proposal_under_way_goes_on_while_damage_it_knows_of_is_repaired(slow,
     go_on.set()
     qtbot.waitUntil(lambda: proposals.get(first, "auto") is not None, timeout=WAIT)
     assert begun == [first.marker]
+
+
+def test_samples_of_both_markers_of_a_mix_up_are_disbelieved():
+    swap = Artifact("CLAV", "xyz", 250, 280, Kind.STEP, counterpart="STRN")
+    request = _Request((swap,), {})
+    assert request.disbelieves(Change(swap.markers, 250, 280, artifacts=True))
+    assert not request.disbelieves(Change(("C7",), 250, 280, artifacts=True))
 
 
 def test_a_proposal_is_made_anew_only_where_its_own_marker_moved_nearby(slow, qtbot):

@@ -226,12 +226,37 @@ def test_where_bones_are_rigid_a_dialog_says_which_joints_are_off(without_a_shin
         # What went wrong together is repaired together, once all of it is worked out.
         qtbot.waitUntil(lambda p=pending: session.with_status(Status.PENDING) != p, timeout=WAIT)
     exporter = window.commands._exporter
-    assert exporter.export_to(tmp_path / "out.amc", ExportChoice(False, False), wait=True)
+    assert exporter.export_to(tmp_path / "out.amc", ExportChoice(False, False))
+    qtbot.waitUntil(lambda: bool(window.findChildren(QMessageBox)), timeout=WAIT)
     (box,) = window.findChildren(QMessageBox)
+    # The review goes on below it.
+    assert not window.lane.busy
     assert "out.amc" in box.text()
     assert "ltibia" in box.informativeText() or "lfoot" in box.informativeText()
     assert " mm" in box.informativeText()
     box.close()
+
+
+def test_joints_that_are_off_are_told_before_a_window_closes(without_a_shin, tmp_path, monkeypatch):
+    window, answered = without_a_shin, []
+    target = tmp_path / "out.amc"
+    off = (("ltibia", 30.0),)
+    monkeypatch.setattr("markermend.files.write", lambda _, path, **more: Export(path, 3, off=off))
+    monkeypatch.setattr("markermend_app.dialogs.ask.ask_unexported", lambda *_: "export")
+    asked = ExportChoice(False, False)
+    monkeypatch.setattr("markermend_app.dialogs.export.ask_export", lambda *_, **__: asked)
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(target), ""))
+
+    def answer(box):
+        answered.append((box.informativeText(), window.isVisible()))
+
+    monkeypatch.setattr(QMessageBox, "exec", answer)
+    window.document.reject([window.document.current.id])
+    window.close()
+    ((text, visible),) = answered
+    assert "ltibia 30" in text
+    assert visible
+    assert not window.isVisible()
 
 
 def test_joints_that_are_hardly_off_are_told_in_the_status_line(
@@ -255,8 +280,11 @@ def test_a_dialog_says_which_joints_an_amc_lacks(without_a_shin, tmp_path, qtbot
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
     document.repair_current()
     exporter = window.commands._exporter
-    assert exporter.export_to(tmp_path / "out.amc", ExportChoice(False, False), wait=True)
+    assert exporter.export_to(tmp_path / "out.amc", ExportChoice(False, False))
+    qtbot.waitUntil(lambda: bool(window.findChildren(QMessageBox)), timeout=WAIT)
     (box,) = window.findChildren(QMessageBox)
+    # The review goes on below it.
+    assert not window.lane.busy
     assert "not in the file: lfoot. Repair what they hang on, too." in box.informativeText()
     assert " mm" not in box.informativeText()
     box.close()
@@ -284,6 +312,20 @@ def test_what_is_accepted_only_is_told_when_all_is_decided(opened, qtbot):
     assert "1 is accepted but not repaired; Ctrl+R repairs" in said.text()
 
 
+@pytest.mark.parametrize(
+    ("recording", "told"),
+    [("opened", "Joints were renamed meanwhile"), ("reviewed", "Markers were renamed meanwhile")],
+)
+def test_what_was_searched_under_other_names_is_told(request, recording, told, qtbot, monkeypatch):
+    window, said = request.getfixturevalue(recording), []
+    monkeypatch.setattr("markermend_app.detection.search", lambda *_, **__: ())
+    window.commands.said.connect(said.append)
+    first = window.document.session.original.labels[0]
+    window.commands.detect()
+    window.document.do(lambda session: hand.rename(session, {first: "other"}))
+    qtbot.waitUntil(lambda: f"{told}; detect again." in said, timeout=WAIT)
+
+
 def test_a_bvh_with_gaps_says_which_they_are(opened, tmp_path, monkeypatch):
     told_of = []
     monkeypatch.setattr(
@@ -300,11 +342,13 @@ def test_a_bvh_with_gaps_says_which_they_are(opened, tmp_path, monkeypatch):
 def test_the_export_dialog_of_joints(qtbot, opened):
     document = opened.document
     pending = document.session.with_status(Status.PENDING)
-    dialog = ExportDialog(opened, pending, [], [], 0, True, joints=True)
-    qtbot.addWidget(dialog)
-    dialog.show()
-    boxes = [box for box in dialog.findChildren(QCheckBox) if box.isVisible()]
-    assert not any("C3D" in box.text() for box in boxes)
+    # What will be written is never written unseen, be it chosen for takes of markers.
+    for record in (True, False):
+        dialog = ExportDialog(opened, pending, [], [], 0, record, joints=True)
+        qtbot.addWidget(dialog)
+        dialog.show()
+        boxes = [box for box in dialog.findChildren(QCheckBox) if box.isVisible()]
+        assert any("C3D" in box.text() for box in boxes) == record == dialog.choice.record
     show = next(b for b in dialog.findChildren(QPushButton) if b.text() == "Show list")
     show.setFocus()
     qtbot.keyClick(show, Qt.Key.Key_Return)
@@ -320,7 +364,10 @@ def test_a_review_without_repairs_is_not_said_to_have_some(opened, monkeypatch):
     document = opened.document
     document.reject([document.session.artifacts[0].id])
     assert not opened.commands.let_go()
-    assert asked[-1].startswith("You changed no sample of sensor.csv")
+    assert asked[-1] == "You changed no sample of sensor.csv, but its review would be lost."
+    document.do(lambda s: hand.rename(s, {"torso": "chest"}))
+    assert not opened.commands.let_go()
+    assert asked[-1].startswith("You changed no sample of sensor.csv, but its review and its new")
     document.do(lambda s: hand.cut(s, "head", 10, 20))
     assert not opened.commands.let_go()
     assert asked[-1].startswith("Your repairs of sensor.csv are not exported")

@@ -13,17 +13,23 @@ from recordings import exchange_angles
 
 from markermend.artifact import Kind, Status
 from markermend.poses.nuitrack import JOINTS
+from markermend.repairs import REPAIRS
 from markermend.review.fitting import exchangers
 from markermend_app.actions.elsewhere import elsewhere
 from markermend_app.actions.palette import Palette, entries, ranked
+from markermend_app.dialogs.alike import AlikeDialog
 from markermend_app.dialogs.preferences import Preferences
+from markermend_app.looking import Selection
+from markermend_app.method_words import SUMMARIES
 from markermend_app.panels.inspector.artifact import ArtifactPage
+from markermend_app.panels.inspector.take import SelectionPage
 from markermend_app.panels.markers.marker_menu import add_marker_verbs
-from markermend_app.panels.markers.marker_model import NAME
+from markermend_app.panels.markers.marker_model import MISSING, NAME
 from markermend_app.panels.markers.naming import paired_name
-from markermend_app.panels.queue.model import MARKER
+from markermend_app.panels.queue.model import MARKER, REPAIR
 from markermend_app.panels.scene import paint
 from markermend_app.panels.scene.proposed import proposed_body
+from markermend_app.scope import Scope
 from markermend_app.style import theme
 
 WAIT = 60_000
@@ -44,6 +50,12 @@ def test_what_has_joints_is_not_said_to_have_markers(opened):
         named = [header.model().headerData(i, Qt.Orientation.Horizontal) for i in range(3)]
         assert "Joint" in named
         assert "Marker" not in named
+    assert opened.quality.view.accessibleName() == "Quality, joint by joint"
+    assert opened.trajectories.canvas.accessibleName() == "Plots of the shown joints"
+    assert "the joints with most" in opened.tree.worst_first.toolTip()
+    assert "in which the joint is missing" in opened.tree._model.headerData(
+        MISSING, Qt.Orientation.Horizontal, Qt.ItemDataRole.ToolTipRole
+    )
     opened.document.show(())
     assert opened.trajectories.empty.accessibleName() == "No joint is shown"
 
@@ -87,8 +99,17 @@ def test_the_best_is_what_compare_has_first(window, shared_data, tmp_path, qtbot
     assert comparison.candidates[0].method == document.proposal.method == "local_regression"
     assert comparison.candidates[0].error_mm == document.proposal.error_mm == said
     methods = window.inspector.findChild(ArtifactPage).methods
-    assert methods.buttons["auto"].text() == "Best: Local regression"
+    best = methods.buttons["auto"]
+    assert best.text() == "Best: Local regression"
+    assert best.toolTip().startswith("Best: Local regression")
     comparison.stop()
+    # With joints chosen to follow, another may be the best, as soon as it is known.
+    document.follow(("lfemur", "rfemur", "lowerback"))
+    assert best.text() == "Best for this artifact"
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    assert document.proposal.patches, document.proposal.reason
+    named = REPAIRS[document.proposal.method].label
+    assert best.text() == f"Best: {named}"
 
 
 def test_what_is_compared_of_a_mix_up_is_called_as_it_is_elsewhere(opened, qtbot):
@@ -178,6 +199,40 @@ def test_a_mix_up_is_told_of_both_of_its_joints(opened, qtbot):
     assert opened.inspector.findChild(ArtifactPage).title.text() == both
 
 
+def test_a_swap_of_joints_is_called_so_wherever_a_repair_is_told(opened, qtbot):
+    document = opened.document
+    swap = next(a for a in document.session.artifacts if a.counterpart)
+    document.select(swap.id)
+    document.choose_method("swap")
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    everywhere = Scope("", None)
+    alike = AlikeDialog(document, swap, [everywhere], True, opened)
+    alike.repairs[swap.id] = document.proposal
+    assert alike._outcome(swap).startswith("Swap joints")
+    document.repair_current()
+    qtbot.waitUntil(lambda: document.session.notes.get(swap.id) is not None, timeout=WAIT)
+    assert document.session.notes[swap.id].method == "swap"
+    document.select(swap.id)
+    assert opened.inspector.findChild(ArtifactPage).status.text() == "Repaired: Swap joints"
+    row = opened.queue.model.row_of(swap.id)
+    assert opened.queue.model.index(row, REPAIR).data() == "Swap joints"
+
+
+def test_tool_tips_speak_of_joints(opened, qtbot):
+    document, page = opened.document, opened.inspector.findChild(SelectionPage)
+    document.show(["head"])
+    document.sweep(Selection("head", 10, 20))
+    for name in ("repair_selection", "smooth", "swap_selection", "move_selection"):
+        assert "joint" in page.verbs[name].toolTip(), name
+    methods = opened.inspector.findChild(ArtifactPage).methods
+    said = [button.toolTip() for button in methods.buttons.values()]
+    tip = Qt.ItemDataRole.ToolTipRole
+    said += [methods.more.itemData(row, tip) for row in range(methods.more.count())]
+    assert not [text for text in said if "marker" in text.lower()]
+    # What methods say of joints they say of markers, too.
+    assert all("marker" in REPAIRS[name].summary for name in SUMMARIES)
+
+
 @pytest.mark.parametrize(
     ("names", "told"),
     [
@@ -221,6 +276,7 @@ def test_actions_speak_of_joints_and_those_without_use_rest(opened, window, qtbo
     opened.scene.looks.fill(menu, None, lambda _: None, lambda: None, joints=True)
     assert "Joints in one colour" in [action.text() for action in menu.actions()]
     assert opened.scene.buttons.trails.toolTip() == "Trails of all joints"
+    assert actions["method_6"].text() == "Swap joints"
 
 
 def test_actions_speak_of_markers_again(opened, take_path, qtbot):
@@ -228,6 +284,16 @@ def test_actions_speak_of_markers_again(opened, take_path, qtbot):
     opened.commands.open_path(take_path)
     qtbot.waitUntil(lambda: not opened.document.joints, timeout=WAIT)
     actions = opened.actions_by_name
+    qtbot.waitUntil(lambda: opened.document.current is not None, timeout=WAIT)
+    assert actions["method_6"].text() == "Swap markers"
+    rename = next(e for e in entries(actions, opened.document) if "Rename marker" in e.text)
+    assert rename.also.count("Give the foremost marker another name") == 1
+    assert actions["method_6"].isEnabled()
+    swap = opened.inspector.findChild(ArtifactPage).methods.buttons["swap"]
+    assert swap.toolTip().startswith("6 Swap markers\nGives the marker")
+    assert opened.trajectories.canvas.accessibleName() == "Plots of the shown markers"
+    assert opened.quality.view.accessibleName() == "Quality, marker by marker"
+    assert "the markers with most" in opened.tree.worst_first.toolTip()
     assert actions["rename_marker"].text() == "Rename marker…"
     assert actions["detect_slow"].isEnabled()
     assert opened.scene.buttons.trails.toolTip() == "Trails of all markers"
@@ -244,6 +310,25 @@ def test_the_dial_rests_where_it_changes_nothing(qtbot):
     assert "joints" in page.dial_hint.text()
 
 
+@pytest.mark.parametrize(("recording", "able"), [("opened", False), ("reviewed", True)])
+def test_the_page_that_the_window_opens_knows_whether_the_dial_changes_anything(
+    request, recording, able, monkeypatch
+):
+    window, pages = request.getfixturevalue(recording), []
+    monkeypatch.setattr(Preferences, "exec", lambda page: pages.append(page))
+    window.actions_by_name["preferences"].trigger()
+    pages[0]._read_detection()
+    assert pages[0].dial.isEnabled() == able
+
+
+@pytest.mark.parametrize(("recording", "them"), [("opened", "joints"), ("reviewed", "markers")])
+def test_what_may_be_followed_is_called_what_it_is(request, recording, them, qtbot):
+    window, said = request.getfixturevalue(recording), []
+    window.references.said.connect(said.append)
+    qtbot.keyClick(window, Qt.Key.Key_K)
+    assert said[-1].startswith(f"Choose the {them} that {window.document.current.marker} is to")
+
+
 def test_restoring_is_named_where_it_is_the_best(opened, qtbot):
     document = opened.document
     methods = opened.inspector.findChild(ArtifactPage).methods
@@ -253,9 +338,15 @@ def test_restoring_is_named_where_it_is_the_best(opened, qtbot):
     qtbot.waitUntil(lambda: best.text() == "Best: Restore skeleton", timeout=WAIT)
     assert methods.buttons["swap"].text() == "6 Swap joints"
     assert not methods.buttons["swap"].isEnabled()
+    # Nor by its key: it would be chosen where it cannot be.
+    qtbot.keyClick(opened, Qt.Key.Key_6)
+    assert document.method == "auto"
     assert opened.inspector.findChild(ArtifactPage).sureness.text().startswith("certain")
     document.select(next(a for a in document.session.artifacts if a.counterpart).id)
     assert methods.buttons["swap"].isEnabled()
+    assert opened.actions_by_name["method_6"].isEnabled()
+    qtbot.keyClick(opened, Qt.Key.Key_6)
+    assert document.method == "swap"
     assert "%" in opened.inspector.findChild(ArtifactPage).sureness.text()
 
 
@@ -283,12 +374,11 @@ def test_joints_whose_angles_were_exchanged_are_not_offered_to_swap(
     assert document.current.counterpart
     swap = window.inspector.findChild(ArtifactPage).methods.buttons["swap"]
     qtbot.waitUntil(lambda: not swap.isEnabled(), timeout=WAIT)
+    assert "Angles were exchanged here" in swap.toolTip()
+    assert not window.actions_by_name["method_6"].isEnabled()
     qtbot.keyClick(window, Qt.Key.Key_6)
-    outcome = window.inspector.findChild(ArtifactPage).methods.outcome
-    qtbot.waitUntil(lambda: "Angles were exchanged here" in outcome.text(), timeout=WAIT)
-    before = document.session.positions.copy()
-    qtbot.keyClick(window, Qt.Key.Key_F)
-    np.testing.assert_array_equal(document.session.positions, before)
+    assert document.method == "auto"
+    assert not swap.isChecked()
 
 
 def test_the_joint_of_the_other_side_is_offered_first_to_swap_with(opened, qtbot):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication
 
 import markermend as mm
 from markermend.artifact import Artifact, Kind, Status
@@ -98,6 +99,35 @@ def test_beside_a_joint_that_follows_chosen_ones_the_rest_of_the_body_is_propose
         return proposed_body(document, now)[1].sum() >= len(JOINTS) - 1
 
     qtbot.waitUntil(others, timeout=WAIT)
+
+
+def test_a_proposal_beside_is_painted_as_it_comes_and_no_damage_is_counted_anew(
+    carried, qtbot, monkeypatch
+):
+    document, scene = carried.document, carried.scene
+    document.go_to(155)
+    whole_body_proposed(carried, qtbot)
+    scene.looks.colours = "damage"
+    scene.grab()
+    document.follow(("left_hip", "right_hip", "collar"))
+    beside = next(a for a in document.session.artifacts if a.id != document.current.id)
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    qtbot.waitUntil(lambda: not document.proposals.lane.busy, timeout=WAIT)
+    counted, drawn = [], []
+    monkeypatch.setattr(
+        "markermend_app.panels.scene.seen.damage_share",
+        lambda *_: counted.append(1) or np.zeros(len(JOINTS)),
+    )
+    as_it_is = paint.paint_proposed
+    monkeypatch.setattr(paint, "paint_proposed", lambda *what: drawn.append(1) or as_it_is(*what))
+    qtbot.waitUntil(lambda: not scene._soon.waiting)
+    QApplication.processEvents()
+    drawn.clear()
+    document.proposals.ready.emit(beside.id)
+    qtbot.waitUntil(lambda: bool(drawn), timeout=WAIT)
+    document.proposal_changed.emit()
+    scene.grab()
+    assert not counted
 
 
 def test_no_bone_is_proposed_to_a_joint_of_which_nothing_is_known_yet(carried, qtbot, monkeypatch):

@@ -13,7 +13,7 @@ import pytest
 from PySide6.QtCore import QCoreApplication, QTranslator
 
 import markermend as mm
-from markermend.artifact import Kind, Status
+from markermend.artifact import Artifact, Kind, Status
 from markermend.detectors import detect
 from markermend.mesh.names import _FROM_THE_TOP
 from markermend.repairs import propose
@@ -176,6 +176,140 @@ def test_why_joints_cannot_be_read_or_written_is_told(brackets, tmp_path):
         with pytest.raises(mm.MarkermendError) as caught:
             attempt()
         assert told(str(caught.value)).startswith("⟦"), caught.value
+
+
+ASF_ROOT = ":root\norder RX RY RZ\naxis XYZ\nposition 0 0 0\norientation 0 0 0\n"
+ASF_BONE = "begin\nid 1\nname a\ndirection 0 1 0\nlength 4\naxis 0 0 0 XYZ\ndof rx\nend\n"
+ASF = f"{ASF_ROOT}:bonedata\n{ASF_BONE}:hierarchy\nbegin\nroot a\nend\n"
+BVH = """HIERARCHY
+ROOT a
+{
+OFFSET 0 0 0
+CHANNELS 3 Zrotation Xrotation Yrotation
+JOINT b
+{
+OFFSET 0 30 0
+CHANNELS 3 Zrotation Xrotation Yrotation
+End Site
+{
+OFFSET 0 9 0
+}
+}
+}
+MOTION
+Frames: 1
+Frame Time: 0.01
+0 0 0 0 0 0
+"""
+ROWS = "frame,joint,x,y,z,qx,qy,qz,qw,confidence,parent\n"
+ROW = "1,a,0,0,0,0,0,0,1,1,\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("a.asf", ASF.replace(":bonedata", ":bones")),
+        ("a.asf", ASF.replace(ASF_BONE, ASF_BONE * 2)),
+        ("a.asf", ASF.replace("direction 0 1 0", "direction 0 0 0")),
+        ("a.asf", ASF.replace("direction 0 1 0", "direction 0 one 0")),
+        ("a.asf", ASF.replace("length 4", "length four")),
+        ("a.asf", ASF.replace("root a", "root b")),
+        ("a.asf", ASF.replace("root a", "")),
+        ("a.asf", ASF[: ASF.index("dof")]),
+        ("a.asf", f":units\nlength 0\n{ASF}"),
+        ("a.asf", f":units\nlength 1e99\n{ASF}"),
+        ("a.amc", ""),
+        ("a.amc", "1\nb 1\n"),
+        ("a.amc", "1\nroot 0 0 0\na x\n"),
+        ("a.amc", "1\nroot 0 0 0\na 1\na 1\n"),
+        ("a.amc", "1\nroot 0 0 0\n2 3 4\na 1\n"),
+        ("a.csv", ROWS),
+        ("a.csv", ROWS.replace("qw,", "") + ROW),
+        ("a.csv", ROWS + ROW.replace("a", "")),
+        ("a.csv", ROWS + ROW.replace("1,\n", "1,b\n")),
+        ("a.csv", ROWS.replace(",parent", "") + ROW.replace("1,\n", "1\n")),
+        ("a.csv", ROWS + ROW + "9999999" + ROW),
+        ("a.bvh", "HIERARCHY\n"),
+        ("a.bvh", BVH.replace("HIERARCHY", "")),
+        ("a.bvh", BVH.replace("JOINT b", "JOINT a")),
+        ("a.bvh", BVH + "0 0 0 0 0 0\n"),
+        ("a.bvh", BVH.replace("0 0 0 0 0 0", "0 0 0 0 0 nan")),
+        ("a.txt", "nothing"),
+    ],
+)
+def test_what_is_wrong_with_a_file_of_joints_is_told(brackets, tmp_path, name, text):
+    (tmp_path / "a.asf").write_text(ASF)
+    (tmp_path / name).write_text(text)
+    with pytest.raises(mm.MarkermendError) as caught:
+        mm.read_pose(tmp_path / name)
+    assert told(str(caught.value)).startswith("⟦"), caught.value
+    assert name in told(str(caught.value))
+
+
+def test_what_is_odd_about_files_of_joints_is_told(brackets, tmp_path):
+    (tmp_path / "a.asf").write_text(ASF)
+    (tmp_path / "a.amc").write_text("1\nroot 0 0 0\nb 1\n")
+    (tmp_path / "a.bvh").write_text(BVH)
+    odd = [*mm.read_pose(tmp_path / "a.amc").warnings, *mm.read_pose(tmp_path / "a.bvh").warnings]
+    assert {"left", "without", "unit"} <= set(" ".join(odd).replace(";", "").split())
+    for sentence in odd:
+        assert told(sentence).startswith("⟦"), sentence
+    assert "; ⟦centimetres⟧ were" in told(odd[-1])
+
+
+def test_why_joints_cannot_be_exported_is_told(brackets, tmp_path):
+    (tmp_path / "a.bvh").write_text(BVH)
+    pose = mm.read_pose(tmp_path / "a.bvh")
+    lost = np.array(pose.positions), np.array(pose.rotations), np.array(pose.confidence)
+    lost[0][:, 1], lost[1][:, 1], lost[2][:, 1] = np.nan, np.nan, 0.0
+    placed = np.array(pose.positions), np.full(pose.rotations.shape, np.nan), lost[2]
+    attempts = {
+        "b.amc": pose,
+        "b.txt": pose,
+        "1.bvh": pose.with_samples(*lost),
+        "2.bvh": pose.with_samples(placed[0], placed[1], np.array(pose.confidence)),
+        "3.bvh": replace(pose, parents=(-1, -1, 1)),
+    }
+    for name, what in attempts.items():
+        with pytest.raises(mm.MarkermendError) as caught:
+            mm.write_pose(what, tmp_path / name)
+        assert told(str(caught.value)).startswith("⟦"), caught.value
+
+
+def test_what_cannot_be_done_by_hand_is_told(damaged, brackets):
+    session = Session(damaged[0])
+    session.add_detected(damaged[1], "sudden")
+    gap, peak, *_ = session.artifacts
+    attempts = (
+        lambda: hand.cut(session, "CLAV", 65, 70),
+        lambda: hand.move(session, "CLAV", "T10", 65, 70),
+        lambda: hand.move(session, "STRN", "T10", 65, 70),
+        lambda: hand.move(session, "T10", "T10", 65, 70),
+        lambda: hand.split(session, gap.id, gap.start),
+        lambda: hand.join(session, [gap.id, peak.id]),
+    )
+    for attempt in attempts:
+        with pytest.raises(mm.MarkermendError) as caught:
+            attempt()
+        assert told(str(caught.value)).startswith("⟦"), caught.value
+
+
+def test_why_joints_are_not_restored_is_told(damaged, brackets, tmp_path):
+    (tmp_path / "a.bvh").write_text(BVH)
+    longer = BVH.replace("Frames: 1", "Frames: 5") + "0 0 0 0 0 0\n" * 4
+    (tmp_path / "b.bvh").write_text(longer)
+    take, long = mm.read(tmp_path / "a.bvh"), mm.read(tmp_path / "b.bvh")
+    joint = Artifact("b", "xyz", 0, 1, Kind.PEAK)
+    refused = (
+        propose(damaged[0], damaged[1][0], method="skeleton"),
+        propose(take, joint, method="skeleton"),
+        propose(long, replace(joint, stop=5), method="skeleton"),
+        propose(long, replace(joint, marker=long.labels[2], stop=5), method="skeleton"),
+    )
+    for repair in refused:
+        assert not repair.patches
+        assert told(repair.reason).startswith("⟦"), repair.reason
+    assert "never seen elsewhere" in refused[-1].reason
 
 
 def test_what_is_odd_about_a_file_keeps_its_values(brackets, tmp_path):

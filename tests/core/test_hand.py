@@ -119,7 +119,7 @@ def test_what_is_moved_leaves_a_gap_and_never_overwrites():
         hand.move(session, "C", "B", 15, 20)
     with pytest.raises(DataError, match="nothing to take over"):
         hand.move(session, "A", "C", 12, 18)
-    with pytest.raises(DataError, match="another marker"):
+    with pytest.raises(DataError, match="another name"):
         hand.move(session, "A", "A", 0, 5)
 
 

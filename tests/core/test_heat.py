@@ -115,8 +115,8 @@ def test_damage_is_what_is_missing_or_open() -> None:
     positions[:20, 0] = np.nan
     found = (
         Artifact("A", "xyz", 10, 30, Kind.GAP, 1.0),
-        Artifact("B", "x", 50, 60, Kind.STEP, 1.0),
+        Artifact("B", "x", 50, 60, Kind.STEP, 1.0, counterpart="C"),
         Artifact("B", "x", 70, 80, Kind.STEP, 1.0).with_status(Status.REJECTED),
     )
     share = damage_share(Take(positions, ("A", "B", "C"), 100.0), found)
-    np.testing.assert_allclose(share, [0.3, 0.1, 0.0])
+    np.testing.assert_allclose(share, [0.3, 0.1, 0.1])

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from markermend_app.document import Document
+from markermend_app.offered import is_offered
 
 
 def anything(document: Document) -> bool:
@@ -62,6 +63,23 @@ def narrowed(document: Document) -> bool:
 def marker(document: Document) -> bool:
     """A marker is shown, to be worked on."""
     return document.editable and bool(document.shown)
+
+
+@dataclass(frozen=True)
+class MethodOffered:
+    """A rule: the repair method with this key can be chosen for the artifact under review."""
+
+    key: int
+
+    def __call__(self, document: Document) -> bool:
+        """Whether its button can be pressed, too."""
+        if document.current is None:
+            return False
+        # Repairs load late, once an artifact is looked at.
+        from markermend.repairs import REPAIRS
+
+        names = (method.name for method in REPAIRS.values() if method.key == self.key)
+        return any(is_offered(document, name) for name in names)
 
 
 @dataclass(frozen=True)

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QMenu
 
-from markermend.artifact import Status
 from markermend_app import settings
 from markermend_app.actions.palette import Entry
 from markermend_app.document import Document
+from markermend_app.offered import is_offered
 from markermend_app.style import theme
 from markermend_app.words import tr
 
@@ -45,12 +45,12 @@ def _methods(document: Document) -> Iterator[Entry]:
         return
     from markermend.repairs import REPAIRS
 
-    usable = document.editable and document.current.status is not Status.REPAIRED
     path = f"{tr('Review')}: {tr('Repair method')}"
     for method in REPAIRS.values():
         if method.key is None:
             choose = partial(document.choose_method, method.name)
             text, summary = f"{path}: {tr(method.label)}", tr(method.summary)
+            usable = is_offered(document, method.name)
             yield Entry(text, "", theme.icon("method"), usable, choose, summary)
 
 

@@ -9,10 +9,11 @@ from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QWidget
 
 from markermend_app.actions import shortcuts
-from markermend_app.actions.action import current
+from markermend_app.actions.action import MethodOffered, current
 from markermend_app.actions.joints import TEXTS, text_of, tip_of
 from markermend_app.actions.table import ACTIONS
 from markermend_app.document import Document
+from markermend_app.method_words import label_of
 from markermend_app.style import theme
 from markermend_app.words import tr
 
@@ -22,7 +23,8 @@ _SPEC = {spec.name: spec for spec in ACTIONS}
 
 def is_about_current(name: str) -> bool:
     """Whether an action does something to the artifact under review."""
-    return _SPEC[name].enabled is current
+    rule = _SPEC[name].enabled
+    return rule is current or isinstance(rule, MethodOffered)
 
 
 def build(owner: QWidget, document: Document, run: Callable[[str], None]) -> dict[str, QAction]:
@@ -41,7 +43,7 @@ def build(owner: QWidget, document: Document, run: Callable[[str], None]) -> dic
         by_rule[spec.enabled].append(made[spec.name])
 
     def refresh() -> None:
-        # Some hundred actions, each decision four times, but a dozen rules.
+        # Some hundred actions, each decision four times, but a score of rules.
         for rule, actions in by_rule.items():
             enabled = rule(document)
             for action in actions:
@@ -51,7 +53,6 @@ def build(owner: QWidget, document: Document, run: Callable[[str], None]) -> dic
         """Call the methods by their names, once an artifact is looked at: repairs load late."""
         if document.current is not None:
             from markermend.repairs import REPAIRS
-            from markermend_app.panels.inspector.methods import label_of
 
             for method in REPAIRS.values():
                 if method.key is not None:
@@ -64,6 +65,7 @@ def build(owner: QWidget, document: Document, run: Callable[[str], None]) -> dic
         document.opened,
         document.history_changed,
         document.current_changed,
+        document.proposal_changed,
         document.selection_changed,
         document.shown_changed,
         document.artifacts_changed,

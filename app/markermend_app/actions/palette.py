@@ -76,8 +76,9 @@ def entries(made: Mapping[str, QAction], document: Document) -> list[Entry]:
         path = [part for part in path if not action.text().startswith(part)]
         words = ": ".join((*path, action.text()))
         key = shortcuts.first(spec.name)
-        tip = f"{tip_of(spec, joints=document.joints)} {tr(spec.tip)}"
-        also = f"{tip} {tr(SYNONYMS.get(spec.name, ''))}"
+        # Who has joints finds what is said of markers, too.
+        tips = (tip_of(spec, joints=document.joints), tr(spec.tip))
+        also = " ".join((*dict.fromkeys(tips), tr(SYNONYMS.get(spec.name, ""))))
         do: Callable[[], object] = action.trigger
         found.append(Entry(words, key, action.icon(), action.isEnabled(), do, also))
     session = document.session

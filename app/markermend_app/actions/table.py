@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from markermend_app.actions.action import (
     Action,
+    MethodOffered,
     anything,
     artifacts,
     current,
@@ -165,7 +166,7 @@ ACTIONS: tuple[Action, ...] = (
             (str(key),),
             "",
             "Preview this repair method for the artifact under review",
-            current,
+            MethodOffered(key),
         )
         for key in METHOD_KEYS
     ),

@@ -49,11 +49,12 @@ class _Request:
     def disbelieves(self, change: Change) -> bool:
         """Whether samples that change were not to be believed before either."""
         flagged = {
-            a.marker
+            marker
             for a in self.artifacts
             if a.status in (Status.PENDING, Status.ACCEPTED)
             and a.start <= change.start
             and change.stop <= a.stop
+            for marker in a.markers
         }
         return flagged.issuperset(change.markers)
 

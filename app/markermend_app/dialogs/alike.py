@@ -214,7 +214,7 @@ class AlikeDialog(QDialog):
             return self.tr("working it out…")
         if not repair.patches:
             return self.tr("left as it is: {0}").format(told(repair.reason))
-        text = told_repair(repair.method, repair.error_mm)
+        text = told_repair(repair.method, repair.error_mm, joints=self._document.joints)
         if repair.leaves:
             from markermend.repairs.look_again import in_words
 

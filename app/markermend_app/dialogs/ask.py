@@ -74,8 +74,11 @@ def tell_damaged(parent: QWidget, take: Take) -> None:
     box.open()
 
 
-def tell_off(parent: QWidget, export: Export) -> None:
-    """Say which joints are not where they were reviewed, in a file whose bones are rigid."""
+def tell_off(parent: QWidget, export: Export, *, wait: bool = False) -> None:
+    """Say which joints are not where they were reviewed, in a file whose bones are rigid.
+
+    With ``wait`` until it is answered: what comes next may close the window, and this with it.
+    """
     box = QMessageBox(parent)
     box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     box.setIcon(QMessageBox.Icon.Warning)
@@ -98,7 +101,10 @@ def tell_off(parent: QWidget, export: Export) -> None:
         told.append(why.format(_few(far)))
     told.append(_tr("A CSV or C3D file has every joint where you see it."))
     box.setInformativeText("\n\n".join(told))
-    box.open()
+    if wait:
+        box.exec()
+    else:
+        box.open()
 
 
 def _few(names: Sequence[str]) -> str:
@@ -109,7 +115,9 @@ def _few(names: Sequence[str]) -> str:
     return ", ".join(some)
 
 
-def ask_unexported(parent: QWidget, path: Path | None, changed: bool = True) -> str:
+def ask_unexported(
+    parent: QWidget, path: Path | None, changed: bool = True, renamed: bool = False
+) -> str:
     """Ask what becomes of work not yet exported: ``export, keep, discard`` or ``cancel``.
 
     Parameters
@@ -117,6 +125,7 @@ def ask_unexported(parent: QWidget, path: Path | None, changed: bool = True) -> 
     parent : the window
     path : of the take
     changed : whether samples were changed, rather than intervals decided and notes written only
+    renamed : whether markers were given other names
     """
     box = QMessageBox(parent)
     box.setIcon(QMessageBox.Icon.Question)
@@ -124,6 +133,10 @@ def ask_unexported(parent: QWidget, path: Path | None, changed: bool = True) -> 
     name = path.name if path else _tr("this take")
     repaired = _tr("Your repairs of {0} are not exported yet.")
     looked_at = _tr("You changed no sample of {0}, but its review would be lost.")
+    if renamed:
+        looked_at = _tr(
+            "You changed no sample of {0}, but its review and its new names would be lost."
+        )
     box.setText((repaired if changed else looked_at).format(name))
     box.setInformativeText(
         _tr("Keep the review to go on later: it is saved beside the take, with its full history.")

@@ -49,7 +49,8 @@ class ExportDialog(QDialog):
     record : whether writing down the repairs is proposed
     empty : whether nothing was found or marked at all
     region : the frames that are reviewed, a half-open interval; None for all of the take
-    joints : whether it is a skeleton recording, for which no C3D file is proposed
+    joints : whether it is a skeleton recording, which is seldom written into a C3D file: that
+        choice is shown only where it was made, so that nothing holds unseen
     """
 
     def __init__(
@@ -87,7 +88,7 @@ class ExportDialog(QDialog):
             box.addWidget(self._text(text.format(len(outputs))))
         self._record = QCheckBox(self.tr("Write into a C3D file what was repaired, and how"))
         self._record.setChecked(record)
-        self._record.setVisible(not joints)
+        self._record.setVisible(record or not joints)
         self._mark = QCheckBox(self.tr("Name in the file the model outputs that no longer match"))
         self._mark.setChecked(bool(outputs))
         self._mark.setVisible(bool(outputs))
@@ -108,14 +109,12 @@ class ExportDialog(QDialog):
         buttons = QDialogButtonBox()
         go = buttons.addButton(self.tr("Export…"), QDialogButtonBox.ButtonRole.AcceptRole)
         go.setDefault(True)
-        others = [buttons.addButton(QDialogButtonBox.StandardButton.Cancel)]
+        # Return exports, wherever the focus went in between, but on a list to be seen first.
+        buttons.addButton(QDialogButtonBox.StandardButton.Cancel).setAutoDefault(False)
         if accepted or pending or outputs:
             show = buttons.addButton(self.tr("Show list"), QDialogButtonBox.ButtonRole.ActionRole)
             show.clicked.connect(self._toggle)
-            others.append(show)
-        # Return exports, wherever the focus went in between, but on a list to be seen first.
-        for button in others:
-            button.setAutoDefault(button.text() == self.tr("Show list"))
+            show.setAutoDefault(True)
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         box.addWidget(self._details, 1)
@@ -192,7 +191,7 @@ def ask_export(
     region: tuple[int, int] | None = None,
     joints: bool = False,
 ) -> ExportChoice | None:
-    """Ask; None to stay. Where nothing is left and there is no choice, there is no question."""
+    """Ask; None to stay. Where nothing is left to be told of joints, there is no question."""
     if joints and not (pending or accepted or outputs) and region is None:
         return ExportChoice(record, mark_outputs=False)
     dialog = ExportDialog(

@@ -56,7 +56,6 @@ class QualityPanel(QWidget):
         self.total = QualityModel(self)
         self._badges = _Badges(self)
         self.view = self._table(self.model)
-        self.view.setAccessibleName(self.tr("Quality, marker by marker"))
         self.view.horizontalHeader().hide()
         # The take and the names of the columns stay in sight above the markers.
         self.head = self._table(self.total)
@@ -149,6 +148,9 @@ class QualityPanel(QWidget):
         self._settle.stop()
         session = self._document.session
         self._pages.setCurrentIndex(0 if session is None else 1)
+        name = self.tr("Quality, marker by marker")
+        name = self.tr("Quality, joint by joint") if self._document.joints else name
+        self.view.setAccessibleName(name)
         self._stale = self._covered or not self.isVisible()
         if session is None:
             self.total.set_standings(())

@@ -199,7 +199,8 @@ class Commands(QObject):
 
         session = document.session
         changed = changed_outside(session.original, session.take, (0, 0))
-        answer = dialogs.ask_unexported(self._window, document.path, changed)
+        renamed = session.renamed
+        answer = dialogs.ask_unexported(self._window, document.path, changed, renamed)
         if answer == "cancel":
             return False
         self._lane.cancel()
@@ -260,7 +261,10 @@ class Commands(QObject):
             if self._document.session is not session:
                 return
             if session.original is not take:
-                self.said.emit(self.tr("Markers were renamed meanwhile; detect again."))
+                text = self.tr("Markers were renamed meanwhile; detect again.")
+                if take.skeleton:
+                    text = self.tr("Joints were renamed meanwhile; detect again.")
+                self.said.emit(text)
                 return
             name = "all kinds" if slow else SEARCHED
             self._document.add_detected(found, name, by_itself=by_itself)

@@ -145,11 +145,13 @@ class Exporter(QObject):
             if session.revision == revision and complete[-1]:
                 session.mark_exported()
             self._document.history_changed.emit()
-            self._tell(export)
+            self.said.emit(self._summary(export))
             if self._document.session is session and self._document.file is not None:
                 self._save(wrote[-1] if session.revision == revision else "")
                 if overwrite and not wait:
                     self.replaced.emit(target)
+            # Last, since what waits for an answer must not keep the review from being saved.
+            self._tell_off(export, wait=wait)
 
         def failed(error: Exception) -> None:
             self._writing = False
@@ -181,11 +183,10 @@ class Exporter(QObject):
             file.wrote = wrote
             self._saver.save(file, lambda error: dialogs.show_problem(self._window, error))
 
-    def _tell(self, export: Export) -> None:
-        """Say what was written, and where it is not what was seen."""
-        self.said.emit(self._summary(export))
+    def _tell_off(self, export: Export, *, wait: bool) -> None:
+        """Say where what was written is not what was seen."""
         if export.off_mm > _HARDLY_OFF_MM or export.lost:
-            dialogs.tell_off(self._window, export)
+            dialogs.tell_off(self._window, export, wait=wait)
 
     def _summary(self, export: Export) -> str:
         """Say what was written."""

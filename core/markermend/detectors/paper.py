@@ -44,7 +44,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from markermend.arrays import BoolArray
 from markermend.artifact import Artifact, damage_mask
 from markermend.detectors.channels import channels
 from markermend.detectors.counterpart import name_swaps
@@ -90,7 +89,7 @@ def detect_paper(
     if params.slow:
         report(1.0, "the body's structure")
         body = mesh if mesh is not None else infer_mesh(take)
-        trusted = trusted_samples(take, ~_damage(take, artifacts))
+        trusted = trusted_samples(take, ~damage_mask(take, artifacts))
         slow = find_slow(take, body, markers, trusted, params, part(progress, sudden_share, 1.0))
         artifacts += to_artifacts(take, slow)
     return artifacts
@@ -109,12 +108,3 @@ def _find_sudden(
         found = absorb_peaks(found, new, take.rate, params) if params.confirm else found + new
         known &= ~mask_of(found, signal.shape)
     return [replace(f, channel=3 * markers[f.channel // 3] + f.channel % 3) for f in found]
-
-
-def _damage(take: Take, artifacts: list[Artifact]) -> BoolArray:
-    """(frames, markers, 3) bool: samples that artifacts cover, a swap's counterparts included."""
-    mask = damage_mask(take, artifacts)
-    for a in artifacts:
-        for label in a.markers[1:]:
-            mask[a.start : a.stop, take.index(label)] = True
-    return mask

@@ -109,7 +109,7 @@ def move(session: Session, donor: str, receiver: str, start: int, stop: int) -> 
         when the donor is not seen there, or the receiver is too in some of its frames
     """
     if donor == receiver:
-        raise DataError("Choose another marker; these samples have this name already.")
+        raise DataError("Choose another name; these samples have this one already.")
     given = _present(session, donor, start, stop)
     if not given.any():
         raise DataError(f"{donor} is not seen in these frames; there is nothing to take over.")
@@ -229,7 +229,7 @@ def join(session: Session, ids: Sequence[str]) -> Change:
     """
     chosen = [session.artifact(i) for i in ids]
     if len(chosen) < 2 or len({a.marker for a in chosen}) > 1:
-        raise DataError("Choose two or more artifacts of one marker, to join them.")
+        raise DataError("Choose two or more artifacts of one name, to join them.")
     best = max(chosen, key=lambda a: (a.confidence, a.length))
     statuses = {a.status for a in chosen}
     joined = replace(

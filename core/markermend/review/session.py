@@ -187,6 +187,11 @@ class Session:
         return tuple(s.label for s in self._done if parts(s.edit, SetBase, SetNames))
 
     @property
+    def renamed(self) -> bool:
+        """Whether markers were given other names."""
+        return any(parts(s.edit, SetNames) for s in self._done)
+
+    @property
     def pace(self) -> Pace:
         """How many artifacts are decided, and in how much time."""
         return pace_of(self.listed, self.stopwatch.spent_s, self.artifacts)

@@ -190,7 +190,8 @@ class ArtifactPage(QWidget):
         """What was decided, by which method, and how far off it is expected to be."""
         note = self._document.session.notes.get(a.id) if self._document.session else None
         if a.status is Status.REPAIRED and note is not None:
-            return self.tr("Repaired: {0}").format(told_repair(note.method, note.error_mm))
+            repair = told_repair(note.method, note.error_mm, joints=self._document.joints)
+            return self.tr("Repaired: {0}").format(repair)
         return {
             Status.PENDING: self.tr("Open: not decided yet"),
             Status.ACCEPTED: self.tr("Accepted: to be repaired"),

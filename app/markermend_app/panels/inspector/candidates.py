@@ -15,7 +15,7 @@ from markermend_app import units
 from markermend_app.actions import shortcuts
 from markermend_app.items.curve import Curve
 from markermend_app.later import Later, OneByOne
-from markermend_app.panels.inspector.methods import label_of
+from markermend_app.method_words import label_of
 from markermend_app.panels.plots.row import PlotRow, same_objects
 from markermend_app.panels.plots.trajectories import TrajectoryPanel
 from markermend_app.style import theme

@@ -13,11 +13,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from markermend.artifact import Artifact, Status
+from markermend.artifact import Status
 from markermend_app import units
 from markermend_app.actions import shortcuts
 from markermend_app.background.preview import AUTO
 from markermend_app.document import Document
+from markermend_app.method_words import label_of, summary_of
+from markermend_app.offered import is_offered
 from markermend_app.panels.inspector.take import heading, plain
 from markermend_app.panels.markers.naming import short_names
 from markermend_app.telling import told
@@ -27,15 +29,6 @@ from markermend_app.words import tr
 _DOUBTFUL_MM = 20.0
 # Joints are placed within a body, where sensors are off by this much anyway.
 _DOUBTFUL_JOINT_MM = 50.0
-
-
-def label_of(method: str, *, joints: bool) -> str:
-    """What a repair method is called, for joints or for markers."""
-    from markermend.repairs import REPAIRS
-
-    if joints and method == "swap":
-        return tr("Swap joints")
-    return tr(REPAIRS[method].label) if method in REPAIRS else method
 
 
 class MethodList(QWidget):
@@ -86,12 +79,11 @@ class MethodList(QWidget):
         """List the methods, once an artifact is looked at: the engine's repairs load late."""
         from markermend.repairs import REPAIRS
 
-        tip = self.tr("The method that is expected to err least here")
-        self._grid.addWidget(self._made(AUTO, self.tr("Best for this artifact"), tip), 0, 0, 1, 2)
-        keyed = [method for method in REPAIRS.values() if method.key is not None]
-        for method in keyed:
-            tip = self.tr("{0} (key {1})").format(tr(method.summary), method.key)
-            self._made(method.name, f"{method.key} {tr(method.label)}", tip)
+        self._grid.addWidget(self._made(AUTO), 0, 0, 1, 2)
+        for method in REPAIRS.values():
+            if method.key is not None:
+                self._made(method.name)
+        self._speak()
         self._lay_out()
         # Made late, they would be the last that Tab reaches; it takes no order from what it skips.
         before = self.more.previousInFocusChain()
@@ -102,9 +94,8 @@ class MethodList(QWidget):
                 self.setTabOrder(before, button)
             before = button
         others = (method for method in REPAIRS.values() if method.key is None)
-        for row, method in enumerate(sorted(others, key=lambda m: tr(m.label).lower())):
+        for method in sorted(others, key=lambda m: tr(m.label).lower()):
             self.more.addItem(tr(method.label), method.name)
-            self.more.setItemData(row, tr(method.summary), Qt.ItemDataRole.ToolTipRole)
 
     def _lay_out(self) -> None:
         """Put the methods with a key in two columns, or in one where two would cut off names."""
@@ -126,10 +117,9 @@ class MethodList(QWidget):
         if self.buttons:
             self._lay_out()
 
-    def _made(self, name: str, label: str, tip: str) -> QRadioButton:
+    def _made(self, name: str) -> QRadioButton:
         """Make the button of a method."""
-        button = QRadioButton(label)
-        button.setToolTip(f"{label}\n{tip}")
+        button = QRadioButton()
         # A long name is cut off in a narrow dock, rather than push what stands beside it out.
         button.setMinimumWidth(60)
         button.clicked.connect(lambda _=False: self._document.choose_method(name))
@@ -144,13 +134,13 @@ class MethodList(QWidget):
             return
         if not self.buttons:
             self._fill()
-        offered = a.status is not Status.REPAIRED and self._document.editable
+        offered = is_offered(self._document, AUTO)
         chosen = self._document.method
         self._speak()
         # An exclusive group keeps one checked, but none is while one of the list is chosen.
         self._group.setExclusive(False)
         for name, button in self.buttons.items():
-            button.setEnabled(offered and not (name == "swap" and self._no_swap(a)))
+            button.setEnabled(is_offered(self._document, name))
             with QSignalBlocker(button):
                 button.setChecked(name == chosen)
         self._group.setExclusive(True)
@@ -171,25 +161,35 @@ class MethodList(QWidget):
             self.outcome.setProperty("role", role)
             self.outcome.style().polish(self.outcome)
 
-    def _no_swap(self, a: Artifact) -> bool:
-        """Whether joints did not change places: only those of a mix-up do, unless refused there."""
-        if not self._document.joints:
-            return False
-        answer = self._document.proposals.get(a, "swap")
-        return a.counterpart is None or (answer is not None and not answer.patches)
-
     def _speak(self) -> None:
-        """Name what differs where joints are repaired."""
+        """Name the methods, and say what they do: to joints, or to markers."""
         from markermend.repairs import REPAIRS
 
-        joints, best, swap = self._document.joints, self.buttons[AUTO], self.buttons["swap"]
-        text = self.tr("Best for this artifact")
-        a = self._document.current
-        made = None if a is None else self._document.proposals.get(a, AUTO)
-        if joints and made is not None and made.patches:
-            text = self.tr("Best: {0}").format(label_of(made.method, joints=True))
-        best.setText(text)
-        swap.setText(f"{REPAIRS['swap'].key} {label_of('swap', joints=joints)}")
+        joints, a = self._document.joints, self._document.current
+        for name, button in self.buttons.items():
+            if name == AUTO:
+                label, tip = self._best(), self.tr("The method that is expected to err least here")
+            else:
+                key = REPAIRS[name].key
+                label = f"{key} {label_of(name, joints=joints)}"
+                tip = self.tr("{0} (key {1})").format(summary_of(name, joints=joints), key)
+            answer = None if a is None else self._document.proposals.get(a, name)
+            if name == "swap" and answer is not None and answer.reason:
+                # Where it cannot be chosen nothing else says why.
+                tip += "\n" + told(answer.reason)
+            button.setText(label)
+            button.setToolTip(f"{label}\n{tip}")
+        for row in range(self.more.count()):
+            tip = summary_of(self.more.itemData(row), joints=joints)
+            self.more.setItemData(row, tip, Qt.ItemDataRole.ToolTipRole)
+
+    def _best(self) -> str:
+        """What the best method is called: of joints by the method that is proposed there."""
+        a, followed = self._document.current, self._document.preview.references
+        made = None if a is None else self._document.proposals.get(a, AUTO, followed)
+        if self._document.joints and made is not None and made.patches:
+            return self.tr("Best: {0}").format(label_of(made.method, joints=True))
+        return self.tr("Best for this artifact")
 
     def _tell(self, doing: str) -> None:
         """Say how far a method is that takes seconds."""

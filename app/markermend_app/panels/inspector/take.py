@@ -89,7 +89,6 @@ class SelectionPage(QWidget):
             )
         ):
             button = QPushButton(text)
-            button.setToolTip(hint_of(name))
             button.clicked.connect(lambda _=False, name=name: self.verb_requested.emit(name))
             self.verbs[name] = button
             work.addWidget(button, i // 2, i % 2)
@@ -126,6 +125,8 @@ class SelectionPage(QWidget):
         self.about.setText(text)
         for button in (*self.buttons.values(), *self.verbs.values()):
             button.setEnabled(self._document.editable)
+        for name, button in self.verbs.items():
+            button.setToolTip(hint_of(name, joints=take.skeleton))
 
     def _recolour(self) -> None:
         for kind, button in self.buttons.items():

@@ -85,9 +85,6 @@ class MarkerTree(QWidget):
         self.filter.went_on.connect(self._go_to_found)
         self.worst_first = QToolButton()
         self.worst_first.setCheckable(True)
-        self.worst_first.setToolTip(
-            self.tr("Worst first: a flat list, the markers with most open artifacts on top")
-        )
         self.worst_first.setAccessibleName(self.tr("Worst first"))
         self.worst_first.toggled.connect(self._rebuild)
 
@@ -192,6 +189,10 @@ class MarkerTree(QWidget):
             dock.setWindowTitle(name)
         self.view.setAccessibleName(name)
         self._model.set_heading(self.tr("Joint") if skeleton else self.tr("Marker"))
+        worst = self.tr("Worst first: a flat list, the markers with most open artifacts on top")
+        if skeleton:
+            worst = self.tr("Worst first: a flat list, the joints with most open artifacts on top")
+        self.worst_first.setToolTip(worst)
         missing = self.tr("Share of the frames in which the joint is missing")
         self._model.set_missing_tip(missing if skeleton else "")
         self.filter.set_text(self.tr("Filter joints") if skeleton else self.tr("Filter markers"))

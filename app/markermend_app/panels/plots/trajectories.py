@@ -72,7 +72,6 @@ class TrajectoryPanel(QWidget):
         self._placing.timeout.connect(self.place_buttons)
         self.canvas = PlotStack(self._made)
         self.cross = Crosshair(document, self.canvas, self.header)
-        self.canvas.setAccessibleName(self.tr("Plots of the shown markers"))
         self.menu = StayingMenu(self)
         self.menu.aboutToShow.connect(lambda: fill_rows_menu(self.menu, self))
         self.header.plots.setMenu(self.menu)
@@ -201,6 +200,9 @@ class TrajectoryPanel(QWidget):
         self.predictions.forget()
         self._known.forget()
         self.chosen_partner = None
+        name = self.tr("Plots of the shown markers")
+        name = self.tr("Plots of the shown joints") if self.document.joints else name
+        self.canvas.setAccessibleName(name)
         self._lay_rows()
         if (take := self.take) is not None and not self.document.renaming:
             self.set_view(-0.5, take.frames - 0.5)

@@ -239,7 +239,7 @@ class QueueModel(QAbstractTableModel):
         if orientation is not Qt.Orientation.Horizontal:
             return None
         if role == Qt.ItemDataRole.DisplayRole:
-            joints = section == MARKER and self._take is not None and self._take.skeleton
+            joints = section == MARKER and self._joints
             return self.tr("Joint") if joints else self._headers[section]
         if role == Qt.ItemDataRole.TextAlignmentRole:
             side = Qt.AlignmentFlag.AlignRight if section in RIGHT else Qt.AlignmentFlag.AlignLeft
@@ -301,13 +301,19 @@ class QueueModel(QAbstractTableModel):
         note = self._notes.get(a.id)
         markers = changed_markers(a, note.method if note else None)
         names = [self._names.get(m, m) for m in markers]
-        joints = self._take is not None and self._take.skeleton
-        return paired_name(names) if joints else PAIRED.join(names)
+        return paired_name(names) if self._joints else PAIRED.join(names)
+
+    @property
+    def _joints(self) -> bool:
+        """Whether it is a skeleton recording."""
+        return self._take is not None and self._take.skeleton
 
     def _repair_text(self, a: Artifact) -> str:
         """How a repaired artifact was repaired."""
         note = self._notes.get(a.id)
-        return "" if note is None else told_repair(note.method, note.error_mm)
+        if note is None:
+            return ""
+        return told_repair(note.method, note.error_mm, joints=self._joints)
 
 
 def count_decided(artifacts: Iterable[Artifact]) -> tuple[int, int]:

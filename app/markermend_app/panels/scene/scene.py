@@ -81,13 +81,11 @@ class Scene(QWidget):
         document.artifacts_changed.connect(self.follower.forget)
         document.data_changed.connect(self.follower.forget)
         document.frame_changed.connect(self._frame_changed)
-        for signal in (
-            document.data_changed,
-            document.current_changed,
-            document.proposal_changed,
-        ):
-            signal.connect(self._redraw)
-        document.proposals.ready.connect(self._redraw)
+        document.data_changed.connect(self._redraw)
+        document.current_changed.connect(self._redraw)
+        # What is proposed changes no damage, which takes long to count.
+        document.proposal_changed.connect(self._soon.ask)
+        document.proposals.ready.connect(self._soon.ask)
         document.shown_changed.connect(self._shown_changed)
         theme.watcher.changed.connect(self.update)
         self._opened()
