@@ -84,6 +84,7 @@ class _Look:
     covariances : length of a gap to those that levels and deviations are regressed with
     rate, cross, noise : as :func:`fill` has them
     compared : moments that are asked besides those beside a gap, and mirrored ones
+    joints : (channels,) number of the joint that each is of
     mirror : of all channels, where there is one
     """
 
@@ -97,6 +98,7 @@ class _Look:
     cross: Callable[[int], FloatArray]
     noise: float
     compared: tuple[int, int]
+    joints: IntArray
     mirror: Mirror | None
     _frames_of: dict[bytes, IntArray] = field(default_factory=dict)
 
@@ -121,6 +123,7 @@ def fill(
     begun: Filled | None = None,
     near: Filled | None = None,
     compared: tuple[int, int] = FEW_MOMENTS,
+    joints: IntArray | None = None,
 ) -> Filled:
     """Fill the gaps of all channels.
 
@@ -138,6 +141,9 @@ def fill(
     begun : what a rough look made, which gaps that last are filled from
     near : what was made of an earlier result, to fill lasting gaps once more from it
     compared : moments of the recording that are compared with such a gap, as it is and mirrored
+    joints : (channels,) number of the joint that each is of; what tells more of a gap by a
+        regression counts more in comparing moments, all of a joint alike. None where each channel
+        stands for itself
 
     Notes
     -----
@@ -149,6 +155,7 @@ def fill(
     that last, where what the regression on levels leaves is told by alike moments instead
     (:func:`markermend.poses.likeness.by_likeness`).
     """
+    joints = np.arange(values.shape[1]) if joints is None else joints
     if beside is not None:
         more, there = beside.shape[1], np.ones(beside.shape, dtype=bool)
         whole = fill(
@@ -162,6 +169,7 @@ def fill(
             begun=begun and begun.and_more(beside),
             near=near and near.and_more(beside),
             compared=compared,
+            joints=np.append(joints, np.full(more, joints.max() + 1)),
         )
         return whole.but(more)
     cross = straight if rough or noise > 0 else bridge
@@ -199,6 +207,7 @@ def fill(
             cross,
             noise,
             compared,
+            joints,
             mirror,
         )
         estimate = estimate.copy()
@@ -278,10 +287,10 @@ def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
         there = look.frames_of(gap.channels)
         chosen = moments_to_compare(there, start, stop, rate, look.compared[0])
         if len(chosen):
-            trust = np.zeros(len(hidden), dtype=np.float32)
-            trust[others] = 1 - hidden[others]
             by = np.zeros((len(hidden), len(gap.channels)), dtype=np.float32)
             by[others] = weights
+            trust = np.zeros(len(hidden), dtype=np.float32)
+            trust[others] = (1 - hidden[others]) * _weight(by, look.joints)[others]
             strays, variance = by_likeness(
                 look.moved[start:stop],
                 start,
@@ -313,6 +322,14 @@ def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
         share * (bridges[:, gap.channels] + told) + (1.0 - share) * levels,
         shape * left,
     )
+
+
+def _weight(by: Float32Array, joints: IntArray) -> Float32Array:
+    """(channels,) how much the joint of each tells a regression; 1 on average of what tells."""
+    weight, told = np.sqrt(np.bincount(joints, np.sum(by**2, axis=1)))[joints], by.any(axis=1)
+    if told.any():
+        weight /= weight[told].mean()
+    return np.asarray(weight, dtype=np.float32)
 
 
 def _telling(

@@ -20,7 +20,10 @@ _BESIDE_S, _BESIDE_HZ = 0.5, 60.0
 # Poses are alike when they move alike, too: what changes within this time counts as much.
 _MOVES_S = 0.1
 # What is particular to a time lasts this long; its share, and that of chance.
-_LASTS_S, _PASSING, _CHANCE = 0.6, np.float32(0.2), 0.001
+_LASTS_S, _PASSING, _CHANCE = 0.45, np.float32(0.2), 0.001
+# A joint hides about so many numbers. Where more are gone at once, poses further away are asked, by
+# this power of how many times as many, and less of what these show is taken for chance.
+_A_JOINT, _REACH = 11, 0.75
 _LEAST_MOMENTS = 30
 # The other side of the body: how much alike it moves, what its chance has more, and how sure it is
 # that it moves about where this one does.
@@ -104,7 +107,7 @@ def by_likeness(
     moved : (length, 2 · channels) rows of :func:`moving` within the gap, without NaN
     start : frame that the gap begins with
     own : moments in which the same was seen
-    trust : (channels,) how much each is to be relied on; 0 for those to be predicted
+    trust : (channels,) how much each counts where poses are compared; 0 for those to be predicted
     weights : (channels, n) regression of what is to be predicted on poses; 0 as in ``trust``
     rate : frames per second
     noise : standard deviation of what targets stray by chance
@@ -120,8 +123,9 @@ def by_likeness(
     Matérn's of order 3/2, and one that falls with time, of order 5/2. So a movement that the
     recording has elsewhere is followed, and the sides of the gap are met at the speed they have.
     Half of a difference is of all that is seen, half of what the regression makes of it, which
-    leaves out what a limb has no part in. The other side of the body moves much the same way, but
-    for a constant and for what is particular to a time.
+    leaves out what a limb has no part in. Where more than a joint is gone, poses further away tell,
+    too. The other side of the body moves much the same way, but for a constant and for what is
+    particular to a time.
     """
     other = mirrored or Telling(own.moved[:0], own.targets[:0], own.frames[:0])
     moments, length = len(own.frames), len(moved)
@@ -130,7 +134,8 @@ def by_likeness(
     told = (rows.reshape(-1, len(trust)) @ weights).reshape(len(rows), -1)
     rows *= np.tile(trust, 2)
     # Those that tell with each other, and below them those inside with those that tell.
-    system = _likeness(_apart([rows, told], count, moments))
+    reach = max(own.targets.shape[1] / _A_JOINT, 1.0) ** _REACH
+    system = _likeness(_apart([rows, told], count, moments), reach)
     mine, its = slice(0, moments), slice(moments, count)
     system[mine, its] *= _SAME_WAY
     system[its, mine] *= _SAME_WAY
@@ -144,7 +149,7 @@ def by_likeness(
     left = own.targets - usual
     variance = np.mean(left**2, axis=0)
     spread = max(float(variance.mean()), noise**2, _TINY)
-    chance = np.full(count, _CHANCE + noise**2 / spread, dtype=np.float32)
+    chance = np.full(count, _CHANCE / reach**2 + noise**2 / spread, dtype=np.float32)
     chance[its] += _MIRRORED_CHANCE
     system[np.diag_indices(count)] += chance
     # How sure it is changes slowly.
@@ -180,9 +185,9 @@ def _apart(views: list[Float32Array], count: int, usual: int) -> Float32Array:
     return np.asarray(squared)
 
 
-def _likeness(far: Float32Array) -> Float32Array:
+def _likeness(far: Float32Array, reach: float) -> Float32Array:
     """Matérn's covariance of order 3/2, in the place of the distances."""
-    far *= np.float32(-np.sqrt(3.0))
+    far *= np.float32(-np.sqrt(3.0) / reach)
     falls = np.exp(far)
     np.subtract(1, far, out=far)
     far *= falls

@@ -200,6 +200,7 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
         prior=prior,
         beside=stance(channels.normal),
         mirror=mirror,
+        joints=np.flatnonzero(usable) // FEATURES,
     )
     tell(0.1, "Looking for noise")
     begun = filled_by(values, rough=True)

@@ -60,6 +60,10 @@
         <translation>Sie haben an {0} keinen Messwert geändert, aber die Durchsicht ginge verloren.</translation>
     </message>
     <message>
+        <source>You changed no sample of {0}, but its review and its new names would be lost.</source>
+        <translation>Sie haben an {0} keinen Messwert geändert, aber die Durchsicht und die neuen Namen gingen verloren.</translation>
+    </message>
+    <message>
         <source>Keep the review to go on later: it is saved beside the take, with its full history.</source>
         <translation>Behalten Sie die Durchsicht, um später weiterzumachen: Sie wird mit ihrem ganzen Verlauf neben der Aufnahme gespeichert.</translation>
     </message>
@@ -1044,6 +1048,58 @@
         <translation>Aus den in der Prüfliste gewählten eines machen, sonst aus diesem und dem nächsten an seinem Gelenk</translation>
     </message>
     <message>
+        <source>Long short-term memory in both directions predict the joint from its parent and siblings; trains for seconds.</source>
+        <translation>Langes Kurzzeitgedächtnis in beiden Richtungen sagt das Gelenk aus Eltern und Geschwistern vorher; lernt einige Sekunden.</translation>
+    </message>
+    <message>
+        <source>DynaMMo held softly to the distances that joints of a segment keep.</source>
+        <translation>DynaMMo, sanft an die Abstände gebunden, die Gelenke eines Segments halten.</translation>
+    </message>
+    <message>
+        <source>A network of 8 linear neurons predicts the joint from its parent and siblings.</source>
+        <translation>Ein Netz aus 8 linearen Neuronen sagt das Gelenk aus Eltern und Geschwistern vorher.</translation>
+    </message>
+    <message>
+        <source>A small network trained on this take predicts the joint from its body; slow.</source>
+        <translation>Ein kleines, an dieser Aufnahme gelerntes Netz sagt das Gelenk aus seinem Körper vorher; langsam.</translation>
+    </message>
+    <message>
+        <source>A network of 8 tanh neurons predicts the joint from its parent and siblings.</source>
+        <translation>Ein Netz aus 8 Tanh-Neuronen sagt das Gelenk aus Eltern und Geschwistern vorher.</translation>
+    </message>
+    <message>
+        <source>Least squares on all joints whose distance varies little.</source>
+        <translation>Kleinste Quadrate über alle Gelenke, deren Abstand wenig schwankt.</translation>
+    </message>
+    <message>
+        <source>60 gated recurrent neurons predict the joint from its parent and siblings; trains for seconds.</source>
+        <translation>60 rückgekoppelte Neuronen mit Toren sagen das Gelenk aus Eltern und Geschwistern vorher; lernt einige Sekunden.</translation>
+    </message>
+    <message>
+        <source>60 long short-term memory neurons predict the joint from its parent and siblings; trains for seconds.</source>
+        <translation>60 Neuronen mit langem Kurzzeitgedächtnis sagen das Gelenk aus Eltern und Geschwistern vorher; lernt einige Sekunden.</translation>
+    </message>
+    <message>
+        <source>Completes the matrix of all joints by its main components; for long intervals.</source>
+        <translation>Ergänzt die Matrix aller Gelenke durch ihre Hauptkomponenten; für lange Abschnitte.</translation>
+    </message>
+    <message>
+        <source>Follows one other joint and joins both borders; for joints that move alike.</source>
+        <translation>Folgt einem anderen Gelenk und schließt an beiden Rändern an; für Gelenke, die sich ähnlich bewegen.</translation>
+    </message>
+    <message>
+        <source>Rebuilds the joint from the main components of the others.</source>
+        <translation>Stellt das Gelenk aus den Hauptkomponenten der übrigen wieder her.</translation>
+    </message>
+    <message>
+        <source>Moves the joint with three or more others of its group; for rigid segments.</source>
+        <translation>Bewegt das Gelenk mit drei oder mehr anderen seiner Gruppe; für starre Segmente.</translation>
+    </message>
+    <message>
+        <source>Gives the joint and its counterpart their own samples back; nothing is invented.</source>
+        <translation>Gibt dem Gelenk und seinem Gegenstück ihre eigenen Werte zurück; nichts wird erfunden.</translation>
+    </message>
+    <message>
         <source>load import read file c3d trc csv bvh amc</source>
         <translation>laden importieren lesen Datei c3d trc csv bvh amc</translation>
     </message>
@@ -1844,6 +1900,10 @@
         <translation>Die Spalten nennen keine bekannte Längeneinheit; Millimeter wurden angenommen.</translation>
     </message>
     <message>
+        <source>The file tells no unit; {0} were assumed.</source>
+        <translation>Die Datei nennt keine Einheit; angenommen wurden {0}.</translation>
+    </message>
+    <message>
         <source>The table has no times; 100 Hz was assumed.</source>
         <translation>Die Tabelle hat keine Zeiten; 100 Hz wurden angenommen.</translation>
     </message>
@@ -1900,6 +1960,14 @@
         <translation>Als Skelett wurde {0} genommen, das einzige hier.</translation>
     </message>
     <message>
+        <source>Segments the skeleton does not have were left out: {0}.</source>
+        <translation>Segmente, die das Skelett nicht hat, wurden ausgelassen: {0}.</translation>
+    </message>
+    <message>
+        <source>Segments without movement, left as at rest: {0}.</source>
+        <translation>Segmente ohne Bewegung, in Ruhelage belassen: {0}.</translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>keine</translation>
     </message>
@@ -1938,6 +2006,18 @@
     <message>
         <source>no place in a room ({0} samples)</source>
         <translation>kein Ort in einem Raum ({0} Werte)</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>Millimeter</translation>
     </message>
     <message>
         <source>{0} is empty; look for another copy of it.</source>
@@ -2010,6 +2090,138 @@
     <message>
         <source>{0} is damaged: line {1} begins with “{2}”, which is the number of no pose.</source>
         <translation>{0} ist beschädigt: Zeile {1} beginnt mit „{2}“, was keine Nummer einer Pose ist.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: line {1} has only numbers; it should begin with the name of a segment, or be the number of a pose.</source>
+        <translation>{0} ist beschädigt: Zeile {1} enthält nur Zahlen; sie sollte mit dem Namen eines Segments beginnen oder die Nummer einer Pose sein.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: line {1} should give {2} {3} numbers, but reads “{4}”.</source>
+        <translation>{0} ist beschädigt: Zeile {1} sollte für {2} {3} Zahlen nennen, lautet aber „{4}“.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: line {1} tells of {2} a second time in one pose.</source>
+        <translation>{0} ist beschädigt: Zeile {1} nennt {2} ein zweites Mal in einer Pose.</translation>
+    </message>
+    <message>
+        <source>{0} holds no pose of this skeleton.</source>
+        <translation>{0} enthält keine Pose dieses Skeletts.</translation>
+    </message>
+    <message>
+        <source>{0} is cut short: no pose follows its header.</source>
+        <translation>{0} ist abgeschnitten: Auf den Kopf folgt keine Pose.</translation>
+    </message>
+    <message>
+        <source>{0} is cut short: its last bone has no end.</source>
+        <translation>{0} ist abgeschnitten: Dem letzten Knochen fehlt das Ende.</translation>
+    </message>
+    <message>
+        <source>{0} is no Acclaim skeleton: it has no :root or :bonedata.</source>
+        <translation>{0} ist kein Acclaim-Skelett: :root oder :bonedata fehlt.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: two bones have the same name.</source>
+        <translation>{0} ist beschädigt: Zwei Knochen haben denselben Namen.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: bone {1} has no length or direction.</source>
+        <translation>{0} ist beschädigt: Der Knochen {1} hat keine Länge oder Richtung.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: bone {1} does not hang on the root.</source>
+        <translation>{0} ist beschädigt: Der Knochen {1} hängt nicht an der Wurzel.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: its hierarchy names {1}, which is no bone.</source>
+        <translation>{0} ist beschädigt: Die Hierarchie nennt {1}, was kein Knochen ist.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: its unit of length, {1} in line {2}, makes no body.</source>
+        <translation>{0} ist beschädigt: Die Längeneinheit, {1} in Zeile {2}, ergibt keinen Körper.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: its unit of length is {1}.</source>
+        <translation>{0} ist beschädigt: Die Längeneinheit ist {1}.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: line {1} should have a number of a body, but reads “{2}”.</source>
+        <translation>{0} ist beschädigt: Zeile {1} sollte eine Zahl eines Körpers enthalten, lautet aber „{2}“.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: line {1} should have {2} numbers of a body, but reads “{3}”.</source>
+        <translation>{0} ist beschädigt: Zeile {1} sollte {2} Zahlen eines Körpers enthalten, lautet aber „{3}“.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: line {1} names no joint.</source>
+        <translation>{0} ist beschädigt: Zeile {1} nennt kein Gelenk.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: the parent “{1}” is no joint of it.</source>
+        <translation>{0} ist beschädigt: „{1}“, woran etwas hängen soll, ist kein Gelenk der Datei.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: its frames go from {1} to {2}, with {3} rows.</source>
+        <translation>{0} ist beschädigt: Die Frames reichen von {1} bis {2}, bei {3} Zeilen.</translation>
+    </message>
+    <message>
+        <source>{0} is no table of joints: it lacks the column “{1}”; it should have {2}.</source>
+        <translation>{0} ist keine Tabelle von Gelenken: Die Spalte „{1}“ fehlt; vorhanden sein sollten {2}.</translation>
+    </message>
+    <message>
+        <source>{0} does not say what “{1}” hangs on; add a column “parent”.</source>
+        <translation>{0} gibt nicht an, woran „{1}“ hängt; ergänzen Sie eine Spalte „parent“.</translation>
+    </message>
+    <message>
+        <source>{0} holds no whole row.</source>
+        <translation>{0} enthält keine vollständige Zeile.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: it is cut short.</source>
+        <translation>{0} ist beschädigt: Die Datei ist abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: it does not begin with HIERARCHY.</source>
+        <translation>{0} ist beschädigt: Die Datei beginnt nicht mit HIERARCHY.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: it has two joints called “{1}”.</source>
+        <translation>{0} ist beschädigt: Zwei Gelenke heißen „{1}“.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: more poses follow than the {1} that it tells of.</source>
+        <translation>{0} ist beschädigt: Es folgen mehr Posen als die {1} angegebenen.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: “{1}” in line {2} is no finite number.</source>
+        <translation>{0} ist beschädigt: „{1}“ in Zeile {2} ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>{0} is no skeleton recording; its name should end in {1}.</source>
+        <translation>{0} ist keine Skelettaufnahme; der Name sollte auf {1} enden.</translation>
+    </message>
+    <message>
+        <source>{0} should end in {1}, to tell what to write.</source>
+        <translation>{0} sollte auf {1} enden, damit klar ist, was zu schreiben ist.</translation>
+    </message>
+    <message>
+        <source>{0} needs a skeleton (ASF), and these joints have none: only those of an AMC have, as they were read; write a CSV.</source>
+        <translation>{0} braucht ein Skelett (ASF), und diese Gelenke haben keines: Nur die einer AMC-Datei haben es, so wie sie gelesen wurden; schreiben Sie eine CSV-Datei.</translation>
+    </message>
+    <message>
+        <source>There is no pose to write into a BVH.</source>
+        <translation>Es gibt keine Pose, die in eine BVH-Datei zu schreiben wäre.</translation>
+    </message>
+    <message>
+        <source>A BVH holds rotations, which this recording has none of; write a CSV.</source>
+        <translation>Eine BVH-Datei enthält Drehungen, und diese Aufnahme hat keine; schreiben Sie eine CSV-Datei.</translation>
+    </message>
+    <message>
+        <source>A BVH holds every joint of every pose, and {0} was never seen; write a CSV.</source>
+        <translation>Eine BVH-Datei enthält jedes Gelenk jeder Pose, und nie zu sehen war: {0}; schreiben Sie eine CSV-Datei.</translation>
+    </message>
+    <message>
+        <source>A BVH has one root; this recording has several.</source>
+        <translation>Eine BVH-Datei hat eine Wurzel; diese Aufnahme hat mehrere.</translation>
     </message>
     <message>
         <source>An AMC cannot say that a segment is never seen, and would show {0} at rest. Write more frames, repair these gaps first, or write a CSV.</source>
@@ -2390,6 +2602,54 @@
     <message>
         <source>Angles were exchanged here, not places; restoring the skeleton gives them back.</source>
         <translation>Hier wurden Winkel vertauscht, nicht Orte; das Skelett wiederherzustellen gibt sie zurück.</translation>
+    </message>
+    <message>
+        <source>Only skeleton recordings have joints and bones.</source>
+        <translation>Nur Skelettaufnahmen haben Gelenke und Knochen.</translation>
+    </message>
+    <message>
+        <source>No bone of this recording was ever seen whole.</source>
+        <translation>Kein Knochen dieser Aufnahme war jemals ganz zu sehen.</translation>
+    </message>
+    <message>
+        <source>The joint is never seen elsewhere, so that nothing tells.</source>
+        <translation>Das Gelenk ist sonst nie zu sehen, sodass nichts Aufschluss gibt.</translation>
+    </message>
+    <message>
+        <source>The recording is too short: it takes {0} poses, and has {1}.</source>
+        <translation>Die Aufnahme ist zu kurz: Nötig sind {0} Posen, vorhanden sind {1}.</translation>
+    </message>
+    <message>
+        <source>{0} is not seen in these frames; there is nothing to cut.</source>
+        <translation>{0} ist in diesen Frames nicht zu sehen; es gibt nichts auszuschneiden.</translation>
+    </message>
+    <message>
+        <source>{0} is not seen in these frames; there is nothing to take over.</source>
+        <translation>{0} ist in diesen Frames nicht zu sehen; es gibt nichts zu übernehmen.</translation>
+    </message>
+    <message>
+        <source>{0} has samples of its own in {1} of these frames; cut them first, or swap the two from here to there.</source>
+        <translation>{0} hat in {1} dieser Frames eigene Werte; schneiden Sie diese zuerst aus, oder tauschen Sie die beiden von hier bis dort.</translation>
+    </message>
+    <message>
+        <source>Choose another name; these samples have this one already.</source>
+        <translation>Wählen Sie einen anderen Namen; diese Werte haben diesen schon.</translation>
+    </message>
+    <message>
+        <source>Choose two or more artifacts of one name, to join them.</source>
+        <translation>Wählen Sie zwei oder mehr Artefakte desselben Namens, um sie zu verbinden.</translation>
+    </message>
+    <message>
+        <source>Put the cursor inside the artifact, to split it there.</source>
+        <translation>Setzen Sie den Cursor in das Artefakt, um es dort zu teilen.</translation>
+    </message>
+    <message>
+        <source>That is repaired already; reopen it to undo the repair.</source>
+        <translation>Das ist schon repariert; öffnen Sie es wieder, um die Reparatur zurückzunehmen.</translation>
+    </message>
+    <message>
+        <source>This take is open in another window; close it there to edit here.</source>
+        <translation>Diese Aufnahme ist in einem anderen Fenster offen; schließen Sie sie dort, um sie hier zu bearbeiten.</translation>
     </message>
     <message>
         <source>{0} frames at {1} Hz ({2} s), {3} markers. {4}, Markermend {5}.</source>
@@ -3346,6 +3606,10 @@
         <translation>Inzwischen wurden Marker umbenannt; bitte erneut suchen.</translation>
     </message>
     <message>
+        <source>Joints were renamed meanwhile; detect again.</source>
+        <translation>Inzwischen wurden Gelenke umbenannt; bitte erneut suchen.</translation>
+    </message>
+    <message>
         <source>1 artifact found.</source>
         <translation>1 Artefakt gefunden.</translation>
     </message>
@@ -3851,6 +4115,10 @@
         <translation>Marker</translation>
     </message>
     <message>
+        <source>Worst first: a flat list, the joints with most open artifacts on top</source>
+        <translation>Schlimmste zuerst: eine flache Liste, oben die Gelenke mit den meisten offenen Artefakten</translation>
+    </message>
+    <message>
         <source>Share of the frames in which the joint is missing</source>
         <translation>Anteil der Frames, in denen das Gelenk fehlt</translation>
     </message>
@@ -4254,6 +4522,10 @@ Schließen Sie sie, um dies für die nächste Aufnahme festzulegen.</translation
     <message>
         <source>How an open take stands appears here.</source>
         <translation>Hier erscheint, wie es um eine offene Aufnahme steht.</translation>
+    </message>
+    <message>
+        <source>Quality, joint by joint</source>
+        <translation>Qualität, Gelenk für Gelenk</translation>
     </message>
     <message>
         <source>Region</source>
@@ -4970,6 +5242,10 @@ Schließen Sie sie, um dies für die nächste Aufnahme festzulegen.</translation
     <message>
         <source>Plots of the shown markers</source>
         <translation>Kurven der gezeigten Marker</translation>
+    </message>
+    <message>
+        <source>Plots of the shown joints</source>
+        <translation>Kurven der gezeigten Gelenke</translation>
     </message>
     <message>
         <source>To {0}</source>
