@@ -47,7 +47,8 @@ def test_a_root_is_told_by_what_hangs_on_it(recording, start, stop, request):
     marked = Artifact(root, "xyz", start, stop, Kind.NOISE)
     best = propose(take, marked)
     restored = propose(take, marked, method="skeleton")
-    assert off(take, best) < 1.0
+    # Following says less than a millimetre less, which is not worth doing without rotations.
+    assert best.method == "skeleton"
     assert off(take, restored) < 1.0
     assert 0.3 < off(take, restored) / restored.error_mm < 3.0
 

@@ -16,6 +16,8 @@ RESTORING, FOLLOWING = "skeleton", "local_regression"
 # 17 joints with and without noise, restoring errs less on limbs (mean 3 to 16 mm, following 4 to
 # 33) and says more than it errs. From half on limbs lose nothing.
 _SURER = 0.5
+# What restoring expects to be off by less, it may: it keeps bones and gives rotations besides.
+_MATTERS_MM = 3.0
 
 
 def best_of_joint(evidence: Evidence, artifact: Artifact) -> Repair:
@@ -47,7 +49,7 @@ def best_of(proposed: Iterable[Repair]) -> str:
     """The method among those proposed for a joint that is best: one that follows only if surer."""
     errors = {r.method: r.error_mm for r in proposed if r.patches}
     restored, followed = errors.get(RESTORING), errors.get(FOLLOWING)
-    if restored is None or followed is None:
+    if restored is None or followed is None or restored < _MATTERS_MM:
         return RESTORING
     return FOLLOWING if followed < _SURER * restored else RESTORING
 

@@ -3575,8 +3575,8 @@
         <translation>↑ ↓ wählen, {0} repariert. ± ist an ähnlichen gesehenen Strecken geschätzt.</translation>
     </message>
     <message>
-        <source>↑ ↓ choose, {0} repairs. ± is each method&apos;s own estimate; Restore skeleton comes first unless another expects less than half.</source>
-        <translation>↑ ↓ wählen, {0} repariert. ± schätzt jedes Verfahren selbst; „Skelett wiederherstellen“ steht vorn, wenn kein anderes weniger als die Hälfte erwartet.</translation>
+        <source>↑ ↓ choose, {0} repairs. ± is each method&apos;s own estimate; Restore skeleton comes first unless another is clearly surer.</source>
+        <translation>↑ ↓ wählen, {0} repariert. ± schätzt jedes Verfahren selbst; „Skelett wiederherstellen“ steht vorn, wenn kein anderes deutlich sicherer ist.</translation>
     </message>
     <message>
         <source>1 other method has no answer here.</source>

@@ -87,7 +87,7 @@ class Candidates(QFrame):
             if joints:
                 text = self.tr(
                     "↑ ↓ choose, {0} repairs. ± is each method's own estimate; Restore skeleton "
-                    "comes first unless another expects less than half."
+                    "comes first unless another is clearly surer."
                 )
             text = text.format(shortcuts.way_to("repair"))
             if c.hopeless:
