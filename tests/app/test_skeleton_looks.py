@@ -85,10 +85,10 @@ def test_the_best_is_what_compare_has_first(window, shared_data, tmp_path, qtbot
     document, comparison = window.document, window.comparison
     qtbot.waitUntil(lambda: document.session is not None, timeout=WAIT)
     qtbot.waitUntil(lambda: not window.lane.busy, timeout=WAIT)
-    document.show(["root"])
+    document.show(["rtibia"])
     document.go_to(105)
     qtbot.keyClick(window, Qt.Key.Key_V)
-    document.go_to(135)
+    document.go_to(225)
     qtbot.keyClick(window, Qt.Key.Key_V)
     qtbot.keyClick(window, Qt.Key.Key_M)
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
