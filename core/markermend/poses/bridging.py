@@ -103,8 +103,9 @@ def bridging_error(path: FloatArray, known: BoolArray) -> FloatArray:
     -------
     (frames,) root mean square distance, 0 where known; NaN where nothing is known. Where no stretch
     is known that is as long as a gap, shorter ones are tried, and what they miss grows by the
-    square of the length, as what is missed of a movement at constant acceleration does. Where none
-    is known to be tried, it is the way made in a gap's time.
+    square of the length, as what is missed of a movement at constant acceleration does, up to the
+    way that is made from the nearer side. Where none is known to be tried, it is the way made in a
+    gap's time.
     """
     error = np.zeros(len(path))
     if not known.any():
@@ -123,12 +124,17 @@ def bridging_error(path: FloatArray, known: BoolArray) -> FloatArray:
         told = np.einsum("ls,nsc->nlc", bridge(length), path[starts[:, None] + around(0, length)])
         off = np.sqrt(np.mean(np.sum((inside - told) ** 2, axis=2), axis=0))
         places = np.linspace(0, length - 1, count)
-        error[start:stop] = np.interp(places, np.arange(length), off) * (count / length) ** 2
+        error[start:stop] = np.interp(places, np.arange(length), off)
+        if count > length:
+            steps = np.diff(path, axis=0)[known[1:] & known[:-1]]
+            nearer = np.minimum(np.arange(count) + 1, np.arange(count, 0, -1))
+            way = float(np.sqrt(np.mean(np.sum(steps**2, axis=1)))) * nearer
+            error[start:stop] = np.minimum(error[start:stop] * (count / length) ** 2, way)
     return error
 
 
 def _held_error(path: FloatArray, known: BoolArray, count: int) -> FloatArray:
-    """(count,) root mean square way that is made in 1, 2, … frames; NaN where one is known."""
+    """(count,) root mean square way made in 1, 2, … frames; NaN where only one is known."""
     apart = np.diff(np.flatnonzero(known))
     if not len(apart):
         return np.full(count, np.nan)
