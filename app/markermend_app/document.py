@@ -17,6 +17,7 @@ from markermend.artifact import Artifact, Kind, Status
 from markermend.errors import DataError, MarkermendError
 from markermend.mesh import Mesh
 from markermend.review.edits import Change
+from markermend.review.events import events
 from markermend.review.file import SessionFile
 from markermend.review.session import Session
 from markermend_app.background.preview import Preview
@@ -122,9 +123,14 @@ class Document(Looking):
     @property
     def together(self) -> tuple[str, ...]:
         """Ids of what keys decide at once: the artifact under review, and the rest of its event."""
-        if self._current is None:
+        current = self.current
+        if current is None:
             return ()
-        return self._rows.together(self._current)
+        rows = self._rows
+        if self.joints and self.session is not None and current.id not in rows:
+            # What was decided together and is listed no more is reopened together.
+            rows = Rows([[a.id for a in event] for event in events(self.session.listed)])
+        return rows.together(current.id)
 
     @property
     def queue(self) -> tuple[str, ...]:

@@ -22,6 +22,9 @@ class Rows:
     def _event_of(self) -> dict[str, Sequence[str]]:
         return {i: event for event in self._events for i in event}
 
+    def __contains__(self, artifact_id: str) -> bool:
+        return artifact_id in self._event_of
+
     def together(self, artifact_id: str) -> tuple[str, ...]:
         """What is decided with an artifact, which comes first itself."""
         return tuple(dict.fromkeys([artifact_id, *self._event_of.get(artifact_id, ())]))

@@ -73,6 +73,17 @@ def test_one_key_repairs_an_event_and_one_takes_that_back(opened, qtbot):
     assert len(document.together) == len(JOINTS)
 
 
+def test_what_was_repaired_together_is_reopened_together_where_it_is_listed_no_more(opened, qtbot):
+    document = opened.document
+    waist = document.current.id
+    decided(opened, qtbot, Qt.Key.Key_F)
+    qtbot.waitUntil(lambda: opened.queue.model.row_of(waist) is None)
+    document.select(waist)
+    assert opened.inspector.findChild(ArtifactPage).title.text() == "waist +16"
+    qtbot.keyClick(opened, Qt.Key.Key_U)
+    assert not document.session.with_status(Status.REPAIRED)
+
+
 def test_keys_walk_from_event_to_event_and_decide_each(opened, qtbot):
     document = opened.document
     qtbot.keyClick(opened, Qt.Key.Key_N)
