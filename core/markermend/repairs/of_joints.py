@@ -36,7 +36,7 @@ def best_of_joint(evidence: Evidence, artifact: Artifact) -> Repair:
         without patches, and with the reason, when restoring cannot repair it
     """
     restored = _by_defaults(evidence, artifact, RESTORING)
-    if artifact.counterpart is not None or not restored.patches:
+    if artifact.counterpart is not None or (restored.error_mm or 0.0) < _MATTERS_MM:
         return restored
     followed = _by_defaults(evidence, artifact, FOLLOWING)
     if best_of((restored, followed)) != FOLLOWING:
