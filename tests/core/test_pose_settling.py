@@ -84,3 +84,12 @@ def test_joints_smoothed_in_time_come_nearer_than_each_pose_by_itself():
     found[50:, 2, 3:] *= -1.0
     assert np.abs(found - truth).mean() < 0.65 * np.abs(pilot - truth).mean()
     assert np.abs(found - truth)[unmeasured].mean() < 0.7 * np.abs(pilot - truth)[unmeasured].mean()
+
+
+def test_a_body_that_never_bends_stays():
+    still = np.tile(chain()[:1], (50, 1, 1))
+    variance = np.full(still.shape, 0.01**2)
+    assert_allclose(settle(still, variance, still, PARENTS, range(4)), still, atol=1e-12)
+    assert_allclose(
+        settle_in_time(still, variance, still, PARENTS, range(4), 30.0), still, atol=1e-12
+    )

@@ -30,8 +30,8 @@ def off(take, repair):
 
 
 def test_where_joints_around_it_tell_far_more_a_joint_follows_them(walk):
-    # An ankle between a knee and a foot, of a skeleton that no prior fits.
-    marked = Artifact("rtibia", "xyz", 105, 225, Kind.NOISE)
+    # A thumb beside a hand and fingers, of a skeleton that no prior fits.
+    marked = Artifact("lthumb", "xyz", 105, 225, Kind.NOISE)
     best = propose(walk, marked)
     restored = propose(walk, marked, method="skeleton")
     assert best.method == "local_regression"

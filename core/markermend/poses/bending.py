@@ -23,6 +23,8 @@ from markermend.poses.quaternion import (
 _LOCAL = 6
 # Directions in which a body varies less than this share of its largest are those it cannot move in.
 _LEAST = 1e-6
+# A body whose features change by the root of this at most does not bend at all.
+_STILL = 1e-20
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,7 +88,7 @@ def find_bends(poses: FloatArray, parents: Sequence[int], order: Sequence[int]) 
     local = _to_local(poses, parents, joints, middle)
     mean = local.mean(axis=0)
     spread, axes = np.linalg.eigh(np.cov(local.T))
-    kept = spread > _LEAST * spread[-1]
+    kept = spread > max(_LEAST * spread[-1], _STILL)
     scale = np.sqrt(spread[kept])
     at = (local - mean) @ axes[:, kept] / scale
     return Bends(poses, tuple(parents), joints, at, local, middle, mean, axes[:, kept] * scale)

@@ -17,6 +17,7 @@ from markermend.poses.covariance import Moments
 from markermend.poses.faults import CARRIED, Fault, mend_faults
 from markermend.poses.filling import Filled, fill
 from markermend.poses.likeness import FEW_MOMENTS, MOMENTS, SOME_MOMENTS
+from markermend.poses.linking import FIXED_MM, linked
 from markermend.poses.normal import FEATURES, denormalise
 from markermend.poses.nuitrack import mirrored
 from markermend.poses.pose import Pose
@@ -182,7 +183,7 @@ def _tried(restored: Restored, tell: Progress) -> Restored:
 
 def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     """Restore with moments of the recording's own channels."""
-    channels = steadied(to_channels(pose), pose.rate)
+    channels, off_mm = _linked(steadied(to_channels(pose), pose.rate), pose)
     usable = np.asarray(channels.known.any(axis=0))
     values, known = channels.values[:, usable], channels.known[:, usable]
     mirror = None
@@ -251,7 +252,23 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
             last = _in_time(features, channels, noise, pose)
             features = _between(last, features, first, known_joints)
     features = _with_bones(features, known_joints, bones)
-    return _finished(pose, features, channels, noise, variance)
+    return _finished(pose, features, channels, noise, variance, off_mm)
+
+
+def _linked(channels: Channels, pose: Pose) -> tuple[Channels, FloatArray]:
+    """Channels in which joints told by rigid links are known, and (frames, joints) their errors."""
+    features, (seen, turned) = to_features(channels.values, channels), _known_joints(channels, pose)
+    mm, joints = channels.normal.scale, list(channels.joints)
+    places, error = linked(
+        features[..., :3], features[..., 3:], seen, turned, pose.parents, FIXED_MM / mm
+    )
+    values = channels.values.reshape(pose.frames, -1, FEATURES).copy()
+    known = channels.known.reshape(values.shape).copy()
+    values[..., :3] = places[:, joints]
+    known[..., :3] |= ~np.isnan(error[:, joints, None])
+    shape = channels.values.shape
+    more = replace(channels, values=values.reshape(shape), known=known.reshape(shape))
+    return more, np.nan_to_num(error) * mm
 
 
 def _variance(filled: Filled, known: BoolArray, noise: FloatArray) -> FloatArray:
@@ -346,7 +363,12 @@ def _with_bones(
 
 
 def _finished(
-    pose: Pose, features: FloatArray, channels: Channels, noise: FloatArray, variance: FloatArray
+    pose: Pose,
+    features: FloatArray,
+    channels: Channels,
+    noise: FloatArray,
+    variance: FloatArray,
+    off_mm: FloatArray,
 ) -> Restored:
     """Back to millimetres and global axes."""
     joints, count = list(channels.joints), len(pose.joints)
@@ -361,6 +383,7 @@ def _finished(
     error = np.zeros((pose.frames, count))
     squared = variance.reshape(pose.frames, -1, FEATURES)[..., :3].sum(axis=2)
     error[:, joints] = np.sqrt(squared) * channels.normal.scale
+    error = np.hypot(error, off_mm)
     level = np.zeros(count)
     level[joints] = noise[::FEATURES] * channels.normal.scale
     return Restored(pose.with_samples(positions, rotations, confidence), error, level, filled)

@@ -43,6 +43,8 @@ def settle(
     A few frames in a row bend alike and share slopes and variances.
     """
     bends, rows = find_bends(_signed(pilot, features), parents, order), np.arange(len(features))
+    if not bends.at.shape[1]:
+        return features
     if wanted is not None:
         rows = rows[np.logical_or.reduceat(wanted, rows[::_ALIKE])[rows // _ALIKE]]
         bends = bends.of(rows)
@@ -77,6 +79,8 @@ def settle_in_time(
     average, they pass :func:`markermend.poses.smoothing.smooth_bands`.
     """
     bends = find_bends(_signed(pilot, features), parents, order)
+    if not bends.at.shape[1]:
+        return features
     moved, known = _solved(bends, features, variance, np.zeros_like(bends.at))
     white = np.linalg.cholesky(known)
     found = smooth_bands((bends.at + moved) @ white, bends.at @ white, rate)
