@@ -17,7 +17,7 @@ from markermend_app.panels.floating_buttons import FloatingButtons
 from markermend_app.panels.markers.naming import short_names
 from markermend_app.panels.plots.beside import channel, grouped
 from markermend_app.panels.plots.crosshair import Crosshair
-from markermend_app.panels.plots.drawn import Drawn
+from markermend_app.panels.plots.drawn import Drawn, Shown
 from markermend_app.panels.plots.frame import PlotFrame, events_of
 from markermend_app.panels.plots.gestures import Gestures
 from markermend_app.panels.plots.header import PlotHeader
@@ -26,7 +26,7 @@ from markermend_app.panels.plots.partner import partner_of
 from markermend_app.panels.plots.prediction import Predictions
 from markermend_app.panels.plots.quantity import COORDINATES, QUANTITIES, can_show
 from markermend_app.panels.plots.range import surrounded, time_range, well_seen
-from markermend_app.panels.plots.row import PlotRow, Shown
+from markermend_app.panels.plots.row import PlotRow
 from markermend_app.panels.plots.rows_menu import fill_rows_menu, remembered_rows
 from markermend_app.panels.plots.shown_repair import shown_repair
 from markermend_app.panels.plots.stack import PlotStack
