@@ -49,7 +49,7 @@ def take_pictures(folder: Path) -> int:
     document = window.document
     window.commands.open_path(Path(shutil.copy(demo_take(), folder)))
     settle(window)
-    window.commands.detect_slow()
+    window.detecting.detect_slow()
     settle(window)
     session = document.session
     assert session is not None

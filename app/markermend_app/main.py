@@ -124,7 +124,7 @@ def take_screenshot(window: MainWindow, take: Path | None, target: Path) -> int:
             document.open(file, infer_mesh(file.session.original))
             fresh = document.session is not None and not document.session.begun
         if fresh:
-            window.commands.detect()
+            window.detecting.detect()
         else:
             document.step(1)
     except MarkermendError as error:

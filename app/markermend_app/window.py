@@ -48,10 +48,12 @@ from markermend_app.style import theme
 from markermend_app.verbs.bulk import Bulk
 from markermend_app.verbs.commands import Commands
 from markermend_app.verbs.comparison import Comparison
+from markermend_app.verbs.detecting import Detecting
 from markermend_app.verbs.handwork import HandWork
 from markermend_app.verbs.key_sweep import KeySweep
 from markermend_app.verbs.references import References
 from markermend_app.verbs.region import RegionOfInterest
+from markermend_app.verbs.repairing import Repairing
 from markermend_app.verbs.reporting import Reporting
 from markermend_app.verbs.smoothing import Smoothing
 from markermend_app.verbs.view import THEMES, view_verbs, wear
@@ -61,7 +63,16 @@ ROOMY, SIDES = QSize(1500, 940), (310, 400)
 TAKES_HIGH = 330
 
 _Verbs = (
-    Commands | Bulk | BatchReview | HandWork | KeySweep | Smoothing | Reporting | RegionOfInterest
+    Commands
+    | Detecting
+    | Repairing
+    | Bulk
+    | BatchReview
+    | HandWork
+    | KeySweep
+    | Smoothing
+    | Reporting
+    | RegionOfInterest
 )
 DECISIONS = ("accept", "reject", "reopen", "remove")
 """Actions that would decide unseen about an artifact whose details a swept range covers."""
@@ -75,7 +86,9 @@ class MainWindow(QMainWindow):
         self.setObjectName("main")
         self.document = Document(self)
         self.lane = Lane("engine", self)
-        self.commands = Commands(self.document, self.lane, self)
+        self.detecting = Detecting(self.document, self.lane, self)
+        self.repairing = Repairing(self.document, self.lane, self)
+        self.commands = Commands(self.document, self.lane, self.detecting, self)
         self.bulk = Bulk(self.document, self)
         self.batch = BatchReview(self.document, self.commands, self.lane, self)
         self.smoothing = Smoothing(self.document, self)
@@ -239,7 +252,7 @@ class MainWindow(QMainWindow):
         self.welcome.path_requested.connect(self.commands.open_path)
         self.lane.started.connect(self.queue.set_doing)
         self.lane.finished.connect(lambda: self.queue.set_doing(""))
-        self.queue.repair_requested.connect(self.commands.repair_many)
+        self.queue.repair_requested.connect(self.repairing.repair_many)
         self.queue.verb_requested.connect(self._run)
         self.trajectories.mark_requested.connect(self.hand.mark_selection)
         self.trajectories.verb_requested.connect(self._run)
@@ -280,6 +293,8 @@ class MainWindow(QMainWindow):
         """What has verbs that actions name."""
         return (
             self.commands,
+            self.detecting,
+            self.repairing,
             self.bulk,
             self.batch,
             self.hand,

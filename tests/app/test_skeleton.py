@@ -319,9 +319,9 @@ def test_what_is_accepted_only_is_told_when_all_is_decided(opened, qtbot):
 def test_what_was_searched_under_other_names_is_told(request, recording, told, qtbot, monkeypatch):
     window, said = request.getfixturevalue(recording), []
     monkeypatch.setattr("markermend_app.detection.search", lambda *_, **__: ())
-    window.commands.said.connect(said.append)
+    window.detecting.said.connect(said.append)
     first = window.document.session.original.labels[0]
-    window.commands.detect()
+    window.detecting.detect()
     window.document.do(lambda session: hand.rename(session, {first: "other"}))
     qtbot.waitUntil(lambda: f"{told}; detect again." in said, timeout=WAIT)
 
