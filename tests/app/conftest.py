@@ -106,7 +106,7 @@ def document(tmp_path, damaged, mesh, qtbot):
     take, found = damaged
     document = Document()
     document.open(open_session(take, folder=tmp_path), mesh)
-    document.add_detected(found, "paper")
+    document.decisions.add_detected(found, "paper")
     yield document
     document.open(None, None)
     document.proposals.close()
@@ -130,7 +130,7 @@ def review(qtbot, tmp_path):
         window.activateWindow()
         qtbot.waitExposed(window)
         window.document.open(open_session(take, folder=tmp_path), infer_mesh(take))
-        window.document.add_detected(artifacts, "truth")
+        window.document.decisions.add_detected(artifacts, "truth")
         window.document.step(1)
         qtbot.waitUntil(lambda: not window.tree._anew.waiting)
         return window
@@ -185,7 +185,7 @@ def open_plots(qtbot, tmp_path):
         panel.show()
         qtbot.waitExposed(panel)
         if artifacts:
-            document.add_detected(artifacts, "test")
+            document.decisions.add_detected(artifacts, "test")
             document.set_queue(Rows([[a.id] for a in document.session.artifacts]))
         made.append((panel, document))
         return Bench(panel, document)

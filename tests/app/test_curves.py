@@ -24,7 +24,7 @@ def test_gaps_stay_holes_and_originals_lie_beneath(bench):
     session = bench.document.session
     gap = next(a for a in session.artifacts if a.kind is Kind.GAP)
     values = np.full((30, 3), 321.0)
-    bench.document.repair_many(
+    bench.document.decisions.repair_many(
         [(gap.id, Repair("test", (Patch("CLAV", "xyz", 60, 90, values),)))], ""
     )
     assert np.isnan(trace.item("measured").values[60:90]).all()
@@ -38,7 +38,7 @@ def test_axes_that_were_not_edited_stay_as_measured(bench, qtbot):
     assert step.axes == "z"
     document.show([step.marker])
     patch = Patch(step.marker, "z", step.start, step.stop, np.full((step.length, 1), 5.0))
-    document.repair_many([(step.id, Repair("test", (patch,)))], "")
+    document.decisions.repair_many([(step.id, Repair("test", (patch,)))], "")
     qtbot.waitUntil(lambda: "edited" in z.traces[step.marker].made)
     assert set(z.traces[step.marker].item("edited").values[1:-1]) == {5.0}
     assert np.isfinite(x.traces[step.marker].item("measured").values).all()

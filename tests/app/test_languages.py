@@ -63,7 +63,7 @@ def open_window(qtbot, damaged, tmp_path):
 
         qtbot.addWidget(window, before_close_func=quiet)
         window.document.open(open_session(take, folder=tmp_path), infer_mesh(take))
-        window.document.add_detected(truth, "truth")
+        window.document.decisions.add_detected(truth, "truth")
         window.document.step(1)
         return window
 

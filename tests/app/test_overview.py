@@ -38,7 +38,7 @@ def make(qtbot, tmp_path):
         document = Document()
         document.open(open_session(take, folder=tmp_path), mesh)
         if artifacts:
-            document.add_detected(artifacts, "test")
+            document.decisions.add_detected(artifacts, "test")
         panel = Overview(document, first)
         qtbot.addWidget(panel)
         panel.resize(692, 182)
@@ -93,7 +93,7 @@ def test_artifacts_are_painted_by_class_and_faint_once_rejected(overview):
     gap = next(a for a in overview.document.session.artifacts if a.kind is Kind.GAP)
     at = _point(overview, 75, 4)
     assert _color(overview, at) == kinds[Kind.GAP]
-    overview.document.reject([gap.id])
+    overview.document.decisions.reject([gap.id])
     overview.document.select(None)
     faint = _color(overview, at)
     assert faint != kinds[Kind.GAP]
@@ -104,7 +104,7 @@ def test_artifacts_are_painted_by_class_and_faint_once_rejected(overview):
 def test_a_mix_up_is_painted_and_clicked_on_the_rows_of_both_markers(overview):
     document = overview.document
     swap = Artifact("CLAV", "xyz", 110, 140, Kind.STEP, counterpart="LELB")
-    document.add_detected([*document.session.artifacts, swap], "")
+    document.decisions.add_detected([*document.session.artifacts, swap], "")
 
     def middle(artifact, marker):
         row = overview._rows.row_of[overview._column_of[marker]]
@@ -174,7 +174,7 @@ def test_residuals_come_from_a_thread_and_follow_repairs(overview, qtbot):
     before = overview.residuals.values[6, 285:325].copy()
     document.select(artifact.id)
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=20_000)
-    document.repair_current()
+    document.decisions.repair_current()
 
     def mended():
         overview.grab()
@@ -186,13 +186,13 @@ def test_residuals_come_from_a_thread_and_follow_repairs(overview, qtbot):
 def test_residuals_are_made_anew_once_damage_is_known(overview, qtbot):
     document = overview.document
     found = document.session.artifacts
-    document.remove([a.id for a in found])
+    document.decisions.remove([a.id for a in found])
     overview.mode.choose("residual")
     overview.grab()
     qtbot.waitUntil(lambda: overview.residuals.values is not None, timeout=30_000)
     before = overview.residuals.values
     neighbour = before[7, 285:325].copy()
-    document.add_detected(found, "again")
+    document.decisions.add_detected(found, "again")
 
     def anew():
         overview.grab()
@@ -320,7 +320,7 @@ def test_a_repair_takes_the_shade_away(overview, qtbot):
     overview.grab()
     assert overview._levels(overview._take, 600)[0].any()
     patch = Patch("CLAV", "xyz", 60, 90, np.zeros((30, 3)))
-    overview.document.repair_many([(gap.id, Repair("test", (patch,)))], "")
+    overview.document.decisions.repair_many([(gap.id, Repair("test", (patch,)))], "")
     settled(qtbot)
     assert not overview._levels(overview._take, 600)[0].any()
 
@@ -332,7 +332,7 @@ def test_what_is_painted_while_a_count_waits_is_painted_anew(overview, qtbot):
     document = overview.document
     gap = next(a for a in document.session.artifacts if a.kind is Kind.GAP)
     patch = Patch("CLAV", "xyz", 60, 90, np.zeros((30, 3)))
-    document.repair_many([(gap.id, Repair("test", (patch,)))], "")
+    document.decisions.repair_many([(gap.id, Repair("test", (patch,)))], "")
     overview.grab()
     settled(qtbot)
     now = overview.grab().toImage()
@@ -390,7 +390,7 @@ def test_long_takes_with_many_markers_are_quick(make):
     panel.grab()
     began = time.process_time()
     panel.document.set_queue(Rows([[a.id] for a in artifacts]))
-    panel.document.accept([artifacts[3].id])
+    panel.document.decisions.accept([artifacts[3].id])
     panel.grab()
     assert time.process_time() - began < 0.5
     assert panel.document.session.artifact(artifacts[3].id).status is Status.ACCEPTED

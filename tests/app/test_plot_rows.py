@@ -56,7 +56,7 @@ def panel(qtbot, tmp_path, damaged):
     panel.resize(900, 700)
     panel.show()
     qtbot.waitExposed(panel)
-    document.add_detected(artifacts, "test")
+    document.decisions.add_detected(artifacts, "test")
     document.set_queue(Rows([[a.id] for a in document.session.artifacts]))
     document.show(["CLAV"])
     yield panel
@@ -157,7 +157,7 @@ def test_filled_samples_are_drawn_apart_in_every_row(panel, qtbot):
     for row in panel.rows:
         (item,) = row.proposed
         assert {59, 90} <= set(item.frames.tolist())
-    document.repair_current()
+    document.decisions.repair_current()
     assert document.session.artifact(gap.id).status is Status.REPAIRED
     document.show(["CLAV"])
     for row in panel.rows:

@@ -149,7 +149,7 @@ def test_open_artifacts_ring_their_markers_until_decided(scene, document):
     ]
     near = [abs(c.red() - theme_ring.red()) + abs(c.blue() - theme_ring.blue()) for c in around]
     assert min(near) < 60
-    document.reject([a.id for a in document.session.artifacts if a.kind is Kind.PEAK])
+    document.decisions.reject([a.id for a in document.session.artifacts if a.kind is Kind.PEAK])
     assert scene.seen.rings() == {}
 
 
@@ -306,7 +306,7 @@ def test_colours_of_groups_can_be_told_apart(scene, document):
 
     document.show([])
     document.select(None)
-    document.remove([a.id for a in document.session.artifacts])
+    document.decisions.remove([a.id for a in document.session.artifacts])
     plain = colours()
     scene.looks.set_colours("group")
     assert len(colours() - plain) >= 1
@@ -351,7 +351,7 @@ def test_the_other_version_is_a_ghost_that_before_and_after_swap(scene, document
     column = document.session.original.index(step.marker)
     values = document.session.positions[step.start : step.stop, column, 2:3] - 400.0
     patch = Patch(step.marker, "z", step.start, step.stop, values)
-    document.repair_many([(step.id, Repair("test", (patch,)))], "")
+    document.decisions.repair_many([(step.id, Repair("test", (patch,)))], "")
     document.select(None)
     document.show(["CLAV"])
     document.go_to(300)
@@ -388,7 +388,7 @@ def test_markers_are_coloured_by_group_or_by_damage(scene, document):
     colours = marker_colours(scene.looks, take.markers, document.mesh, damage)
     assert colours[take.index("STRN")] != colours[take.index("LWRA")]
     step = next(a for a in document.session.artifacts if a.kind is Kind.STEP)
-    document.reject([step.id])
+    document.decisions.reject([step.id])
     assert scene.seen.damage()[take.index("LWRA")] == 0
 
 

@@ -58,7 +58,7 @@ def test_everything_is_drawn(qtbot, tmp_path, document, panels, frames, markers,
     scene.looks.colours = "damage"
     plots.set_prediction_shown(True)
     if frames and markers:
-        document.add_detected([Artifact("A", "x", 0, 1, Kind.PEAK, 0.9, 4.0)], "test")
+        document.decisions.add_detected([Artifact("A", "x", 0, 1, Kind.PEAK, 0.9, 4.0)], "test")
         document.step(1)
     for mode in MODES:
         overview.mode.choose(mode)

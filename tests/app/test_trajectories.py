@@ -134,7 +134,7 @@ def test_a_repair_keeps_its_band_also_when_the_review_is_opened_again(
     previewed = [row.band.boundingRect() for row in panel.rows]
     assert all(box.height() > 0 for box in previewed)
 
-    document.repair_current()
+    document.decisions.repair_current()
     document.select(gap.id)
     for row, box in zip(panel.rows, previewed, strict=True):
         assert not row.proposed
@@ -301,10 +301,10 @@ def test_prediction_is_made_anew_when_what_it_learned_from_changes(bench, qtbot)
     qtbot.waitUntil(lambda: "CLAV" in known, timeout=20_000)
     first = known["CLAV"]
     noise = next(a.id for a in bench.document.session.artifacts if a.marker == "C7")
-    bench.document.accept([noise])
+    bench.document.decisions.accept([noise])
     qtbot.wait(SETTLED_MS + 300)
     assert known["CLAV"] is first
-    bench.document.reject([noise])
+    bench.document.decisions.reject([noise])
     assert known["CLAV"] is first
     qtbot.waitUntil(lambda: known["CLAV"] is not first, timeout=20_000)
     apart = np.abs(known["CLAV"] - first)
@@ -381,7 +381,7 @@ def test_the_legend_brings_a_marker_to_the_front(bench):
 
 
 def test_a_swap_is_previewed_on_both_markers(bench, qtbot):
-    bench.document.mark(Artifact("CLAV", "xyz", 250, 280, Kind.STEP, counterpart="STRN"))
+    bench.document.decisions.mark(Artifact("CLAV", "xyz", 250, 280, Kind.STEP, counterpart="STRN"))
     assert set(bench.document.shown) == {"CLAV", "STRN"}
     bench.document.choose_method("swap")
     qtbot.waitUntil(lambda: bench.document.proposal is not None, timeout=20_000)

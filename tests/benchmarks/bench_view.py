@@ -121,9 +121,9 @@ def bench_plots(options: argparse.Namespace, folder: Path) -> None:
     print(f"{take.frames} frames x {take.markers} markers at {take.rate:g} Hz, 1400 x 900")  # noqa: T201
     print(f"{'':22}{'pan 300 s':>11}{'pan 60 s':>11}{'pan 5 s':>11}{'zoom':>11}{'cursor':>11}")  # noqa: T201
     for markers, artifacts in ((1, 0), (1, 300), (5, 0), (5, 300)):
-        document.remove([a.id for a in document.session.artifacts])
+        document.decisions.remove([a.id for a in document.session.artifacts])
         if artifacts:
-            document.add_detected(make_artifacts(take, artifacts), "bench")
+            document.decisions.add_detected(make_artifacts(take, artifacts), "bench")
         document.show(take.labels[:markers])
         QApplication.processEvents()
         cells = []
@@ -161,7 +161,7 @@ def bench_scene(options: argparse.Namespace, folder: Path) -> None:
     scene = Scene(document)
     scene.resize(900, 700)
     scene.show()
-    document.add_detected(make_artifacts(take, 300), "bench")
+    document.decisions.add_detected(make_artifacts(take, 300), "bench")
     print(f"{take.markers} markers at {take.rate:g} Hz, 900 x 700")  # noqa: T201
 
     def play(i: int) -> None:

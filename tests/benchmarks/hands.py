@@ -90,7 +90,7 @@ class Operator:
         spin(lambda: self.document.session is not None and self.document.mesh is not None)
         if found is not None:
             spin(lambda: not self.window.lane.busy)
-            self.document.add_detected(found, "planted")
+            self.document.decisions.add_detected(found, "planted")
             self.document.step(1)
         spin(lambda: not self.window.lane.busy and self.document.current is not None)
         spin(self.proposed)

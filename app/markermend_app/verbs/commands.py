@@ -245,25 +245,25 @@ class Commands(QObject):
 
     def accept(self) -> None:
         """Accept the current artifact."""
-        self._document.accept_current()
+        self._document.decisions.accept_current()
 
     def reject(self) -> None:
         """Reject the current artifact."""
-        self._document.reject_current()
+        self._document.decisions.reject_current()
 
     def repair(self) -> None:
         """Repair the current artifact by the method shown."""
-        self._document.repair_current()
+        self._document.decisions.repair_current()
 
     def reopen(self) -> None:
         """Take the decision on the current artifact back."""
         if self._document.current is not None:
-            self._document.reopen(self._document.together)
+            self._document.decisions.reopen(self._document.together)
 
     def remove(self) -> None:
         """Take the current artifact off the list."""
         if self._document.current is not None:
-            self._document.remove(self._document.together)
+            self._document.decisions.remove(self._document.together)
 
     # Walking
 

@@ -64,7 +64,7 @@ class Detecting(QObject):
                 self.said.emit(text)
                 return
             name = "all kinds" if slow else SEARCHED
-            self._document.add_detected(found, name, by_itself=by_itself)
+            self._document.decisions.add_detected(found, name, by_itself=by_itself)
             one, many = self.tr("1 artifact found."), self.tr("{0} artifacts found.")
             text = one if len(found) == 1 else many.format(len(found))
             if session.region is not None:

@@ -74,7 +74,7 @@ class Repairing(QObject):
             good = [(a.id, r) for a, r in repairs if r.patches]
             if good:
                 name = label or f"Repair {len(good)} artifacts"
-                self._document.repair_many(good, name)
+                self._document.decisions.repair_many(good, name)
             left = len(repairs) - len(good)
             text = self.tr("{0} repaired.").format(len(good))
             if left:

@@ -3671,6 +3671,18 @@
         <source>Take the decision back</source>
         <translation>Die Entscheidung zurücknehmen</translation>
     </message>
+    <message>
+        <source>{0} repaired.</source>
+        <translation>{0} repariert.</translation>
+    </message>
+    <message>
+        <source>The flag on {0} is accepted, the samples are left. {1}</source>
+        <translation>Der Befund an {0} ist angenommen, die Werte bleiben. {1}</translation>
+    </message>
+    <message>
+        <source>{0} on {1} is open again: its repair was for what it was before.</source>
+        <translation>{0} an {1} ist wieder offen: die Reparatur galt dem, was es vorher war.</translation>
+    </message>
 </context>
 <context>
     <name>Detecting</name>
@@ -3697,21 +3709,6 @@
     <message>
         <source>Looking for artifacts</source>
         <translation>Suche nach Artefakten</translation>
-    </message>
-</context>
-<context>
-    <name>Document</name>
-    <message>
-        <source>{0} repaired.</source>
-        <translation>{0} repariert.</translation>
-    </message>
-    <message>
-        <source>The flag on {0} is accepted, the samples are left. {1}</source>
-        <translation>Der Befund an {0} ist angenommen, die Werte bleiben. {1}</translation>
-    </message>
-    <message>
-        <source>{0} on {1} is open again: its repair was for what it was before.</source>
-        <translation>{0} an {1} ist wieder offen: die Reparatur galt dem, was es vorher war.</translation>
     </message>
 </context>
 <context>

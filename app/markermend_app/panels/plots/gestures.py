@@ -68,7 +68,7 @@ class Gestures:
         if self._pressed is None:
             self._panel.fit_all()
         elif current is not None and current.id == self._pressed:
-            self._document.repair_current()
+            self._document.decisions.repair_current()
 
     def _menu(self, row: PlotFrame, at: QPointF, screen: QPointF) -> None:
         """Open the menu that fits what lies there."""
@@ -124,7 +124,7 @@ class Gestures:
         edges = row.edges.frames
         start, stop = self._whole(current.markers, *edges, take.frames, besides=current)
         if (start, stop) != (current.start, current.stop):
-            self._document.change(current.id, start=start, stop=stop)
+            self._document.decisions.change(current.id, start=start, stop=stop)
         self._panel.show_current()
 
     def _whole(

@@ -101,7 +101,7 @@ class ReviewQueue(QWidget):
 
         self.view.selectionModel().currentRowChanged.connect(self._row_changed)
         self.view.clicked.connect(self._clicked)
-        self.view.doubleClicked.connect(lambda _: document.repair_current())
+        self.view.doubleClicked.connect(lambda _: document.decisions.repair_current())
         BeforeHands(self.view, self._soon.catch_up)
         self.view.verb.connect(self.apply)
         self.view.customContextMenuRequested.connect(self._show_menu)
@@ -143,9 +143,9 @@ class ReviewQueue(QWidget):
         if not ids:
             return
         if verb != "repair":
-            getattr(self._document, verb)(ids)
+            getattr(self._document.decisions, verb)(ids)
         elif set(ids) == set(self._document.together):
-            self._document.repair_current()
+            self._document.decisions.repair_current()
         else:
             self.repair_requested.emit(ids)
 
