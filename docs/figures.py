@@ -45,7 +45,7 @@ def take_pictures(folder: Path) -> int:
     theme.apply(app, "light")
     window = MainWindow()
     window.show()
-    window.lay_out(QSize(WIDTH, HEIGHT))
+    window.dock_layout.take_size(QSize(WIDTH, HEIGHT))
     document = window.document
     window.commands.open_path(Path(shutil.copy(demo_take(), folder)))
     settle(window)

@@ -113,9 +113,9 @@ def take_screenshot(window: MainWindow, take: Path | None, target: Path) -> int:
     from markermend.mesh import infer_mesh
     from markermend.progress import quiet
     from markermend_app.background.loading import load
-    from markermend_app.window import ROOMY
+    from markermend_app.dock_layout import ROOMY
 
-    window.lay_out(ROOMY)
+    window.dock_layout.take_size(ROOMY)
     document = window.document
     fresh = False
     try:

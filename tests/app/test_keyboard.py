@@ -291,7 +291,7 @@ def test_the_queue_is_sorted_from_its_menu_and_turned_round(window, qtbot):
 
 
 def test_the_quality_of_markers_is_sorted_from_its_menu(window, qtbot):
-    window.show_dock("quality")
+    window.dock_layout.show("quality")
     qtbot.waitUntil(lambda: bool(window.quality.model.rows))
     choose(window.quality.view, qtbot, "Marker")
     names = [s.marker for s in window.quality.model.rows]

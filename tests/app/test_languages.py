@@ -160,7 +160,7 @@ def test_german_has_room_in_the_quality_panel_and_the_sheet_of_keys(german, open
     window = open_window()
     theme.apply(QApplication.instance(), "light")
     window.show()
-    window.show_dock("quality")
+    window.dock_layout.show("quality")
     head = window.quality.head
     qtbot.waitUntil(lambda: head.model().rowCount() > 0)
     assert head.model().index(0, MARKER).data() == "Ganze Aufnahme"

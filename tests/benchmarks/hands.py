@@ -194,9 +194,9 @@ class Operator:
             self.key(Qt.Key.Key_H)
             spin(lambda: not self.window.lane.busy, 0.3)
         self.turns.doing = "quality"
-        self.window.show_dock("quality")
+        self.window.dock_layout.show("quality")
         wait(200)
-        self.window.show_dock("queue")
+        self.window.dock_layout.show("queue")
         wait(50)
 
     def show_more(self) -> None:

@@ -61,7 +61,7 @@ def view_verbs(window: MainWindow) -> dict[str, Callable[[], object]]:
         "previous_panel": window.walk.previous,
         **{f"theme_{name}": partial(_set_theme, name) for name in THEMES},
         "detect_on_open": lambda: settings.remember("detect_on_open", checked("detect_on_open")),
-        "reset_layout": window.reset_layout,
+        "reset_layout": window.dock_layout.reset,
         "manual": lambda: _show_manual(window),
         "tour": lambda: _show_tour(window),
         "preferences": lambda: window.preferred.open(),
@@ -88,7 +88,7 @@ def _set_theme(name: str) -> None:
 
 def _write_note(window: MainWindow) -> None:
     """Put the cursor where a note is written."""
-    window.show_dock("inspector")
+    window.dock_layout.show("inspector")
     window.inspector.write_note()
 
 
