@@ -63,8 +63,8 @@ def test_odd_takes_are_shown(open_plots, positions):
     artifacts = [Artifact(m, "xyz", 0, 1, Kind.GAP) for m in take.labels]
     bench = open_plots(take, artifacts, mesh=False)
     bench.document.show(take.labels)
-    bench.panel.fit_all()
-    bench.panel.zoom(0.5)
+    bench.panel.framing.fit_all()
+    bench.panel.framing.zoom(0.5)
     bench.panel.grab()
     if take.labels:
         bench.click(0)
@@ -86,7 +86,7 @@ def test_long_takes_pan_quickly(open_plots):
     spent = []
     for start in range(20_000, 30_000, 1_000):
         began = time.perf_counter()
-        bench.panel.set_view(start, start + 14_400)
+        bench.panel.framing.set_view(start, start + 14_400)
         bench.port.repaint()
         spent.append(time.perf_counter() - began)
     # Measured at 20 ms; the bound leaves room for busy machines.

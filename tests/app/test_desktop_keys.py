@@ -26,7 +26,7 @@ def press(window, key):
 
 
 def sweep(window):
-    window.trajectories.set_view(0, 150)
+    window.trajectories.framing.set_view(0, 150)
     Bench(window.trajectories, window.document).drag(20, 40, keys=SHIFT)
     assert window.document.selection is not None
 

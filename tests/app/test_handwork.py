@@ -31,7 +31,7 @@ def window(review, damaged):
     document = made.document
     document.select(next(a.id for a in document.session.artifacts if a.kind is Kind.GAP))
     document.show(["T10", "LSHO"])
-    made.trajectories.set_view(0, 150)
+    made.trajectories.framing.set_view(0, 150)
     return made
 
 
@@ -226,7 +226,7 @@ def test_a_stretch_with_the_wrong_name_is_given_to_the_right_marker(unlabelled, 
     window, document = unlabelled, unlabelled.document
     before = state(window)
     document.show(["*9"])
-    window.trajectories.set_view(50, 100)
+    window.trajectories.framing.set_view(50, 100)
     Bench(window.trajectories, document).drag(70, 79, keys=SHIFT)
     qtbot.keyClick(window, Qt.Key.Key_E)
     choose(window, qtbot, "clav")
@@ -236,7 +236,7 @@ def test_a_stretch_with_the_wrong_name_is_given_to_the_right_marker(unlabelled, 
     assert state(window) == before
     # What is taken back keeps the marker it was swept on in the plots.
     document.show(["CLAV"])
-    window.trajectories.set_view(90, 140)
+    window.trajectories.framing.set_view(90, 140)
     Bench(window.trajectories, document).drag(110, 119, keys=SHIFT)
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
@@ -259,7 +259,7 @@ def test_a_refusal_is_said_aside_and_changes_nothing(window, mouse, qtbot, monke
 def test_a_sweep_snaps_to_the_edges_of_artifacts(window, mouse, qtbot):
     document = window.document
     document.show(["CLAV"])
-    window.trajectories.set_view(0, 400)
+    window.trajectories.framing.set_view(0, 400)
     mouse.drag(30, 57, keys=SHIFT)
     assert document.selection.stop == 60
     mouse.drag(91, 130, keys=SHIFT)
@@ -392,12 +392,12 @@ def test_swapped_samples_lie_over_the_source_of_both_and_undo_keeps_the_view(win
         assert trace.item("edited").zValue() > sources
         styles = {trace.item(p).worn.style() for p in ("measured", "filled", "edited")}
         assert len(styles) == 3
-    panel.set_view(30, 75)
+    panel.framing.set_view(30, 75)
     undo(window, qtbot)
     assert mouse.time == pytest.approx((30, 75))
     qtbot.keyClick(window, Qt.Key.Key_Y, CTRL)
     assert mouse.time == pytest.approx((30, 75))
-    panel.set_view(90, 120)
+    panel.framing.set_view(90, 120)
     undo(window, qtbot)
     qtbot.waitUntil(lambda: mouse.time[0] < 40)
     assert mouse.time[1] > 60
@@ -433,7 +433,7 @@ def test_renaming_leaves_what_is_seen_as_it_was(window, mouse, qtbot):
     document, scene = window.document, window.scene
     mouse.drag(40, 60, keys=SHIFT)
     qtbot.keyClick(window, Qt.Key.Key_M)
-    window.trajectories.set_view(30, 80)
+    window.trajectories.framing.set_view(30, 80)
     scene.set_vertical(0)
     qtbot.keyClick(scene, Qt.Key.Key_Plus)
     qtbot.keyClicks(window.queue.filters.marker, "T1")

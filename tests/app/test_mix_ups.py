@@ -12,7 +12,7 @@ def test_a_swap_is_seen_chosen_and_framed_on_the_other_marker_alone(bench):
     swap = Artifact("CLAV", "xyz", 250, 280, Kind.STEP, counterpart="STRN")
     bench.document.decisions.add_detected([swap], "test")
     bench.document.show(["STRN"])
-    bench.panel.set_view(0, 399)
+    bench.panel.framing.set_view(0, 399)
     bench.click(265)
     assert bench.document.current == swap
     bench.document.show(["STRN"])
@@ -27,6 +27,6 @@ def test_edges_meet_those_of_a_swap_on_the_other_marker(bench):
         [Artifact("CLAV", "xyz", 250, 280, Kind.STEP, counterpart="STRN")], "test"
     )
     bench.document.show(["STRN"])
-    bench.panel.set_view(0, 399)
+    bench.panel.framing.set_view(0, 399)
     bench.drag(281, 320, keys=SHIFT)
     assert bench.document.selection.start == 280

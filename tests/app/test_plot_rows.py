@@ -274,7 +274,7 @@ def test_channels_stand_in_rows_of_their_own(panel):
     assert names(panel) == ["x", "y", "z"]
     groups = [[c.name for c in row.channels] for row in panel.canvas.beside]
     assert groups == [["Fz1"], ["LKneeAngles"], ["EMG"]]
-    panel.set_view(50, 250)
+    panel.framing.set_view(50, 250)
     force = panel.canvas.beside[0]
     assert force.view.viewRange()[0] == [50, 250]
     assert force.view.viewRange()[1][1] > 750

@@ -60,11 +60,11 @@ def test_the_artifact_under_review_is_left_where_it_lies_outside(reviewed, qtbot
     gap = next(a for a in document.session.artifacts if a.kind is Kind.GAP)
     document.select(gap.id)
     document.go_to(190)
-    view = reviewed.trajectories._view
+    view = reviewed.trajectories.framing.view
     key(qtbot, reviewed, Qt.Key.Key_I)
     settled(qtbot)
     assert document.current is None
-    assert reviewed.trajectories._view == view
+    assert reviewed.trajectories.framing.view == view
     key(qtbot, reviewed, Qt.Key.Key_N)
     assert document.current in document.session.listed
 
@@ -87,7 +87,7 @@ def test_a_swept_range_becomes_it(reviewed, qtbot):
 
 
 def test_frames_outside_are_paled(narrowed, qtbot):
-    narrowed.trajectories.fit_all()
+    narrowed.trajectories.framing.fit_all()
     settled(qtbot)
     for row in narrowed.trajectories.rows:
         assert row.outside.isVisible()

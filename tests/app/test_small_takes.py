@@ -65,8 +65,8 @@ def test_everything_is_drawn(qtbot, tmp_path, document, panels, frames, markers,
         for panel in panels:
             panel.grab()
     document.go_to(frames)
-    plots.fit_all()
-    plots.zoom(0.5)
+    plots.framing.fit_all()
+    plots.framing.zoom(0.5)
     if markers:
         qtbot.waitUntil(lambda: set(plots.predictions.known) == set(take.labels), timeout=20_000)
         qtbot.waitUntil(lambda: overview.residuals.share is None, timeout=20_000)

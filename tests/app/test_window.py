@@ -163,10 +163,10 @@ def test_keys_decide_about_nothing_that_is_out_of_sight(reviewed, qtbot):
     qtbot.keyClick(reviewed, Qt.Key.Key_N)
     assert not said.whole
     qtbot.keyClick(reviewed, Qt.Key.Key_P)
-    reviewed.trajectories.set_view(artifact.stop + 20, artifact.stop + 60)
+    reviewed.trajectories.framing.set_view(artifact.stop + 20, artifact.stop + 60)
     assert back.isVisible()
     qtbot.mouseClick(back, Qt.MouseButton.LeftButton)
-    low, high = reviewed.trajectories._view
+    low, high = reviewed.trajectories.framing.view
     assert low < artifact.start
     assert artifact.stop < high
     qtbot.keyClick(reviewed, Qt.Key.Key_R)

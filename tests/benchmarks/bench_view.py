@@ -132,16 +132,16 @@ def bench_plots(options: argparse.Namespace, folder: Path) -> None:
             step = span / 40
 
             def pan(i: int, span: float = span, step: float = step) -> None:
-                panel.set_view(1000 + i * step, 1000 + i * step + span)
+                panel.framing.set_view(1000 + i * step, 1000 + i * step + span)
 
             cells.append(per_frame(panel.canvas.viewport(), pan))
 
         def zoom(i: int) -> None:
             span = take.frames * 0.8**i
-            panel.set_view(take.frames / 3 - span / 3, take.frames / 3 + span / 2)
+            panel.framing.set_view(take.frames / 3 - span / 3, take.frames / 3 + span / 2)
 
         cells.append(per_frame(panel.canvas.viewport(), zoom))
-        panel.set_view(1000, 1000 + 60 * take.rate)
+        panel.framing.set_view(1000, 1000 + 60 * take.rate)
         QApplication.processEvents()
         cells.append(per_frame(panel.canvas.viewport(), lambda i: document.go_to(2000 + 50 * i)))
         name = f"{markers} marker{'s' * (markers > 1)}, {artifacts} artifacts"
