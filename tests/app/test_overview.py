@@ -49,7 +49,7 @@ def make(qtbot, tmp_path):
 
     yield build
     for document, panel in made:
-        panel.residuals.close()
+        panel.levels.residuals.close()
         document.open(None, None)
         document.proposals.close()
 
@@ -157,7 +157,7 @@ def test_residuals_come_from_a_thread_and_follow_repairs(overview, qtbot):
     document = overview.document
     overview.mode.choose("residual")
     overview.grab()
-    qtbot.waitUntil(lambda: overview.residuals.values is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: overview.levels.residuals.values is not None, timeout=30_000)
     step, calm = (
         _color(overview, _point(overview, 305, 2)),
         _color(overview, _point(overview, 30, 2)),
@@ -171,14 +171,14 @@ def test_residuals_come_from_a_thread_and_follow_repairs(overview, qtbot):
     assert apart(calm, least) < apart(calm, most)
     assert "mm off its body" in overview.describe(_point(overview, 350, 7))
     artifact = next(a for a in document.session.artifacts if a.kind is Kind.STEP)
-    before = overview.residuals.values[6, 285:325].copy()
+    before = overview.levels.residuals.values[6, 285:325].copy()
     document.select(artifact.id)
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=20_000)
     document.decisions.repair_current()
 
     def mended():
         overview.grab()
-        return np.nanmedian(overview.residuals.values[6, 285:325]) < 0.3 * np.median(before)
+        return np.nanmedian(overview.levels.residuals.values[6, 285:325]) < 0.3 * np.median(before)
 
     qtbot.waitUntil(mended, timeout=30_000)
 
@@ -189,15 +189,15 @@ def test_residuals_are_made_anew_once_damage_is_known(overview, qtbot):
     document.decisions.remove([a.id for a in found])
     overview.mode.choose("residual")
     overview.grab()
-    qtbot.waitUntil(lambda: overview.residuals.values is not None, timeout=30_000)
-    before = overview.residuals.values
+    qtbot.waitUntil(lambda: overview.levels.residuals.values is not None, timeout=30_000)
+    before = overview.levels.residuals.values
     neighbour = before[7, 285:325].copy()
     document.decisions.add_detected(found, "again")
 
     def anew():
         overview.grab()
-        return overview.residuals.share is None and not np.array_equal(
-            overview.residuals.values[7, 285:325], neighbour, equal_nan=True
+        return overview.levels.residuals.share is None and not np.array_equal(
+            overview.levels.residuals.values[7, 285:325], neighbour, equal_nan=True
         )
 
     qtbot.waitUntil(anew, timeout=30_000)
@@ -211,20 +211,20 @@ def test_residuals_give_way_to_jobs_that_come_first(make, damaged, qtbot):
 
     def found(_):
         # As detection follows once the body is known: queued when the job before has ended.
-        order.append(panel.residuals.share)
+        order.append(panel.levels.residuals.share)
         lane.submit("Last", lambda progress: None, last, order.append)
 
     def last(_):
-        order.append(panel.residuals.share)
+        order.append(panel.levels.residuals.share)
 
     panel = make(damaged[0], damaged[1], first=lane)
     lane.submit("First", search, found, order.append)
     panel.mode.choose("residual")
     panel.grab()
     qtbot.wait(100)
-    assert panel.residuals.share is None
+    assert panel.levels.residuals.share is None
     held.set()
-    qtbot.waitUntil(lambda: panel.residuals.values is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: panel.levels.residuals.values is not None, timeout=30_000)
     assert order == [None, None], "they began before the last job was done"
     lane.close()
 
@@ -318,11 +318,11 @@ def test_a_repair_takes_the_shade_away(overview, qtbot):
 
     gap = next(a for a in overview.document.session.artifacts if a.kind is Kind.GAP)
     overview.grab()
-    assert overview._levels(overview._take, 600)[0].any()
+    assert overview.levels.of("damage", 600, (0, 400))[0].any()
     patch = Patch("CLAV", "xyz", 60, 90, np.zeros((30, 3)))
     overview.document.decisions.repair_many([(gap.id, Repair("test", (patch,)))], "")
     settled(qtbot)
-    assert not overview._levels(overview._take, 600)[0].any()
+    assert not overview.levels.of("damage", 600, (0, 400))[0].any()
 
 
 def test_what_is_painted_while_a_count_waits_is_painted_anew(overview, qtbot):
@@ -410,7 +410,7 @@ def test_what_is_missing_is_counted_anew_where_samples_changed_only(overview, mo
     settled(qtbot)
     overview.grab()
     assert counted == [1]
-    take, (width, span, share) = document.session.take, overview._missing._known
+    take, (width, span, share) = document.session.take, overview.levels._missing._known
     assert np.array_equal(share, missing_share(take.origin, width, *span))
     assert share[take.index("C7")].max() == 1.0
     overview.set_span(0, 100)
@@ -427,11 +427,11 @@ def test_a_long_take_is_counted_after_its_first_picture_and_once(make, damaged, 
         return missing_share(origin, *more)
 
     monkeypatch.setattr("markermend_app.panels.overview.missing.missing_share", count)
-    monkeypatch.setattr("markermend_app.panels.overview.overview._MUCH", 0)
+    monkeypatch.setattr("markermend_app.panels.overview.levels._MUCH", 0)
     panel = make(take, artifacts)
     panel.grab()
     assert counted == []
-    assert panel._count.waiting
+    assert panel.levels._count.waiting
     settled(qtbot)
     gap = next(a for a in artifacts if a.kind is Kind.GAP)
     at = _point(panel, (gap.start + gap.stop) / 2, take.index(gap.marker))
