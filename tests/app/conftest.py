@@ -112,6 +112,19 @@ def document(tmp_path, damaged, mesh, qtbot):
     document.proposals.close()
 
 
+@pytest.fixture
+def scene(document, qtbot):
+    """The 3D view of ``document``."""
+    from markermend_app.panels.scene.scene import Scene
+
+    scene = Scene(document)
+    qtbot.addWidget(scene)
+    scene.resize(500, 400)
+    scene.show()
+    scene.grab()
+    return scene
+
+
 def keep_quiet(window):
     """Let a window close without asking what becomes of unexported work."""
     if window.document.session is not None:
