@@ -152,6 +152,15 @@ def review(qtbot, tmp_path):
 
 
 @pytest.fixture
+def at_gap(review, damaged):
+    """The real window on the damaged take, its gap under review."""
+    made = review(*damaged)
+    gap = next(a for a in made.document.session.artifacts if a.kind is Kind.GAP)
+    made.document.select(gap.id)
+    return made
+
+
+@pytest.fixture
 def take_path(tmp_path, damaged):
     """The damaged take in a file."""
     path = tmp_path / "box.c3d"

@@ -15,12 +15,8 @@ WAIT = 20_000
 
 
 @pytest.fixture
-def window(review, damaged):
-    take, truth = damaged
-    made = review(take, truth)
-    document = made.document
-    document.select(next(a.id for a in document.session.artifacts if a.kind is Kind.GAP))
-    return made
+def window(at_gap):
+    return at_gap
 
 
 def names(window):

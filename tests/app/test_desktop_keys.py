@@ -9,16 +9,12 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from markermend.artifact import Kind
 from markermend_app.panels.markers.marker_model import NAME
 
 
 @pytest.fixture
-def window(review, damaged):
-    made = review(*damaged)
-    document = made.document
-    document.select(next(a.id for a in document.session.artifacts if a.kind is Kind.GAP))
-    return made
+def window(at_gap):
+    return at_gap
 
 
 def press(window, key):
