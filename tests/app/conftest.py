@@ -12,7 +12,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QSettings
 
 import markermend as mm
 from markermend.artifact import Artifact, Kind
-from markermend.mesh import Mesh, infer_mesh
+from markermend.mesh import Group, Mesh, infer_mesh
 from markermend.poses.breaking import break_pose
 from markermend.poses.nuitrack import JOINTS, to_nuitrack
 from markermend.review.file import open_session
@@ -21,6 +21,7 @@ from markermend_app import settings
 from markermend_app.background.garbage import YOUNG
 from markermend_app.document import Document
 from markermend_app.rows import Rows
+from markermend_app.style import theme
 
 
 @pytest.fixture(autouse=True)
@@ -226,6 +227,44 @@ def bench(open_plots, damaged):
     bench = open_plots(take, artifacts)
     bench.document.show(["CLAV"])
     return bench
+
+
+@pytest.fixture
+def open_overview(qtbot, tmp_path):
+    """Open a take in an overview."""
+    from markermend_app.panels.overview.overview import Overview
+
+    made = []
+
+    def build(take: Take, artifacts=(), mesh=None, first=None) -> Overview:
+        theme.watcher.theme = theme.LIGHT
+        document = Document()
+        document.open(open_session(take, folder=tmp_path), mesh)
+        if artifacts:
+            document.decisions.add_detected(artifacts, "test")
+        panel = Overview(document, first)
+        qtbot.addWidget(panel)
+        panel.resize(692, 182)
+        panel.show()
+        qtbot.waitExposed(panel)
+        made.append((document, panel))
+        return panel
+
+    yield build
+    for document, panel in made:
+        panel.levels.residuals.close()
+        document.open(None, None)
+        document.proposals.close()
+
+
+@pytest.fixture
+def overview(open_overview, damaged):
+    """The damaged box, of two groups, in an overview."""
+    take, artifacts = damaged
+    labels = take.labels
+    order = (4, 5, 6, 7), (0, 1, 2, 3)
+    mesh = Mesh(labels, (Group("Arm", "", order[0]), Group("Trunk", "", order[1])))
+    return open_overview(take, artifacts, mesh)
 
 
 @pytest.fixture
