@@ -187,9 +187,8 @@ def test_a_mix_up_is_told_of_both_of_its_joints(opened, qtbot):
     assert model.node(model.index_of(swap.counterpart)).own[Kind.STEP] == 1
     overview = opened.overview
     at = [overview._rows.row_of[JOINTS.index(m)] for m in swap.markers]
-    assert {(swap.start, swap.stop, r) for r in at} <= set(
-        map(tuple, overview._lying.intervals.tolist())
-    )
+    lying = set(map(tuple, overview._lying.intervals.tolist()))
+    assert {(swap.start, swap.stop, r) for r in at} <= lying
     document.select(swap.id)
     document.go_to(swap.start)
     assert {JOINTS.index(m) for m in swap.markers} <= set(opened.scene.seen.rings())
