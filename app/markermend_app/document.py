@@ -1,7 +1,7 @@
 """The open review, as the window sees it: a session with Qt signals.
 
-The document is the only writer of the session. Panels read it, call its verbs and listen to its
-signals; none of them changes samples or artifacts by itself.
+The document is the only writer of the session. Panels read it, call its verbs or those of its
+``decisions``, and listen to its signals; none of them changes samples or artifacts by itself.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ AHEAD = 3
 
 
 class Document(Looking):
-    """What is open, what is looked at, and the verbs that change it.
+    """What is open, what is looked at, what is under review, and how it is changed.
 
     Signals
     -------
