@@ -45,11 +45,11 @@ def take_pictures(folder: Path) -> int:
     theme.apply(app, "light")
     window = MainWindow()
     window.show()
-    window.lay_out(QSize(WIDTH, HEIGHT))
+    window.dock_layout.take_size(QSize(WIDTH, HEIGHT))
     document = window.document
     window.commands.open_path(Path(shutil.copy(demo_take(), folder)))
     settle(window)
-    window.commands.detect_slow()
+    window.detecting.detect_slow()
     settle(window)
     session = document.session
     assert session is not None

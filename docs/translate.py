@@ -8,9 +8,11 @@ unfinished, and makes the ``*.qm`` files that the application loads. Translate w
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree as ET
 from dataclasses import fields
 from pathlib import Path
 
@@ -56,8 +58,36 @@ def tool(name: str) -> str:
     return str(Path(sys.executable).with_name(name + (".exe" if os.name == "nt" else "")))
 
 
+def finished(ts: str) -> dict[tuple[str | None, str | None], str | None]:
+    """What the text of a translation file says of each string, by class and string."""
+    return {
+        (context.findtext("name"), message.findtext("source")): message.findtext("translation")
+        for context in ET.fromstring(ts).findall("context")
+        for message in context.findall("message[translation]")
+        if message.find("translation[@type]") is None
+    }
+
+
+def keep_moved(before: str, now: str) -> str:
+    """Take strings that only moved to another class for translated: lupdate doubts them."""
+    asked = {
+        (context.findtext("name"), message.findtext("source"))
+        for context in ET.fromstring(now).findall("context")
+        for message in context.findall("message")
+    }
+    gone = {(key[1], text) for key, text in finished(before).items() if key not in asked}
+
+    def kept(found: re.Match[str]) -> str:
+        source, text = (ET.fromstring(f"<t>{part}</t>").text for part in found.group(2, 3))
+        return f"{found[1]}<translation>{found[3]}" if (source, text) in gone else found[0]
+
+    doubted = r'(<source>([^<]*)</source>\s*)<translation type="unfinished">([^<]+)'
+    return re.sub(doubted, kept, now)
+
+
 def update(ts: Path) -> None:
     """Read the strings of the application into a translation file."""
+    before = ts.read_text(encoding="utf-8")
     files = sorted((ROOT / "app").rglob("*.py"))
     with tempfile.TemporaryDirectory() as name:
         table = Path(name) / "tables.py"
@@ -68,6 +98,7 @@ def update(ts: Path) -> None:
         options = ["-locations", "none", "-no-obsolete", "-tr-function-alias", "tr+=_tr"]
         command = [tool("pyside6-lupdate"), *options, f"@{listed}", "-ts", str(ts)]
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+    ts.write_text(keep_moved(before, ts.read_text(encoding="utf-8")), encoding="utf-8")
 
 
 def main() -> int:

@@ -1,31 +1,30 @@
 """The open review, as the window sees it: a session with Qt signals.
 
-The document is the only writer of the session. Panels read it, call its verbs and listen to its
-signals; none of them changes samples or artifacts by itself.
+The document is the only writer of the session. Panels read it, call its verbs or those of its
+``decisions``, and listen to its signals; none of them changes samples or artifacts by itself.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
-from markermend.artifact import Artifact, Kind, Status
-from markermend.errors import DataError, MarkermendError
+from markermend.artifact import Artifact
+from markermend.errors import MarkermendError
 from markermend.mesh import Mesh
 from markermend.review.edits import Change
 from markermend.review.events import events
 from markermend.review.file import SessionFile
 from markermend.review.session import Session
 from markermend_app.background.preview import Preview
+from markermend_app.decisions import Decisions
 from markermend_app.following import Following
 from markermend_app.looking import Looking
 from markermend_app.rows import Rows
-from markermend_app.style import theme
-from markermend_app.telling import told
 from markermend_app.walk import ahead_and_beside, open_after
 
 AHEAD = 3
@@ -33,7 +32,7 @@ AHEAD = 3
 
 
 class Document(Looking):
-    """What is open, what is looked at, and the verbs that change it.
+    """What is open, what is looked at, what is under review, and how it is changed.
 
     Signals
     -------
@@ -68,7 +67,7 @@ class Document(Looking):
         self.preview = Preview(self)
         self.preview.ready.connect(self._proposal_came)
         self.proposals = self.preview.proposals
-        self._repair_when_ready: str | None = None
+        self.decisions = Decisions(self)
         self.going_back = Following(self)
 
     # What is open
@@ -99,7 +98,7 @@ class Document(Looking):
         self.going_back.forget()
         self._look_at_nothing(0 if file is None else file.session.original.frames)
         self.preview.reset()
-        self._repair_when_ready = None
+        self.decisions.forget()
         first = (self.opened, self.artifacts_changed, self.history_changed, self.current_changed)
         then = (self.selection_changed, self.proposal_changed, self.shown_changed)
         for signal in (*first, *then, self.beside_changed):
@@ -149,7 +148,7 @@ class Document(Looking):
         With ``unless_seen`` a view in which they are seen well already stays.
         """
         self.going_back.forget()
-        self._repair_when_ready = None
+        self.decisions.forget()
         self._current = artifact_id
         artifact = self.current
         if artifact is not None:
@@ -171,7 +170,8 @@ class Document(Looking):
 
     def put_under_review(self, artifact_id: str) -> None:
         """Put an artifact under review that is shown soon: keys mean it already."""
-        self._repair_when_ready, self._current = None, artifact_id
+        self.decisions.forget()
+        self._current = artifact_id
 
     def stay(self) -> None:
         """Tell anew of the artifact under review."""
@@ -185,6 +185,13 @@ class Document(Looking):
         row = self._rows.beside(self._current, by)
         if row is not None:
             self.select(row)
+
+    def next_open(self, besides: Sequence[str] = ()) -> str | None:
+        """The next undecided artifact after the one under review, else the first one left."""
+        if self.session is None:
+            return None
+        row = self._rows.row_of(self._current)
+        return next(iter(open_after(self.session, self.queue, row, besides)), None)
 
     # Proposed repairs
 
@@ -238,169 +245,9 @@ class Document(Looking):
             return
         if artifact_id == self._current:
             self.proposal_changed.emit()
-        if self._repair_when_ready == self._current and self.proposal is not None:
-            self.repair_current()
+        self.decisions.go_on()
 
-    # Decisions
-
-    def accept(self, ids: Sequence[str]) -> None:
-        """Say that flags are right; the samples stay, so that what is repaired stays repaired."""
-        session = self.session
-        if session is None:
-            return
-        repaired = {a.id for a in session.with_status(Status.REPAIRED)}
-        chosen = [i for i in ids if i not in repaired]
-        if chosen:
-            self._decide(chosen, Status.ACCEPTED)
-        elif ids:
-            self.failed.emit(DataError("That is repaired already; reopen it to undo the repair."))
-
-    def reject(self, ids: Sequence[str]) -> None:
-        """Say that flags are false alarms."""
-        self._decide(ids, Status.REJECTED)
-
-    def reopen(self, ids: Sequence[str]) -> None:
-        """Take a decision back; a repaired one gets its source samples again."""
-        self.do(lambda s: s.set_status(ids, Status.PENDING))
-
-    def accept_current(self) -> None:
-        """Accept the current artifact, and the rest of its event, and move on."""
-        if self._current is not None:
-            self.accept(self.together)
-
-    def reject_current(self) -> None:
-        """Reject the current artifact, and the rest of its event, and move on."""
-        if self._current is not None:
-            self.reject(self.together)
-
-    def repair_current(self) -> None:
-        """Replace the samples of what is under review by the previewed repairs and move on.
-
-        When a preview is still being made, it is used as soon as it is there. Where no method
-        has a repair, the flag is accepted and its samples are left, so that the review goes on.
-        """
-        artifact, session = self.current, self.session
-        if artifact is None or session is None or not self.editable:
-            return
-        if artifact.status is Status.REPAIRED:
-            return
-        made = [(a.id, self.preview.get(a)) for a in self.at_once(session)]
-        if any(proposal is None for _, proposal in made):
-            self._repair_when_ready = artifact.id
-            return
-        self._repair_when_ready = None
-        ids = [i for i, _ in made]
-        following = self._following(artifact.id, besides=ids)
-        able = [one for one in made if one[1].patches]
-        if not able and self.preview.best:
-            self._leave(artifact, ids, made[0][1].reason, following)
-        elif self.do(lambda s: s.repair(able or made[:1]), moving=True):
-            self._move_on(following)
-            if len(able) > 1:
-                self.said.emit(self.tr("{0} repaired.").format(len(able)))
-
-    def _leave(
-        self, artifact: Artifact, ids: Sequence[str], reason: str, following: str | None
-    ) -> None:
-        """Accept what cannot be repaired, say why it stays as it is, and move on."""
-        accepted = artifact.status is Status.ACCEPTED
-        if accepted or self.do(lambda s: s.set_status(ids, Status.ACCEPTED), moving=True):
-            self._move_on(following)
-            text = self.tr("The flag on {0} is accepted, the samples are left. {1}")
-            self.said.emit(text.format(artifact.marker, told(reason)))
-
-    def repair_many(self, repairs: Sequence[tuple[str, Any]], label: str) -> None:
-        """Apply many proposals as one step."""
-        ids = [i for i, _ in repairs]
-        following = self._following(self._current, besides=ids)
-        moving = self._current in ids
-        if self.do(lambda s: s.repair(repairs, label), moving=moving) and moving:
-            self._move_on(following)
-
-    def add_detected(
-        self, found: Iterable[Artifact], method: str, *, by_itself: bool = False
-    ) -> None:
-        """Take over what a detector found, where nobody asked it ``by_itself``."""
-        self.do(lambda s: s.add_detected(found, method, by_itself=by_itself))
-
-    def mark(self, artifact: Artifact) -> None:
-        """Add an artifact by hand and put it under review."""
-        session = self.session
-        if session is None:
-            return
-        before = {a.id for a in session.artifacts}
-        if self.do(lambda s: s.mark(artifact)):
-            self.select(*({a.id for a in session.artifacts} - before), frame=False)
-
-    def remove(self, ids: Sequence[str]) -> None:
-        """Take artifacts off the list."""
-        self.do(lambda s: s.remove(ids))
-
-    def change(
-        self,
-        artifact_id: str,
-        *,
-        kind: Kind | None = None,
-        axes: str | None = None,
-        start: int | None = None,
-        stop: int | None = None,
-    ) -> None:
-        """Give an artifact another class, axes or edges."""
-        self.adjust(
-            [artifact_id],
-            lambda s: s.change(artifact_id, kind=kind, axes=axes, start=start, stop=stop),
-        )
-
-    def adjust(self, ids: Sequence[str], verb: Callable[[Session], Change]) -> bool:
-        """Make something else of artifacts, and say so where that takes a repair back."""
-        session = self.session
-        repaired = [] if session is None else session.with_status(Status.REPAIRED)
-        mine = [a for a in repaired if a.id in ids]
-        done = self.do(verb)
-        if done and session is not None and mine:
-            now = {a.id for a in session.with_status(Status.REPAIRED)}
-            if any(a.id not in now for a in mine):
-                text = self.tr("{0} on {1} is open again: its repair was for what it was before.")
-                self.said.emit(text.format(theme.kind_name(mine[0].kind), mine[0].marker))
-        return done
-
-    def undo(self) -> None:
-        """Take the last step back, and go to what it was about."""
-        last = () if self.session is None else self.session.steps[0][-1:]
-        if last and self.do(lambda s: s.undo(), moving=True):
-            self.going_back.after(last)
-
-    def redo(self) -> None:
-        """Bring the last undone step back, and go to what it is about."""
-        self.travel(0 if self.session is None else len(self.session.history) + 1)
-
-    def travel(self, steps_done: int) -> None:
-        """Undo or redo until so many steps are done, and go to what the last of them is about."""
-        if self.do(lambda s: s.travel(steps_done), moving=True) and self.session is not None:
-            self.going_back.after(self.session.steps[0][-1:])
-
-    # Inner workings
-
-    def _decide(self, ids: Sequence[str], status: Status) -> None:
-        """Set a status; when the current artifact is among them, move on."""
-        following = self._following(self._current, besides=ids)
-        moving = self._current in ids
-        if self.do(lambda s: s.set_status(ids, status), moving=moving) and moving:
-            self._move_on(following)
-
-    def _following(self, artifact_id: str | None, besides: Sequence[str] = ()) -> str | None:
-        """The next undecided artifact in the queue after this one, else the first one left."""
-        if self.session is None:
-            return None
-        row = self._rows.row_of(artifact_id)
-        return next(iter(open_after(self.session, self.queue, row, besides)), None)
-
-    def _move_on(self, artifact_id: str | None) -> None:
-        """Select the next artifact, or stay when all are decided."""
-        if artifact_id is None:
-            self.stay()
-        else:
-            self.select(artifact_id)
+    # Changing it
 
     def do(self, verb: Callable[[Session], Change], *, moving: bool = False) -> bool:
         """Run a verb of the session and tell everyone what changed; whether it could be done.
@@ -441,6 +288,21 @@ class Document(Looking):
         if problem is not None:
             self.failed.emit(problem)
         return problem is None
+
+    def undo(self) -> None:
+        """Take the last step back, and go to what it was about."""
+        last = () if self.session is None else self.session.steps[0][-1:]
+        if last and self.do(lambda s: s.undo(), moving=True):
+            self.going_back.after(last)
+
+    def redo(self) -> None:
+        """Bring the last undone step back, and go to what it is about."""
+        self.travel(0 if self.session is None else len(self.session.history) + 1)
+
+    def travel(self, steps_done: int) -> None:
+        """Undo or redo until so many steps are done, and go to what the last of them is about."""
+        if self.do(lambda s: s.travel(steps_done), moving=True) and self.session is not None:
+            self.going_back.after(self.session.steps[0][-1:])
 
     def _rename(self, names: dict[str, str]) -> None:
         """Follow markers to their new names; what lists them starts over."""

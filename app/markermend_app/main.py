@@ -113,9 +113,9 @@ def take_screenshot(window: MainWindow, take: Path | None, target: Path) -> int:
     from markermend.mesh import infer_mesh
     from markermend.progress import quiet
     from markermend_app.background.loading import load
-    from markermend_app.window import ROOMY
+    from markermend_app.dock_layout import ROOMY
 
-    window.lay_out(ROOMY)
+    window.dock_layout.take_size(ROOMY)
     document = window.document
     fresh = False
     try:
@@ -124,7 +124,7 @@ def take_screenshot(window: MainWindow, take: Path | None, target: Path) -> int:
             document.open(file, infer_mesh(file.session.original))
             fresh = document.session is not None and not document.session.begun
         if fresh:
-            window.commands.detect()
+            window.detecting.detect()
         else:
             document.step(1)
     except MarkermendError as error:

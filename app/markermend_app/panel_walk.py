@@ -30,7 +30,7 @@ class PanelWalk:
     def go(self, name: str) -> None:
         """Go to the panel of that name, open or not."""
         dock = self._window.docks[name]
-        self._window.show_dock(name)
+        self._window.dock_layout.show(name)
         for panel, part in self._stops():
             if panel is dock:
                 _give_keyboard(part)
@@ -46,7 +46,7 @@ class PanelWalk:
         name, line = "markers", self._window.tree.filter
         if _is_in(QApplication.focusWidget(), self._window.docks["queue"]):
             name, line = "queue", self._window.queue.filters.marker
-        self._window.show_dock(name)
+        self._window.dock_layout.show(name)
         _give_keyboard(line)
         line.selectAll()
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from PySide6.QtCore import QByteArray, QChildEvent, QSize, Qt
+from PySide6.QtCore import QChildEvent, Qt
 from PySide6.QtGui import QActionGroup, QCloseEvent, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import (
     QDockWidget,
@@ -23,6 +23,7 @@ from markermend_app.actions.recent_menu import fill_when_shown
 from markermend_app.attention import Attention
 from markermend_app.background.batch_review import BatchReview
 from markermend_app.background.jobs import Lane
+from markermend_app.dock_layout import DockLayout
 from markermend_app.document import Document
 from markermend_app.panel_walk import PanelWalk
 from markermend_app.panels.history import HistoryPanel
@@ -35,7 +36,6 @@ from markermend_app.panels.plots.trajectories import TrajectoryPanel
 from markermend_app.panels.quality import QualityPanel
 from markermend_app.panels.queue.review_queue import ReviewQueue
 from markermend_app.panels.scene.scene import Scene
-from markermend_app.panels.side_widths import SideWidths
 from markermend_app.panels.status import StatusLine
 from markermend_app.panels.take_list import TakeList
 from markermend_app.panels.toolbar import Toolbar
@@ -48,20 +48,27 @@ from markermend_app.style import theme
 from markermend_app.verbs.bulk import Bulk
 from markermend_app.verbs.commands import Commands
 from markermend_app.verbs.comparison import Comparison
+from markermend_app.verbs.detecting import Detecting
 from markermend_app.verbs.handwork import HandWork
 from markermend_app.verbs.key_sweep import KeySweep
 from markermend_app.verbs.references import References
 from markermend_app.verbs.region import RegionOfInterest
+from markermend_app.verbs.repairing import Repairing
 from markermend_app.verbs.reporting import Reporting
 from markermend_app.verbs.smoothing import Smoothing
 from markermend_app.verbs.view import THEMES, view_verbs, wear
 
-LAYOUT_VERSION = 2
-ROOMY, SIDES = QSize(1500, 940), (310, 400)
-TAKES_HIGH = 330
-
 _Verbs = (
-    Commands | Bulk | BatchReview | HandWork | KeySweep | Smoothing | Reporting | RegionOfInterest
+    Commands
+    | Detecting
+    | Repairing
+    | Bulk
+    | BatchReview
+    | HandWork
+    | KeySweep
+    | Smoothing
+    | Reporting
+    | RegionOfInterest
 )
 DECISIONS = ("accept", "reject", "reopen", "remove")
 """Actions that would decide unseen about an artifact whose details a swept range covers."""
@@ -75,7 +82,9 @@ class MainWindow(QMainWindow):
         self.setObjectName("main")
         self.document = Document(self)
         self.lane = Lane("engine", self)
-        self.commands = Commands(self.document, self.lane, self)
+        self.detecting = Detecting(self.document, self.lane, self)
+        self.repairing = Repairing(self.document, self.lane, self)
+        self.commands = Commands(self.document, self.lane, self.detecting, self)
         self.bulk = Bulk(self.document, self)
         self.batch = BatchReview(self.document, self.commands, self.lane, self)
         self.smoothing = Smoothing(self.document, self)
@@ -105,21 +114,10 @@ class MainWindow(QMainWindow):
             self,
         )
         self.pressing = Pressing(self)
-        self.lay_out(ROOMY.boundedTo(self.screen().availableSize() * 0.94))
-        self._default_state = self.saveState(LAYOUT_VERSION)
-        self._restore_layout()
-        roomy = ROOMY.width(), list(SIDES)
-        SideWidths(self, [self.docks["markers"], self.docks["scene"]], roomy)
+        self.dock_layout.start()
         self._retitle()
 
     # Construction
-
-    def lay_out(self, size: QSize) -> None:
-        """Take a size, with the panels beside the plots in proportion."""
-        self.resize(size)
-        share = min(self.width() / ROOMY.width(), 1.0)
-        sides = [self.docks["markers"], self.docks["scene"]]
-        self.resizeDocks(sides, [round(wide * share) for wide in SIDES], _H)
 
     def _make_panels(self) -> None:
         document = self.document
@@ -173,17 +171,7 @@ class MainWindow(QMainWindow):
             "quality": self._dock("quality", self.tr("Quality"), self.quality, bottom),
         }
         self.docks["quality"].visibilityChanged.connect(self.quality.set_seen)
-        self.tabifyDockWidget(self.docks["queue"], self.docks["quality"])
-        self.docks["queue"].raise_()
-        # Beside the history, and only where there is more than one take.
-        # Hidden first: the tabs of docks that are hidden later can stay behind on the screen.
-        self.docks["takes"].hide()
-        self.tabifyDockWidget(self.docks["history"], self.docks["takes"])
-        self.setCorner(Qt.Corner.BottomLeftCorner, left)
-        self.setCorner(Qt.Corner.BottomRightCorner, right)
-        self.resizeDocks([self.docks["markers"], self.docks["history"]], [640, 200], _V)
-        self.resizeDocks([self.docks["scene"], self.docks["inspector"]], [380, 480], _V)
-        self.resizeDocks([self.docks["queue"]], [230], _V)
+        self.dock_layout = DockLayout(self, self.docks)
 
     def _dock(self, name: str, title: str, panel: QWidget, area: Qt.DockWidgetArea) -> QDockWidget:
         dock = QDockWidget(title, self)
@@ -229,7 +217,7 @@ class MainWindow(QMainWindow):
         for speaker in (document, *self._verbs, *aside):
             speaker.said.connect(self.status.say)
         self.sight.taken_back.connect(self.status.take_back)
-        self.batch.started.connect(self._show_takes)
+        self.batch.started.connect(self.dock_layout.show_takes)
         choosing = self.actions_by_name["choose_references"]
         self.references.changed.connect(choosing.setChecked)
         self.references.changed.connect(self.scene.set_choosing)
@@ -239,7 +227,7 @@ class MainWindow(QMainWindow):
         self.welcome.path_requested.connect(self.commands.open_path)
         self.lane.started.connect(self.queue.set_doing)
         self.lane.finished.connect(lambda: self.queue.set_doing(""))
-        self.queue.repair_requested.connect(self.commands.repair_many)
+        self.queue.repair_requested.connect(self.repairing.repair_many)
         self.queue.verb_requested.connect(self._run)
         self.trajectories.mark_requested.connect(self.hand.mark_selection)
         self.trajectories.verb_requested.connect(self._run)
@@ -280,6 +268,8 @@ class MainWindow(QMainWindow):
         """What has verbs that actions name."""
         return (
             self.commands,
+            self.detecting,
+            self.repairing,
             self.bulk,
             self.batch,
             self.hand,
@@ -288,21 +278,6 @@ class MainWindow(QMainWindow):
             self.reporting,
             self.region,
         )
-
-    def show_dock(self, name: str) -> None:
-        """Bring a panel into sight."""
-        self.docks[name].show()
-        self.docks[name].raise_()
-
-    def reset_layout(self) -> None:
-        """Put the panels where they were at first."""
-        self._place_panels(self._default_state)
-
-    def _show_takes(self) -> None:
-        """Show the list of takes, with room for some of them."""
-        self.show_dock("takes")
-        if self.docks["takes"].height() < TAKES_HIGH:
-            self.resizeDocks([self.docks["takes"]], [TAKES_HIGH], _V)
 
     def _give_keys(self) -> None:
         menus.give_keys(self.actions_by_name)
@@ -383,29 +358,8 @@ class MainWindow(QMainWindow):
         if not self.commands.let_go():
             event.ignore()
             return
-        # The next start opens one take, and has no list of them.
-        self.docks["takes"].hide()
-        settings.remember("geometry", self.saveGeometry())
-        settings.remember("state", self.saveState(LAYOUT_VERSION))
+        self.dock_layout.remember()
         self.document.open(None, None)
         for lane in self.findChildren(Lane):
             lane.close()
         event.accept()
-
-    def _restore_layout(self) -> None:
-        geometry, state = settings.layout("geometry"), settings.layout("state")
-        if isinstance(geometry, QByteArray):
-            self.restoreGeometry(geometry)
-        if isinstance(state, QByteArray):
-            self._place_panels(state)
-
-    def _place_panels(self, state: QByteArray) -> None:
-        """Put the panels where they were; Qt makes new tabs then, and leaves the old ones lying."""
-        direct = Qt.FindChildOption.FindDirectChildrenOnly
-        old = self.findChildren(QTabBar, options=direct)
-        if self.restoreState(state, LAYOUT_VERSION):
-            for tabs in old:
-                tabs.hide()
-
-
-_H, _V = Qt.Orientation.Horizontal, Qt.Orientation.Vertical

@@ -12,7 +12,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QSettings
 
 import markermend as mm
 from markermend.artifact import Artifact, Kind
-from markermend.mesh import Mesh, infer_mesh
+from markermend.mesh import Group, Mesh, infer_mesh
 from markermend.poses.breaking import break_pose
 from markermend.poses.nuitrack import JOINTS, to_nuitrack
 from markermend.review.file import open_session
@@ -21,6 +21,7 @@ from markermend_app import settings
 from markermend_app.background.garbage import YOUNG
 from markermend_app.document import Document
 from markermend_app.rows import Rows
+from markermend_app.style import theme
 
 
 @pytest.fixture(autouse=True)
@@ -106,10 +107,23 @@ def document(tmp_path, damaged, mesh, qtbot):
     take, found = damaged
     document = Document()
     document.open(open_session(take, folder=tmp_path), mesh)
-    document.add_detected(found, "paper")
+    document.decisions.add_detected(found, "paper")
     yield document
     document.open(None, None)
     document.proposals.close()
+
+
+@pytest.fixture
+def scene(document, qtbot):
+    """The 3D view of ``document``."""
+    from markermend_app.panels.scene.scene import Scene
+
+    scene = Scene(document)
+    qtbot.addWidget(scene)
+    scene.resize(500, 400)
+    scene.show()
+    scene.grab()
+    return scene
 
 
 def keep_quiet(window):
@@ -130,12 +144,21 @@ def review(qtbot, tmp_path):
         window.activateWindow()
         qtbot.waitExposed(window)
         window.document.open(open_session(take, folder=tmp_path), infer_mesh(take))
-        window.document.add_detected(artifacts, "truth")
+        window.document.decisions.add_detected(artifacts, "truth")
         window.document.step(1)
         qtbot.waitUntil(lambda: not window.tree._anew.waiting)
         return window
 
     return start
+
+
+@pytest.fixture
+def at_gap(review, damaged):
+    """The real window on the damaged take, its gap under review."""
+    made = review(*damaged)
+    gap = next(a for a in made.document.session.artifacts if a.kind is Kind.GAP)
+    made.document.select(gap.id)
+    return made
 
 
 @pytest.fixture
@@ -185,7 +208,7 @@ def open_plots(qtbot, tmp_path):
         panel.show()
         qtbot.waitExposed(panel)
         if artifacts:
-            document.add_detected(artifacts, "test")
+            document.decisions.add_detected(artifacts, "test")
             document.set_queue(Rows([[a.id] for a in document.session.artifacts]))
         made.append((panel, document))
         return Bench(panel, document)
@@ -204,6 +227,44 @@ def bench(open_plots, damaged):
     bench = open_plots(take, artifacts)
     bench.document.show(["CLAV"])
     return bench
+
+
+@pytest.fixture
+def open_overview(qtbot, tmp_path):
+    """Open a take in an overview."""
+    from markermend_app.panels.overview.overview import Overview
+
+    made = []
+
+    def build(take: Take, artifacts=(), mesh=None, first=None) -> Overview:
+        theme.watcher.theme = theme.LIGHT
+        document = Document()
+        document.open(open_session(take, folder=tmp_path), mesh)
+        if artifacts:
+            document.decisions.add_detected(artifacts, "test")
+        panel = Overview(document, first)
+        qtbot.addWidget(panel)
+        panel.resize(692, 182)
+        panel.show()
+        qtbot.waitExposed(panel)
+        made.append((document, panel))
+        return panel
+
+    yield build
+    for document, panel in made:
+        panel.levels.residuals.close()
+        document.open(None, None)
+        document.proposals.close()
+
+
+@pytest.fixture
+def overview(open_overview, damaged):
+    """The damaged box, of two groups, in an overview."""
+    take, artifacts = damaged
+    labels = take.labels
+    order = (4, 5, 6, 7), (0, 1, 2, 3)
+    mesh = Mesh(labels, (Group("Arm", "", order[0]), Group("Trunk", "", order[1])))
+    return open_overview(take, artifacts, mesh)
 
 
 @pytest.fixture

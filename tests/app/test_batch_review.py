@@ -119,7 +119,7 @@ def test_what_is_exported_is_marked_also_when_it_is_listed_again(window, shoot, 
     model = window.docks["takes"].widget().model
     batch.start([shoot])
     settled(window, qtbot)
-    document.reject([a.id for a in document.session.artifacts])
+    document.decisions.reject([a.id for a in document.session.artifacts])
     choice = export_dialog.ExportChoice(record=True, mark_outputs=False)
     assert window.commands._exporter.export_to(tmp_path / "out.c3d", choice, wait=True)
     qtbot.waitUntil(lambda: model.rows[0].facts().startswith("exported"), timeout=WAIT)
@@ -139,11 +139,11 @@ def test_what_is_done_is_passed_over_and_the_key_is_told(window, shoot, qtbot):
     batch.start([shoot])
     settled(window, qtbot)
     assert batch.next_item.name == "more/c"
-    document.reject([a.id for a in document.session.artifacts])
+    document.decisions.reject([a.id for a in document.session.artifacts])
     assert "Shift+N goes on with more/c" in window.status._said.whole
     batch.next_take()
     arrive(window, qtbot, "c.c3d")
-    document.reject([a.id for a in document.session.artifacts])
+    document.decisions.reject([a.id for a in document.session.artifacts])
     qtbot.waitUntil(lambda: batch.next_item is None, timeout=WAIT)
     batch.next_take()
     assert "done" in window.status._said.whole

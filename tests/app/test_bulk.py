@@ -123,7 +123,7 @@ def test_after_several_rejections_it_asks_once_and_never_in_the_way(peaks, qtbot
 def test_what_was_left_is_not_asked_again_when_the_review_is_opened_anew(peaks, qtbot, tmp_path):
     document, bulk = peaks.document, peaks.bulk
     on_t10 = [a.id for a in document.session.artifacts if (a.marker, a.kind) == ("T10", Kind.PEAK)]
-    document.reject(on_t10[:3])
+    document.decisions.reject(on_t10[:3])
     (keep,) = [b for b in peaks.findChildren(QPushButton) if b.text() == "Leave them"]
     assert bulk.doubt is not None
     qtbot.mouseClick(keep, Qt.MouseButton.LeftButton)

@@ -124,15 +124,15 @@ def test_stage_of_an_empty_take_stands():
 def test_frames_in_which_most_of_what_is_seen_is_wrong_are_lost(document):
     session = document.session
     labels = session.original.labels
-    document.remove([a.id for a in session.artifacts])
+    document.decisions.remove([a.id for a in session.artifacts])
     gaps = [Artifact(m, "xyz", 140, 150, Kind.GAP) for m in labels]
     # Of the eight markers the first is missing from frame 60 to 90.
     places = ((labels[:4], 100, 120), (labels[:5], 200, 210), (labels[1:5], 60, 90))
     steps = [Artifact(m, "xyz", i, j, Kind.STEP) for some, i, j in places for m in some]
-    document.add_detected([*gaps, *steps], "test")
+    document.decisions.add_detected([*gaps, *steps], "test")
     assert runs(lost_frames(session, range(8))).tolist() == [[60, 90], [200, 210]]
-    document.accept([a.id for a in session.artifacts if a.start == 60])
-    document.reject([a.id for a in session.artifacts if a.start == 200])
+    document.decisions.accept([a.id for a in session.artifacts if a.start == 60])
+    document.decisions.reject([a.id for a in session.artifacts if a.start == 200])
     assert runs(lost_frames(session, range(8))).tolist() == [[60, 90]]
 
 

@@ -15,12 +15,8 @@ WAIT = 20_000
 
 
 @pytest.fixture
-def window(review, damaged):
-    take, truth = damaged
-    made = review(take, truth)
-    document = made.document
-    document.select(next(a.id for a in document.session.artifacts if a.kind is Kind.GAP))
-    return made
+def window(at_gap):
+    return at_gap
 
 
 def names(window):
@@ -158,5 +154,5 @@ def test_the_difference_row_shows_how_far_a_repair_moved_what_was_measured(windo
     assert row.value_at(peak.marker, peak.start) == pytest.approx(25.0, abs=2.0)
     # Nearly all is zero, and what is not is what the row is for, whatever is under review.
     assert document.current.marker != peak.marker
-    window.trajectories.fit_all()
+    window.trajectories.framing.fit_all()
     assert row.view.viewRange()[1][1] > 25.0

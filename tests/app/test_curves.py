@@ -24,7 +24,7 @@ def test_gaps_stay_holes_and_originals_lie_beneath(bench):
     session = bench.document.session
     gap = next(a for a in session.artifacts if a.kind is Kind.GAP)
     values = np.full((30, 3), 321.0)
-    bench.document.repair_many(
+    bench.document.decisions.repair_many(
         [(gap.id, Repair("test", (Patch("CLAV", "xyz", 60, 90, values),)))], ""
     )
     assert np.isnan(trace.item("measured").values[60:90]).all()
@@ -38,7 +38,7 @@ def test_axes_that_were_not_edited_stay_as_measured(bench, qtbot):
     assert step.axes == "z"
     document.show([step.marker])
     patch = Patch(step.marker, "z", step.start, step.stop, np.full((step.length, 1), 5.0))
-    document.repair_many([(step.id, Repair("test", (patch,)))], "")
+    document.decisions.repair_many([(step.id, Repair("test", (patch,)))], "")
     qtbot.waitUntil(lambda: "edited" in z.traces[step.marker].made)
     assert set(z.traces[step.marker].item("edited").values[1:-1]) == {5.0}
     assert np.isfinite(x.traces[step.marker].item("measured").values).all()
@@ -63,8 +63,8 @@ def test_odd_takes_are_shown(open_plots, positions):
     artifacts = [Artifact(m, "xyz", 0, 1, Kind.GAP) for m in take.labels]
     bench = open_plots(take, artifacts, mesh=False)
     bench.document.show(take.labels)
-    bench.panel.fit_all()
-    bench.panel.zoom(0.5)
+    bench.panel.framing.fit_all()
+    bench.panel.framing.zoom(0.5)
     bench.panel.grab()
     if take.labels:
         bench.click(0)
@@ -86,7 +86,7 @@ def test_long_takes_pan_quickly(open_plots):
     spent = []
     for start in range(20_000, 30_000, 1_000):
         began = time.perf_counter()
-        bench.panel.set_view(start, start + 14_400)
+        bench.panel.framing.set_view(start, start + 14_400)
         bench.port.repaint()
         spent.append(time.perf_counter() - began)
     # Measured at 20 ms; the bound leaves room for busy machines.

@@ -9,16 +9,12 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from markermend.artifact import Kind
 from markermend_app.panels.markers.marker_model import NAME
 
 
 @pytest.fixture
-def window(review, damaged):
-    made = review(*damaged)
-    document = made.document
-    document.select(next(a.id for a in document.session.artifacts if a.kind is Kind.GAP))
-    return made
+def window(at_gap):
+    return at_gap
 
 
 def press(window, key):
@@ -26,7 +22,7 @@ def press(window, key):
 
 
 def sweep(window):
-    window.trajectories.set_view(0, 150)
+    window.trajectories.framing.set_view(0, 150)
     Bench(window.trajectories, window.document).drag(20, 40, keys=SHIFT)
     assert window.document.selection is not None
 

@@ -18,7 +18,7 @@ def document(qapp, damaged, tmp_path):
     take, truth = damaged
     made = Document()
     made.open(open_session(take, folder=tmp_path), infer_mesh(take))
-    made.add_detected(truth, "truth")
+    made.decisions.add_detected(truth, "truth")
     made.set_queue(Rows([[a.id] for a in made.session.artifacts]))
     yield made
     made.open(None, None)
@@ -31,14 +31,14 @@ def of(document, kind):
 
 def test_deciding_moves_to_the_next_undecided_and_wraps(document):
     gap, peak, noise, step = document.session.artifacts
-    document.reject([peak.id])
+    document.decisions.reject([peak.id])
     document.select(gap.id)
-    document.accept_current()
+    document.decisions.accept_current()
     assert document.current.id == noise.id
     document.select(step.id)
-    document.reject_current()
+    document.decisions.reject_current()
     assert document.current.id == noise.id
-    document.accept_current()
+    document.decisions.accept_current()
     assert document.current.id == noise.id
     assert not document.session.with_status(Status.PENDING)
 
@@ -66,7 +66,7 @@ def test_repair_tells_what_changed(document, qtbot):
     document.select(gap.id)
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
     with qtbot.waitSignal(document.data_changed) as changed:
-        document.repair_current()
+        document.decisions.repair_current()
     change = changed.args[0]
     assert change.markers == (gap.marker,)
     assert (change.start, change.stop) == (gap.start, gap.stop)
@@ -79,10 +79,10 @@ def test_a_change_of_its_marker_makes_a_proposal_anew(document, qtbot):
     kept = document.proposal
     document.select(gap.id)
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
-    document.repair_current()
+    document.decisions.repair_current()
     document.select(noise.id)
     assert document.proposal is kept
-    document.repair_current()
+    document.decisions.repair_current()
     document.undo()
     document.select(noise.id)
     assert document.proposal is not kept
@@ -101,7 +101,7 @@ def test_a_method_without_an_answer_is_said_and_changes_nothing(document, qtbot)
     document.choose_method("swap")
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
     with qtbot.waitSignal(document.failed) as failed:
-        document.repair_current()
+        document.decisions.repair_current()
     assert "cannot be repaired" in str(failed.args[0])
     assert document.session.artifact(peak.id).status is Status.PENDING
 
@@ -109,7 +109,7 @@ def test_a_method_without_an_answer_is_said_and_changes_nothing(document, qtbot)
 def test_deciding_several_moves_past_all_of_them(document):
     first, second, third, _ = document.queue
     document.select(first)
-    document.accept([first, second])
+    document.decisions.accept([first, second])
     assert document.current.id == third
 
 
@@ -120,14 +120,14 @@ def test_repairing_several_moves_past_all_of_them(document, qtbot):
         document.select(artifact.id)
         qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
         repairs.append((artifact.id, document.proposal))
-    document.repair_many(repairs, "Repair 2 artifacts")
+    document.decisions.repair_many(repairs, "Repair 2 artifacts")
     assert document.current.status is Status.PENDING
 
 
 def test_travelling_through_history(document):
     first, second, *_ = document.queue
-    document.accept([first])
-    document.reject([second])
+    document.decisions.accept([first])
+    document.decisions.reject([second])
     document.travel(1)
     assert len(document.session.with_status(Status.PENDING)) == 4
     document.travel(3)
@@ -137,7 +137,7 @@ def test_travelling_through_history(document):
 def test_reading_only_refuses_every_decision(document, qtbot):
     document.file.read_only = True
     with qtbot.waitSignal(document.failed):
-        document.accept([document.queue[0]])
+        document.decisions.accept([document.queue[0]])
     assert len(document.session.with_status(Status.PENDING)) == 4
     document.file.read_only = False
 
@@ -146,21 +146,21 @@ def test_accepting_leaves_repaired_samples_repaired(document, qtbot):
     step, peak = of(document, Kind.STEP), of(document, Kind.PEAK)
     document.select(peak.id)
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
-    document.repair_current()
+    document.decisions.repair_current()
     mended = document.session.positions.copy()
-    document.accept([step.id, peak.id])
+    document.decisions.accept([step.id, peak.id])
     assert document.session.artifact(peak.id).status is Status.REPAIRED
     assert document.session.artifact(step.id).status is Status.ACCEPTED
     with qtbot.waitSignal(document.failed) as told:
-        document.accept([peak.id])
+        document.decisions.accept([peak.id])
     assert "repaired already" in str(told.args[0])
     assert document.session.positions.tobytes() == mended.tobytes()
 
 
 def test_undo_and_redo_go_to_the_artifact_they_are_about(document, qtbot):
     gap, peak, noise, _ = document.session.artifacts
-    document.accept([gap.id])
-    document.reject([peak.id])
+    document.decisions.accept([gap.id])
+    document.decisions.reject([peak.id])
     document.select(noise.id)
     document.undo()
     assert (document.current.id, document.shown) == (peak.id, (peak.marker,))

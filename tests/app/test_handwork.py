@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from driving import answer_with, settled
+from driving import answer_with, state, undo
 from plots import SHIFT, Bench
 from PySide6.QtCore import QPoint, QPointF, Qt, QTimer
 from PySide6.QtTest import QTest
@@ -24,25 +24,16 @@ CTRL = Qt.KeyboardModifier.ControlModifier
 
 
 @pytest.fixture
-def window(review, damaged):
-    """The window on the damaged take, CLAV foremost, the first 120 frames in view."""
-    take, truth = damaged
-    made = review(take, truth)
-    document = made.document
-    document.select(next(a.id for a in document.session.artifacts if a.kind is Kind.GAP))
-    document.show(["T10", "LSHO"])
-    made.trajectories.set_view(0, 150)
-    return made
+def window(at_gap):
+    """T10 foremost, the first 150 frames in view."""
+    at_gap.document.show(["T10", "LSHO"])
+    at_gap.trajectories.framing.set_view(0, 150)
+    return at_gap
 
 
 @pytest.fixture
 def mouse(window):
     return Bench(window.trajectories, window.document)
-
-
-def state(window):
-    session = window.document.session
-    return session.positions.tobytes(), session.artifacts, session.take.labels
 
 
 def index_of(window, marker):
@@ -54,10 +45,6 @@ def index_of(window, marker):
 
 def settle(window, qtbot):
     qtbot.waitUntil(lambda: not window.lane.busy, timeout=WAIT)
-
-
-def undo(window, qtbot):
-    qtbot.keyClick(window, Qt.Key.Key_Z, CTRL)
 
 
 def choose(window, qtbot, text):
@@ -226,7 +213,7 @@ def test_a_stretch_with_the_wrong_name_is_given_to_the_right_marker(unlabelled, 
     window, document = unlabelled, unlabelled.document
     before = state(window)
     document.show(["*9"])
-    window.trajectories.set_view(50, 100)
+    window.trajectories.framing.set_view(50, 100)
     Bench(window.trajectories, document).drag(70, 79, keys=SHIFT)
     qtbot.keyClick(window, Qt.Key.Key_E)
     choose(window, qtbot, "clav")
@@ -236,7 +223,7 @@ def test_a_stretch_with_the_wrong_name_is_given_to_the_right_marker(unlabelled, 
     assert state(window) == before
     # What is taken back keeps the marker it was swept on in the plots.
     document.show(["CLAV"])
-    window.trajectories.set_view(90, 140)
+    window.trajectories.framing.set_view(90, 140)
     Bench(window.trajectories, document).drag(110, 119, keys=SHIFT)
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
@@ -259,95 +246,11 @@ def test_a_refusal_is_said_aside_and_changes_nothing(window, mouse, qtbot, monke
 def test_a_sweep_snaps_to_the_edges_of_artifacts(window, mouse, qtbot):
     document = window.document
     document.show(["CLAV"])
-    window.trajectories.set_view(0, 400)
+    window.trajectories.framing.set_view(0, 400)
     mouse.drag(30, 57, keys=SHIFT)
     assert document.selection.stop == 60
     mouse.drag(91, 130, keys=SHIFT)
     assert document.selection.start == 90
-
-
-def test_keys_nudge_split_join_and_reclass(window, qtbot):
-    document, before = window.document, state(window)
-    artifact = document.current
-    document.show([artifact.marker])
-    for key in (Qt.Key.Key_BracketLeft, Qt.Key.Key_BracketRight, Qt.Key.Key_BracketRight):
-        qtbot.keyClick(window, key)
-    assert (document.current.start, document.current.stop) == (59, 92)
-    qtbot.keyClick(window, Qt.Key.Key_BraceLeft)
-    assert document.current.start == 60
-    document.go_to(75)
-    qtbot.keyClick(window, Qt.Key.Key_Slash)
-    assert [(a.start, a.stop) for a in document.session.artifacts[:2]] == [(60, 75), (75, 92)]
-    qtbot.keyClick(window, Qt.Key.Key_J)
-    assert (document.current.start, document.current.stop) == (60, 92)
-    qtbot.keyClick(window, Qt.Key.Key_3, CTRL)
-    assert document.current.kind is Kind.NOISE
-    for _ in range(6):
-        undo(window, qtbot)
-    assert state(window) == before
-    assert document.session.artifact(artifact.id) == artifact
-
-
-def test_a_key_does_not_join_what_is_far_apart(window, qtbot):
-    document = window.document
-    current = document.current
-    away = Artifact(current.marker, "xyz", current.stop + 150, current.stop + 160, Kind.NOISE)
-    document.do(lambda session: session.mark(away))
-    document.select(current.id)
-    steps = len(document.session.history)
-    qtbot.keyClick(window, Qt.Key.Key_J)
-    assert len(document.session.history) == steps
-    assert "150 frames later" in window.status._said.whole
-
-
-def test_nudges_of_one_edge_are_one_step_that_tells_where_it_ended(window, qtbot):
-    document, before = window.document, state(window)
-    artifact, steps = document.current, len(document.session.history)
-    first = document.session.original.first_frame
-    document.show([artifact.marker])
-
-    def told_last():
-        settled(qtbot)
-        return window.history.model.index(len(document.session.history)).data()
-
-    for _ in range(3):
-        qtbot.keyClick(window, Qt.Key.Key_BraceLeft)
-    assert (document.current.start, document.current.stop) == (63, 90)
-    assert len(document.session.history) == steps + 1
-    assert told_last().endswith(f", {63 + first}–{89 + first}")
-    qtbot.keyClick(window, Qt.Key.Key_BracketRight)
-    qtbot.keyClick(window, Qt.Key.Key_BracketRight)
-    assert len(document.session.history) == steps + 2, "the other edge is a step of its own"
-    assert told_last().endswith(f", {63 + first}–{91 + first}")
-    undo(window, qtbot)
-    assert (document.current.start, document.current.stop) == (63, 90)
-    undo(window, qtbot)
-    assert document.session.artifact(artifact.id) == artifact
-    assert state(window) == before
-
-
-def test_the_menu_of_the_queue_joins_artifacts_of_one_marker(window, qtbot):
-    document, queue = window.document, window.queue
-    gap = document.current
-    document.show([gap.marker])
-    document.go_to(75)
-    qtbot.keyClick(window, Qt.Key.Key_Slash)
-
-    def click(row, held=CTRL):
-        place = queue.view.visualRect(queue.model.index(row, 2)).center()
-        qtbot.mouseClick(queue.view.viewport(), Qt.MouseButton.LeftButton, held, place)
-
-    first, second = (i for i, a in enumerate(queue.model.rows) if a.marker == gap.marker)
-    click(first, Qt.KeyboardModifier.NoModifier)
-    click(second)
-    halves = [(a.marker, a.start, a.stop) for a in queue.model.rows if a.id in queue.selected()]
-    join = next(a for a in queue.menu().actions() if a.objectName() == "join_artifacts")
-    join.trigger()
-    assert halves == [(gap.marker, 60, 75), (gap.marker, 75, 90)]
-    assert (document.current.start, document.current.stop) == (60, 90)
-    click(next(i for i, a in enumerate(queue.model.rows) if a.marker != gap.marker))
-    assert len(queue.selected()) == 2
-    assert not [a for a in queue.menu().actions() if a.objectName() == "join_artifacts"]
 
 
 def test_references_are_chosen_by_clicks_in_the_3d_view(window, qtbot):
@@ -392,12 +295,12 @@ def test_swapped_samples_lie_over_the_source_of_both_and_undo_keeps_the_view(win
         assert trace.item("edited").zValue() > sources
         styles = {trace.item(p).worn.style() for p in ("measured", "filled", "edited")}
         assert len(styles) == 3
-    panel.set_view(30, 75)
+    panel.framing.set_view(30, 75)
     undo(window, qtbot)
     assert mouse.time == pytest.approx((30, 75))
     qtbot.keyClick(window, Qt.Key.Key_Y, CTRL)
     assert mouse.time == pytest.approx((30, 75))
-    panel.set_view(90, 120)
+    panel.framing.set_view(90, 120)
     undo(window, qtbot)
     qtbot.waitUntil(lambda: mouse.time[0] < 40)
     assert mouse.time[1] > 60
@@ -433,7 +336,7 @@ def test_renaming_leaves_what_is_seen_as_it_was(window, mouse, qtbot):
     document, scene = window.document, window.scene
     mouse.drag(40, 60, keys=SHIFT)
     qtbot.keyClick(window, Qt.Key.Key_M)
-    window.trajectories.set_view(30, 80)
+    window.trajectories.framing.set_view(30, 80)
     scene.set_vertical(0)
     qtbot.keyClick(scene, Qt.Key.Key_Plus)
     qtbot.keyClicks(window.queue.filters.marker, "T1")

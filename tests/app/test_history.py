@@ -35,21 +35,21 @@ def test_only_what_is_new_gets_new_rows(qtbot, panel, document):
     panel.model.rowsInserted.connect(lambda _, first, last: came.append((first, last)))
     panel.model.rowsRemoved.connect(lambda _, first, last: went.append((first, last)))
     panel.model.modelReset.connect(lambda: anew.append(True))
-    document.accept(ids[:1])
-    document.reject(ids[1:2])
+    document.decisions.accept(ids[:1])
+    document.decisions.reject(ids[1:2])
     settled(qtbot)
     assert (came, went) == ([(2, 3)], [])
     document.undo()
     settled(qtbot)
     assert rows(panel)[3].startswith("Reject peak")
-    document.reject(ids[2:3])
+    document.decisions.reject(ids[2:3])
     settled(qtbot)
     assert (came, went) == ([(2, 3), (3, 3)], [(3, 3)])
     assert not anew
 
 
 def test_a_key_that_comes_at_once_means_the_step_that_stands_there_by_then(qtbot, panel, document):
-    document.accept([document.session.artifacts[0].id])
+    document.decisions.accept([document.session.artifacts[0].id])
     settled(qtbot)
     panel.view.setFocus()
     document.undo()
@@ -59,8 +59,8 @@ def test_a_key_that_comes_at_once_means_the_step_that_stands_there_by_then(qtbot
 
 def test_click_travels_back_and_forth(qtbot, panel, document):
     ids = [a.id for a in document.session.artifacts]
-    document.accept(ids[:1])
-    document.reject(ids[1:2])
+    document.decisions.accept(ids[:1])
+    document.decisions.reject(ids[1:2])
     settled(qtbot)
     steps = [
         "As opened",

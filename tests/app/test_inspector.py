@@ -32,7 +32,7 @@ def document(tmp_path, damaged, qtbot):
     )
     document = Document()
     document.open(open_session(take, folder=tmp_path), Mesh(take.labels, ()))
-    document.add_detected(found, "paper")
+    document.decisions.add_detected(found, "paper")
     document.set_queue(Rows([[a.id] for a in document.session.artifacts]))
     yield document
     document.open(None, None)
@@ -122,9 +122,9 @@ def test_only_of_what_was_not_recorded_a_gap_is_certain(inspector, document):
     sureness = inspector.artifact.sureness
     assert sureness.text() == "certain: nothing was recorded"
     marker = document.session.original.labels[1]
-    document.mark(Artifact(marker, "xyz", 300, 310, Kind.NOISE, why="marked by hand"))
+    document.decisions.mark(Artifact(marker, "xyz", 300, 310, Kind.NOISE, why="marked by hand"))
     assert sureness.text() == "marked by hand"
-    document.change(document.current.id, kind=Kind.GAP)
+    document.decisions.change(document.current.id, kind=Kind.GAP)
     assert "certain:" not in sureness.text()
 
 
@@ -157,7 +157,7 @@ def test_the_error_of_a_model_picked_by_hand_is_measured_unless_that_takes_long(
         assert text.startswith(REPAIRS[name].label + said)
         assert ("not measured" in text) == ("not measured" in said)
     error = document.proposal.error_mm
-    document.repair_current()
+    document.decisions.repair_current()
     assert document.session.notes[gap].error_mm == error > 0
     document.select(gap)
     # It stands beside the repair for whoever comes back to it.
@@ -237,7 +237,7 @@ def test_what_a_repair_leaves_is_told_before_and_after(inspector, document, monk
     shown = inspector.artifact.methods.outcome
     assert "still finds damage there: a step of 12 mm" in shown.text()
     assert shown.property("role") == "warning"
-    document.repair_many([(gap, spoiled)], "Repair")
+    document.decisions.repair_many([(gap, spoiled)], "Repair")
     document.select(gap)
     assert "still finds damage there: a step of 12 mm" in shown.text()
 

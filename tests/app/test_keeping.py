@@ -88,7 +88,7 @@ def test_cancelling_the_export_before_closing_stays(reviewed, qtbot, monkeypatch
         reviewed.lane.cancel()
         progress(0.5, "Writing")
 
-    reviewed.document.accept([reviewed.document.queue[0]])
+    reviewed.document.decisions.accept([reviewed.document.queue[0]])
     monkeypatch.setattr(dialogs, "ask_unexported", lambda *_: "export")
     monkeypatch.setattr(files, "write", cancelled)
     choice = export_dialog.ExportChoice(record=False, mark_outputs=False)
@@ -112,7 +112,7 @@ def test_an_ending_added_to_the_name_does_not_replace_a_file_unasked(
 
 
 def test_closing_with_unexported_work_asks(reviewed, monkeypatch):
-    reviewed.document.accept([reviewed.document.queue[0]])
+    reviewed.document.decisions.accept([reviewed.document.queue[0]])
     monkeypatch.setattr(dialogs, "ask_unexported", lambda *_: "cancel")
     assert not reviewed.close()
     assert reviewed.document.session is not None
@@ -121,7 +121,7 @@ def test_closing_with_unexported_work_asks(reviewed, monkeypatch):
 def test_a_kept_review_comes_back(reviewed, qtbot, monkeypatch, take_path):
     document = reviewed.document
     chosen = document.queue[0]
-    document.reject([chosen])
+    document.decisions.reject([chosen])
     monkeypatch.setattr(dialogs, "ask_unexported", lambda *_: "keep")
     reviewed.commands.open_path(take_path)
     qtbot.waitUntil(lambda: not reviewed.lane.busy, timeout=WAIT)
@@ -139,7 +139,7 @@ def test_second_window_is_read_only(reviewed, qtbot, take_path, monkeypatch):
     second.commands.open_path(take_path)
     qtbot.waitUntil(lambda: second.document.session is not None, timeout=WAIT)
     assert "read-only" in second.windowTitle()
-    second.document.mark(Artifact("CLAV", "xyz", 1, 5, Kind.NOISE))
+    second.document.decisions.mark(Artifact("CLAV", "xyz", 1, 5, Kind.NOISE))
     assert second.document.session.artifacts == reviewed.document.session.artifacts
     assert "another window" in shown[0]
 
@@ -186,7 +186,7 @@ def test_what_is_decided_while_the_review_is_saved_is_saved_too(
     target = tmp_path / "out.c3d"
     reviewed.commands._exporter.export_to(target, export_dialog.ExportChoice(False, False))
     qtbot.waitUntil(lambda: bool(threads), timeout=WAIT)
-    document.accept([document.queue[0]])
+    document.decisions.accept([document.queue[0]])
     go_on.set()
     saver.finish()
     assert len(threads) == 2
@@ -198,7 +198,7 @@ def test_what_is_decided_while_the_review_is_saved_is_saved_too(
 
 
 def test_closing_waits_for_an_export_under_way(reviewed, monkeypatch, tmp_path):
-    reviewed.document.accept([reviewed.document.queue[0]])
+    reviewed.document.decisions.accept([reviewed.document.queue[0]])
     monkeypatch.setattr(dialogs, "ask_unexported", lambda *_: pytest.fail("it is exported"))
     target = tmp_path / "out.c3d"
     reviewed.commands._exporter.export_to(target, export_dialog.ExportChoice(False, False))
@@ -212,7 +212,7 @@ def test_what_is_decided_while_a_take_is_exported_is_not_in_the_file(reviewed, t
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
     before = document.session.positions.copy()
     exporter.export_to(target, export_dialog.ExportChoice(False, False))
-    document.repair_many([(document.current.id, document.proposal)], "Repair it")
+    document.decisions.repair_many([(document.current.id, document.proposal)], "Repair it")
     assert not np.array_equal(document.session.positions, before, equal_nan=True)
     exporter.finish()
     np.testing.assert_allclose(mm.read(target).positions, before, atol=1e-3)
@@ -222,7 +222,7 @@ def test_what_is_decided_while_a_take_is_exported_is_not_in_the_file(reviewed, t
 def test_a_review_that_cannot_be_saved_keeps_the_window_open(reviewed, monkeypatch):
     monkeypatch.setattr(QMessageBox, "exec", lambda self: None)
     monkeypatch.setattr(dialogs, "ask_unexported", lambda *_: "keep")
-    reviewed.document.accept([reviewed.document.queue[0]])
+    reviewed.document.decisions.accept([reviewed.document.queue[0]])
 
     def full(self):
         raise MarkermendError("The disk is full.")
@@ -234,7 +234,7 @@ def test_a_review_that_cannot_be_saved_keeps_the_window_open(reviewed, monkeypat
 
 
 def test_staying_leaves_work_under_way_alone(reviewed, monkeypatch, qtbot):
-    reviewed.document.accept([reviewed.document.queue[0]])
+    reviewed.document.decisions.accept([reviewed.document.queue[0]])
     monkeypatch.setattr(dialogs, "ask_unexported", lambda *_: "cancel")
     done = []
     reviewed.lane.submit("work", lambda progress: 1, done.append, done.append)
@@ -272,6 +272,6 @@ def test_a_replaced_source_is_opened_anew_and_its_original_kept(
     assert take_path.with_name("box.c3d.bak").read_bytes() == original
     # What was opened anew can be exported again.
     assert reviewed.document.session.original.source.size == len(original)
-    document.accept([document.queue[0]])
+    document.decisions.accept([document.queue[0]])
     export(reviewed, qtbot, monkeypatch, take_path)
     qtbot.waitUntil(lambda: document.session is not None, timeout=WAIT)

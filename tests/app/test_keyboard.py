@@ -24,7 +24,7 @@ def focus():
 
 
 def test_f6_goes_round_through_all_open_panels_and_shift_f6_back(window, qtbot):
-    window.document.accept([window.document.current.id])
+    window.document.decisions.accept([window.document.current.id])
     settled(qtbot)
     assert focus() is window.trajectories.canvas
     way = [
@@ -143,7 +143,7 @@ def test_a_range_swept_by_keys_ends_where_another_marker_comes_forward(window, q
 def test_home_and_end_are_the_ends_of_the_list_that_has_the_keyboard(window, qtbot):
     document, steps = window.document, window.history.view
     for artifact in document.session.artifacts[:3]:
-        document.accept([artifact.id])
+        document.decisions.accept([artifact.id])
     settled(qtbot)
     frame, count = document.frame, window.history.model.rowCount()
     steps.setFocus()
@@ -291,7 +291,7 @@ def test_the_queue_is_sorted_from_its_menu_and_turned_round(window, qtbot):
 
 
 def test_the_quality_of_markers_is_sorted_from_its_menu(window, qtbot):
-    window.show_dock("quality")
+    window.dock_layout.show("quality")
     qtbot.waitUntil(lambda: bool(window.quality.model.rows))
     choose(window.quality.view, qtbot, "Marker")
     names = [s.marker for s in window.quality.model.rows]

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import ast
+import importlib
 import re
 import subprocess
-import sys
 import xml.etree.ElementTree as ET
 from importlib.resources import files
 from pathlib import Path
@@ -63,7 +63,7 @@ def open_window(qtbot, damaged, tmp_path):
 
         qtbot.addWidget(window, before_close_func=quiet)
         window.document.open(open_session(take, folder=tmp_path), infer_mesh(take))
-        window.document.add_detected(truth, "truth")
+        window.document.decisions.add_detected(truth, "truth")
         window.document.step(1)
         return window
 
@@ -109,10 +109,14 @@ def test_no_string_is_overlooked(ts):
         assert not asked - known, path.name
 
 
-def test_nearly_all_strings_of_the_app_are_translated(tmp_path):
-    sys.path.insert(0, str(ROOT / "docs"))
-    import translate
+@pytest.fixture
+def translate(monkeypatch):
+    """The script that brings the translations up to date."""
+    monkeypatch.syspath_prepend(str(ROOT / "docs"))
+    return importlib.import_module("translate")
 
+
+def test_nearly_all_strings_of_the_app_are_translated(translate, tmp_path):
     ts = tmp_path / "de.ts"
     ts.write_bytes((FOLDER / "de.ts").read_bytes())
     try:
@@ -121,6 +125,24 @@ def test_nearly_all_strings_of_the_app_are_translated(tmp_path):
         pytest.skip(f"Qt's lupdate does not run here ({error})")
     done = [m[2].get("type") != "unfinished" for m in messages(ts)]
     assert sum(done) / len(done) > LEAST_DONE
+
+
+def test_what_moves_to_another_class_stays_translated(translate):
+    def ts(*entries):
+        contexts = "".join(
+            f"<context><name>{name}</name><message><source>{source}</source>"
+            f"<translation{state}>{text}</translation></message></context>"
+            for name, source, state, text in entries
+        )
+        return f"<TS>{contexts}</TS>"
+
+    doubted = ' type="unfinished"'
+    before = ts(("A", "Cut &amp; go", "", "Weg &amp; los"), ("A", "Open", "", "Offen"))
+    moved = ("B", "Cut &amp; go", doubted, "Weg &amp; los")
+    # What only says the same as another class may mean something else.
+    alike = ("A", "Open", "", "Offen"), ("B", "Open", doubted, "Offen")
+    now = translate.keep_moved(before, ts(moved, *alike))
+    assert now == ts(("B", "Cut &amp; go", "", "Weg &amp; los"), *alike)
 
 
 def test_the_window_speaks_german(german, open_window):
@@ -138,7 +160,7 @@ def test_german_has_room_in_the_quality_panel_and_the_sheet_of_keys(german, open
     window = open_window()
     theme.apply(QApplication.instance(), "light")
     window.show()
-    window.show_dock("quality")
+    window.dock_layout.show("quality")
     head = window.quality.head
     qtbot.waitUntil(lambda: head.model().rowCount() > 0)
     assert head.model().index(0, MARKER).data() == "Ganze Aufnahme"

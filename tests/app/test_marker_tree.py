@@ -118,7 +118,7 @@ def test_a_decision_is_counted_in_a_turn_of_its_own(qtbot, tree, document, monke
     drawn = []
     monkeypatch.setattr(tree, "_count", lambda: drawn.append(1))
     for artifact in document.session.artifacts[:3]:
-        document.reject([artifact.id])
+        document.decisions.reject([artifact.id])
     assert not drawn, "the window is held up by what stands beside the plots"
     qtbot.waitUntil(lambda: len(drawn) == 1)
 
@@ -142,7 +142,7 @@ def test_counts_follow_decisions_without_folding_anything(qtbot, tree, document)
     assert trunk.data(NODE).counts == {k: 1 for k in (Kind.GAP, Kind.PEAK, Kind.NOISE, Kind.STEP)}
     tree.view.collapse(index_of(tree, "LWRA").parent())
     gap = next(a for a in document.session.artifacts if a.kind is Kind.GAP)
-    document.reject([gap.id])
+    document.decisions.reject([gap.id])
     qtbot.waitUntil(lambda: not index_of(tree, "CLAV").data(NODE).counts)
     assert tree.view.isExpanded(trunk)
     assert not tree.view.isExpanded(index_of(tree, "LWRA").parent())
@@ -194,7 +194,7 @@ def test_worst_first_is_flat_and_sorted_by_open_artifacts(qtbot, tree, document)
     # All have one open artifact; CLAV misses frames besides.
     assert names[0] == "CLAV"
     assert set(names[:4]) == {"CLAV", "LELB", "C7", "LWRA"}
-    document.reject([a.id for a in document.session.artifacts if a.marker == "CLAV"])
+    document.decisions.reject([a.id for a in document.session.artifacts if a.marker == "CLAV"])
     qtbot.waitUntil(lambda: set(visible(tree)[:3]) == {"LELB", "C7", "LWRA"})
 
 

@@ -10,9 +10,9 @@ from markermend_app.sight import Sight
 
 def test_a_swap_is_seen_chosen_and_framed_on_the_other_marker_alone(bench):
     swap = Artifact("CLAV", "xyz", 250, 280, Kind.STEP, counterpart="STRN")
-    bench.document.add_detected([swap], "test")
+    bench.document.decisions.add_detected([swap], "test")
     bench.document.show(["STRN"])
-    bench.panel.set_view(0, 399)
+    bench.panel.framing.set_view(0, 399)
     bench.click(265)
     assert bench.document.current == swap
     bench.document.show(["STRN"])
@@ -23,10 +23,10 @@ def test_a_swap_is_seen_chosen_and_framed_on_the_other_marker_alone(bench):
 
 
 def test_edges_meet_those_of_a_swap_on_the_other_marker(bench):
-    bench.document.add_detected(
+    bench.document.decisions.add_detected(
         [Artifact("CLAV", "xyz", 250, 280, Kind.STEP, counterpart="STRN")], "test"
     )
     bench.document.show(["STRN"])
-    bench.panel.set_view(0, 399)
+    bench.panel.framing.set_view(0, 399)
     bench.drag(281, 320, keys=SHIFT)
     assert bench.document.selection.start == 280

@@ -111,15 +111,15 @@ def test_no_tabs_of_before_lie_about_in_a_layout_that_was_kept(window, qtbot):
         return sorted(tuple(bar.tabText(i) for i in range(bar.count())) for bar in seen)
 
     widen(window, 1500, 900)
-    window.reset_layout()
+    window.dock_layout.reset()
     widen(window, 1500, 900)
     assert tabs() == [("Review queue", "Quality")]
-    window.show_dock("takes")
+    window.dock_layout.show("takes")
     widen(window, 1500, 900)
-    window.reset_layout()
+    window.dock_layout.reset()
     widen(window, 1500, 900)
     assert tabs() == [("Review queue", "Quality")]
-    window.show_dock("takes")
+    window.dock_layout.show("takes")
     widen(window, 1500, 900)
     assert tabs() == [("History", "Takes"), ("Review queue", "Quality")]
 

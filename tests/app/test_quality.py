@@ -50,7 +50,7 @@ def test_a_decision_is_counted_once_it_has_settled(qtbot, panel, document):
     assert row(panel, "")[MARKER] == "Whole take"
     gap = next(a for a in document.session.artifacts if a.kind is Kind.GAP)
     patch = Patch("CLAV", "xyz", 60, 90, np.ones((30, 3)))
-    document.repair_many([(gap.id, Repair("linear", (patch,), error_mm=2.5))], "Repair")
+    document.decisions.repair_many([(gap.id, Repair("linear", (patch,), error_mm=2.5))], "Repair")
     qtbot.waitUntil(lambda: row(panel, "CLAV")[OPEN] == "", timeout=2000)
     clav = row(panel, "CLAV")
     assert (clav[BEFORE], clav[NOW], clav[MENDED], clav[MEAN]) == (
@@ -100,7 +100,7 @@ def test_click_shows_a_marker_and_double_click_its_worst(qtbot, panel, document)
 
 def test_a_mix_up_is_counted_and_found_on_each_marker_but_once_in_the_take(panel, document, qtbot):
     swap = Artifact("STRN", "xyz", 250, 280, Kind.STEP, counterpart="T10")
-    document.add_detected([swap], "test")
+    document.decisions.add_detected([swap], "test")
     qtbot.waitUntil(lambda: row(panel, "STRN")[OPEN] == "1 step", timeout=2000)
     assert row(panel, "T10")[OPEN] == "1 step"
     assert row(panel, "")[OPEN] == "1 step"
@@ -111,7 +111,7 @@ def test_a_mix_up_is_counted_and_found_on_each_marker_but_once_in_the_take(panel
 
 def test_nothing_is_counted_while_nobody_looks(qtbot, panel, document):
     panel.hide()
-    document.accept([a.id for a in document.session.artifacts])
+    document.decisions.accept([a.id for a in document.session.artifacts])
     qtbot.wait(150)
     assert row(panel, "CLAV")[OPEN] == "1 gap"
     panel.show()
@@ -146,7 +146,7 @@ def test_a_long_take_is_counted_within_a_frame_or_two(qtbot, tmp_path):
     found = [
         Artifact(f"M{i % 60}", "x", 10 * i, 10 * i + 5, Kind.PEAK, 0.9, 9.0) for i in range(3000)
     ]
-    document.add_detected(found, "test")
+    document.decisions.add_detected(found, "test")
     best = np.inf
     for _ in range(3):
         before = time.process_time()
@@ -166,7 +166,7 @@ def test_nothing_is_counted_while_another_tab_covers_it(review, damaged, qtbot, 
     monkeypatch.setattr(
         "markermend_app.panels.quality.standings", lambda *_: counted.append(1) or ()
     )
-    window.document.reject([window.document.current.id])
+    window.document.decisions.reject([window.document.current.id])
     qtbot.waitUntil(lambda: not quality._settle.isActive())
     assert not counted
     window.docks["quality"].raise_()

@@ -60,11 +60,11 @@ def test_the_artifact_under_review_is_left_where_it_lies_outside(reviewed, qtbot
     gap = next(a for a in document.session.artifacts if a.kind is Kind.GAP)
     document.select(gap.id)
     document.go_to(190)
-    view = reviewed.trajectories._view
+    view = reviewed.trajectories.framing.view
     key(qtbot, reviewed, Qt.Key.Key_I)
     settled(qtbot)
     assert document.current is None
-    assert reviewed.trajectories._view == view
+    assert reviewed.trajectories.framing.view == view
     key(qtbot, reviewed, Qt.Key.Key_N)
     assert document.current in document.session.listed
 
@@ -87,7 +87,7 @@ def test_a_swept_range_becomes_it(reviewed, qtbot):
 
 
 def test_frames_outside_are_paled(narrowed, qtbot):
-    narrowed.trajectories.fit_all()
+    narrowed.trajectories.framing.fit_all()
     settled(qtbot)
     for row in narrowed.trajectories.rows:
         assert row.outside.isVisible()
@@ -137,7 +137,7 @@ def test_export_writes_it_alone_or_the_whole_take(narrowed, qtbot, monkeypatch, 
         a = next(a for a in document.session.artifacts if a.kind is kind)
         values = np.zeros((a.length, len(a.axes)))
         patch = Patch(a.marker, a.axes, a.start, a.stop, values)
-        document.repair_many([(a.id, Repair("linear", (patch,)))], "Repair")
+        document.decisions.repair_many([(a.id, Repair("linear", (patch,)))], "Repair")
     asked = []
 
     def ask(*args, **more):
@@ -175,10 +175,10 @@ def test_what_is_repaired_outside_it_stays_repaired(narrowed, qtbot):
     document = narrowed.document
     gap = next(a for a in document.session.artifacts if a.kind is Kind.GAP)
     patch = Patch(gap.marker, "xyz", gap.start, gap.stop, np.zeros((gap.length, 3)))
-    document.repair_many([(gap.id, Repair("linear", (patch,)))], "Repair")
+    document.decisions.repair_many([(gap.id, Repair("linear", (patch,)))], "Repair")
     document.select(gap.id)
     assert "outside the region of interest" in narrowed.inspector.artifact.status.text()
-    document.accept([gap.id])
+    document.decisions.accept([gap.id])
     assert document.session.artifact(gap.id).status is Status.REPAIRED
     assert document.session.take.present[gap.start, document.session.take.index(gap.marker)]
 
@@ -243,7 +243,7 @@ def test_what_is_missing_is_counted_within_it(narrowed, qtbot):
 
 def test_a_glance_is_of_what_it_asks_about(narrowed):
     document = narrowed.document
-    document.reject([a.id for a in document.session.listed])
+    document.decisions.reject([a.id for a in document.session.listed])
     seen = glance_at(document.session)
     assert seen.done
     assert seen.standing.gap_now == 0.0
@@ -273,8 +273,10 @@ def test_a_frame_number_that_was_typed_leaves_the_keys_to_the_review(reviewed, q
 def test_doubts_are_about_what_is_asked_about(narrowed, qtbot):
     document = narrowed.document
     inside = [Artifact("STRN", "x", 200 + 5 * i, 202 + 5 * i, Kind.PEAK, 0.9) for i in range(3)]
-    document.add_detected([*inside, Artifact("STRN", "x", 20, 22, Kind.PEAK, 0.9)], "test")
-    document.reject([a.id for a in inside])
+    document.decisions.add_detected(
+        [*inside, Artifact("STRN", "x", 20, 22, Kind.PEAK, 0.9)], "test"
+    )
+    document.decisions.reject([a.id for a in inside])
     assert narrowed.bulk.doubt is None
     key(qtbot, narrowed, Qt.Key.Key_O, SHIFT)
     assert narrowed.bulk.doubt is not None
@@ -305,7 +307,7 @@ def test_the_dialog_proposes_it_and_can_be_told_otherwise(qtbot, window):
 
 def test_all_like_this_means_those_within_it(narrowed, qtbot):
     document = narrowed.document
-    document.mark(Artifact("LELB", "x", 20, 25, Kind.NOISE, 1.0))
+    document.decisions.mark(Artifact("LELB", "x", 20, 25, Kind.NOISE, 1.0))
     document.select(next(a.id for a in document.session.listed if a.kind is Kind.NOISE))
     key(qtbot, narrowed, Qt.Key.Key_R, SHIFT)
     qtbot.waitUntil(lambda: narrowed.bulk.dialog is not None)

@@ -22,9 +22,9 @@ def test_the_open_review_is_reported_and_shown(review, damaged, qtbot, tmp_path,
     first = document.current.id
     before = document.session.positions.copy()
     document.do(lambda s: s.annotate(first, "seen in the video"))
-    document.reject([first])
+    document.decisions.reject([first])
     window.reporting.report_to(target)
-    document.reject([a.id for a in document.session.artifacts])
+    document.decisions.reject([a.id for a in document.session.artifacts])
     qtbot.waitUntil(lambda: bool(shown), timeout=WAIT)
     assert shown == [str(target)]
     text = target.read_text(encoding="utf-8")
@@ -59,8 +59,8 @@ def test_a_report_is_told_in_the_language_of_the_window(
         document.select(gap.id)
         document.do(lambda s: s.annotate(gap.id, "Repair it & see"))
         qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
-        document.repair_current()
-        document.reject([document.current.id])
+        document.decisions.repair_current()
+        document.decisions.reject([document.current.id])
         window.reporting.report_to(target)
         qtbot.waitUntil(lambda: target.exists(), timeout=WAIT)
     finally:

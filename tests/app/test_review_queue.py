@@ -47,7 +47,7 @@ def listed(qtbot, folder, take, found):
     queue.resize(900, 300)
     queue.show()
     document.open(open_session(take, folder=folder), None)
-    document.add_detected(found, "paper")
+    document.decisions.add_detected(found, "paper")
     return document, queue
 
 
@@ -130,7 +130,7 @@ def test_double_click_repairs(qtbot, queue, document):
 
 def test_decided_rows_leave_the_open_list_and_the_next_one_is_current(queue, document, qtbot):
     document.select(document.queue[0])
-    document.accept_current()
+    document.decisions.accept_current()
     settled(qtbot)
     assert markers(queue) == ["LWRA", "LELB", "C7"]
     assert document.current.marker == "LWRA"
@@ -142,7 +142,7 @@ def test_decided_rows_leave_the_open_list_and_the_next_one_is_current(queue, doc
 def test_keys_that_come_at_once_mean_the_rows_as_they_are_by_then(qtbot, queue, document):
     click(qtbot, queue, 0)
     for marker in ("CLAV", "LWRA"):
-        document.accept_current()
+        document.decisions.accept_current()
         assert markers(queue)[0] == marker, "the rows follow in a turn of their own"
         qtbot.keyClick(queue.view, Qt.Key.Key_Shift)
         assert markers(queue)[0] != marker
@@ -152,14 +152,14 @@ def test_keys_that_come_at_once_mean_the_rows_as_they_are_by_then(qtbot, queue, 
 def test_the_walk_knows_at_once_what_became_of_the_order(queue, document, qtbot):
     first, second, third, fourth = document.queue
     document.select(second)
-    document.reject_current()
+    document.decisions.reject_current()
     assert document.queue == (first, third, fourth)
     settled(qtbot)
     document.undo()
     assert document.current.id == second
     document.step(1)
     assert document.current.id == third
-    document.reject([first, second])
+    document.decisions.reject([first, second])
     settled(qtbot)
     document.undo()
     assert document.current.id == first
@@ -225,7 +225,7 @@ def test_keyboard_leaves_the_filter_line(qtbot, queue, document):
 
 
 def test_says_why_nothing_is_listed(queue, document, qtbot):
-    document.reject([a.id for a in document.session.artifacts])
+    document.decisions.reject([a.id for a in document.session.artifacts])
     settled(qtbot)
     assert queue._hint.isVisible()
     assert "All 4 artifacts are decided" in queue._hint.text()
@@ -239,7 +239,7 @@ def test_says_so_when_detection_found_nothing(tmp_path, damaged, qtbot):
     qtbot.addWidget(queue)
     document.open(open_session(damaged[0], folder=tmp_path), None)
     assert "D looks for artifacts" in queue._hint.text()
-    document.add_detected([], "paper")
+    document.decisions.add_detected([], "paper")
     settled(qtbot)
     assert "Nothing was found" in queue._hint.text()
     document.open(None, None)
@@ -249,7 +249,7 @@ def test_says_so_when_detection_found_nothing(tmp_path, damaged, qtbot):
 def test_class_change_updates_the_row_in_place(queue, document, qtbot):
     peak = next(a for a in document.session.artifacts if a.kind is Kind.PEAK)
     row = queue.model.row_of(peak.id)
-    document.change(peak.id, kind=Kind.NOISE)
+    document.decisions.change(peak.id, kind=Kind.NOISE)
     settled(qtbot)
     assert queue.model.index(row, KIND).data() == "Noise"
 
@@ -271,7 +271,7 @@ def test_two_thousand_artifacts_stay_quick_and_keep_their_place(tmp_path, qtbot)
     before = bar.value()
     assert before > 500
     start = time.process_time()
-    document.reject([document.queue[1205]])
+    document.decisions.reject([document.queue[1205]])
     settled(qtbot)
     assert time.process_time() - start < 0.3
     assert abs(bar.value() - before) <= 1

@@ -222,7 +222,7 @@ def test_where_bones_are_rigid_a_dialog_says_which_joints_are_off(without_a_shin
     while pending := session.with_status(Status.PENDING):
         window.document.select(pending[0].id)
         window.document.choose_method("linear")
-        window.document.repair_current()
+        window.document.decisions.repair_current()
         # What went wrong together is repaired together, once all of it is worked out.
         qtbot.waitUntil(lambda p=pending: session.with_status(Status.PENDING) != p, timeout=WAIT)
     exporter = window.commands._exporter
@@ -251,7 +251,7 @@ def test_joints_that_are_off_are_told_before_a_window_closes(without_a_shin, tmp
         answered.append((box.informativeText(), window.isVisible()))
 
     monkeypatch.setattr(QMessageBox, "exec", answer)
-    window.document.reject([window.document.current.id])
+    window.document.decisions.reject([window.document.current.id])
     window.close()
     ((text, visible),) = answered
     assert "ltibia 30" in text
@@ -278,7 +278,7 @@ def test_a_dialog_says_which_joints_an_amc_lacks(without_a_shin, tmp_path, qtbot
     foot = next(a for a in document.session.artifacts if a.marker == "lfoot")
     document.select(foot.id)
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
-    document.repair_current()
+    document.decisions.repair_current()
     exporter = window.commands._exporter
     assert exporter.export_to(tmp_path / "out.amc", ExportChoice(False, False))
     qtbot.waitUntil(lambda: bool(window.findChildren(QMessageBox)), timeout=WAIT)
@@ -305,8 +305,8 @@ def test_an_export_that_failed_is_not_said_to_be_done(opened, tmp_path, monkeypa
 def test_what_is_accepted_only_is_told_when_all_is_decided(opened, qtbot):
     session = opened.document.session
     ids = [a.id for a in session.artifacts]
-    opened.document.accept(ids[:1])
-    opened.document.reject(ids[1:])
+    opened.document.decisions.accept(ids[:1])
+    opened.document.decisions.reject(ids[1:])
     said = opened.queue._hint
     qtbot.waitUntil(lambda: "are decided" in said.text())
     assert "1 is accepted but not repaired; Ctrl+R repairs" in said.text()
@@ -319,9 +319,9 @@ def test_what_is_accepted_only_is_told_when_all_is_decided(opened, qtbot):
 def test_what_was_searched_under_other_names_is_told(request, recording, told, qtbot, monkeypatch):
     window, said = request.getfixturevalue(recording), []
     monkeypatch.setattr("markermend_app.detection.search", lambda *_, **__: ())
-    window.commands.said.connect(said.append)
+    window.detecting.said.connect(said.append)
     first = window.document.session.original.labels[0]
-    window.commands.detect()
+    window.detecting.detect()
     window.document.do(lambda session: hand.rename(session, {first: "other"}))
     qtbot.waitUntil(lambda: f"{told}; detect again." in said, timeout=WAIT)
 
@@ -362,7 +362,7 @@ def test_a_review_without_repairs_is_not_said_to_have_some(opened, monkeypatch):
         "markermend_app.dialogs.ask.QMessageBox.exec", lambda box: asked.append(box.text())
     )
     document = opened.document
-    document.reject([document.session.artifacts[0].id])
+    document.decisions.reject([document.session.artifacts[0].id])
     assert not opened.commands.let_go()
     assert asked[-1] == "You changed no sample of sensor.csv, but its review would be lost."
     document.do(lambda s: hand.rename(s, {"torso": "chest"}))
@@ -380,10 +380,10 @@ def test_nothing_is_asked_before_the_export_where_nothing_is_left(opened, qtbot,
     settings.remember("record_repairs", True)
     document = opened.document
     first, *rest = (a.id for a in document.session.artifacts)
-    document.reject(rest)
+    document.decisions.reject(rest)
     opened.actions_by_name["export"].trigger()
     assert len(shown) == 1
-    document.reject([first])
+    document.decisions.reject([first])
     opened.actions_by_name["export"].trigger()
     assert len(shown) == 1
     # What is wanted of takes is kept.

@@ -154,7 +154,7 @@ def test_what_ties_swapped_joints_is_no_bone(opened, qtbot):
     swap = next(a for a in document.session.artifacts if a.counterpart)
     document.select(swap.id)
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
-    document.repair_current()
+    document.decisions.repair_current()
     repaired = document.session.with_status
     qtbot.waitUntil(lambda: bool(repaired(Status.REPAIRED)), timeout=WAIT)
     document.select(None)
@@ -187,12 +187,13 @@ def test_a_mix_up_is_told_of_both_of_its_joints(opened, qtbot):
     assert model.node(model.index_of(swap.counterpart)).own[Kind.STEP] == 1
     overview = opened.overview
     at = [overview._rows.row_of[JOINTS.index(m)] for m in swap.markers]
-    assert {(swap.start, swap.stop, r) for r in at} <= set(map(tuple, overview._place.tolist()))
+    lying = set(map(tuple, overview._lying.intervals.tolist()))
+    assert {(swap.start, swap.stop, r) for r in at} <= lying
     document.select(swap.id)
     document.go_to(swap.start)
     assert {JOINTS.index(m) for m in swap.markers} <= set(opened.scene.seen.rings())
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
-    document.repair_current()
+    document.decisions.repair_current()
     repaired = f"Repair step on {both}"
     qtbot.waitUntil(lambda: document.session.history[-1].startswith(repaired), timeout=WAIT)
     document.select(swap.id)
@@ -209,7 +210,7 @@ def test_a_swap_of_joints_is_called_so_wherever_a_repair_is_told(opened, qtbot):
     alike = AlikeDialog(document, swap, [everywhere], True, opened)
     alike.repairs[swap.id] = document.proposal
     assert alike._outcome(swap).startswith("Swap joints")
-    document.repair_current()
+    document.decisions.repair_current()
     qtbot.waitUntil(lambda: document.session.notes.get(swap.id) is not None, timeout=WAIT)
     assert document.session.notes[swap.id].method == "swap"
     document.select(swap.id)

@@ -133,7 +133,7 @@ def test_a_proposal_beside_is_painted_as_it_comes_and_no_damage_is_counted_anew(
 def test_no_bone_is_proposed_to_a_joint_of_which_nothing_is_known_yet(carried, qtbot, monkeypatch):
     document = carried.document
     by_marker = {a.marker: a for a in document.session.artifacts}
-    document.reject([by_marker["waist"].id])
+    document.decisions.reject([by_marker["waist"].id])
     document.select(by_marker["left_hip"].id)
     document.go_to(155)
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
@@ -155,7 +155,7 @@ def test_marks_of_the_same_moment_that_take_long_are_few(carried, qtbot):
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
     assert len(ahead_and_beside(session, whole[:1], ())) == len(JOINTS) - 1
     for joint in JOINTS:
-        document.mark(Artifact(joint, "xyz", 152, 200, Kind.NOISE))
+        document.decisions.mark(Artifact(joint, "xyz", 152, 200, Kind.NOISE))
     beside = ahead_and_beside(session, whole[:1], ())
     assert {a.id for a in whole[1:]} < {a.id for a in beside}
     by_hand = [a for a in beside if a.stop == 200]
@@ -175,7 +175,7 @@ def test_the_camera_does_not_go_along_with_what_is_carried_off(carried, walk, qt
     moved = np.array(targets) - targets[0]
     assert np.abs(moved - (truth - truth[0])).max() < 60
     # A body that is where it is said to be is followed again.
-    document.reject([a.id for a in document.session.artifacts])
+    document.decisions.reject([a.id for a in document.session.artifacts])
     document.go_to(155)
     there = np.median(document.session.positions[155], axis=0) - truth[0]
     assert np.abs(np.array(scene.camera.target) - targets[0] - there).max() < 60
@@ -185,7 +185,7 @@ def test_what_a_body_was_has_bones_and_only_what_is_shown_is_tied(carried, qtbot
     document, scene = carried.document, carried.scene
     document.go_to(155)
     whole_body_proposed(carried, qtbot)
-    document.repair_many(
+    document.decisions.repair_many(
         [(a.id, document.proposals.get(a, "auto")) for a in document.session.artifacts], ""
     )
     document.show(["left_knee"])

@@ -39,7 +39,7 @@ def panels(qtbot, document):
     panels[0].choose_rows(list(QUANTITIES))
     yield panels
     panels[0].predictions.close()
-    panels[1].residuals.close()
+    panels[1].levels.residuals.close()
 
 
 @pytest.mark.parametrize(
@@ -58,18 +58,18 @@ def test_everything_is_drawn(qtbot, tmp_path, document, panels, frames, markers,
     scene.looks.colours = "damage"
     plots.set_prediction_shown(True)
     if frames and markers:
-        document.add_detected([Artifact("A", "x", 0, 1, Kind.PEAK, 0.9, 4.0)], "test")
+        document.decisions.add_detected([Artifact("A", "x", 0, 1, Kind.PEAK, 0.9, 4.0)], "test")
         document.step(1)
     for mode in MODES:
         overview.mode.choose(mode)
         for panel in panels:
             panel.grab()
     document.go_to(frames)
-    plots.fit_all()
-    plots.zoom(0.5)
+    plots.framing.fit_all()
+    plots.framing.zoom(0.5)
     if markers:
         qtbot.waitUntil(lambda: set(plots.predictions.known) == set(take.labels), timeout=20_000)
-        qtbot.waitUntil(lambda: overview.residuals.share is None, timeout=20_000)
+        qtbot.waitUntil(lambda: overview.levels.residuals.share is None, timeout=20_000)
     plots.canvas.scene().sigMouseMoved.emit(QPointF(300, 60))
     overview.describe(QPoint(300, 30))
     QCoreApplication.processEvents()

@@ -25,7 +25,7 @@ def window(review, damaged):
     """The window on the damaged take, T10 foremost, the first 150 frames in view."""
     made = review(*damaged)
     made.document.show(["T10", "LSHO"])
-    made.trajectories.set_view(0, 150)
+    made.trajectories.framing.set_view(0, 150)
     return made
 
 

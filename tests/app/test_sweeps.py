@@ -21,7 +21,7 @@ def along(bench, name, axis):
 def test_a_sweep_along_a_curve_is_of_its_marker_and_elsewhere_of_the_foremost(bench, qtbot):
     document = bench.document
     document.show(["CLAV", "STRN", "LWRA"])
-    bench.panel.fit_all()
+    bench.panel.framing.fit_all()
     settled(qtbot)
     qtbot.waitUntil(lambda: all(len(row.values_of) == 3 for row in bench.panel.rows[:3]))
 

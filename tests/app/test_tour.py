@@ -39,7 +39,7 @@ def window(qtbot, monkeypatch, damaged, tmp_path):
 
     def open_small():
         made.document.open(open_session(take, folder=tmp_path), infer_mesh(take))
-        made.document.add_detected(truth, "truth")
+        made.document.decisions.add_detected(truth, "truth")
         made.document.step(1)
 
     monkeypatch.setattr(made.commands, "open_demo", open_small)

@@ -20,7 +20,7 @@ from markermend_app.panels.plots.prediction import SETTLED_MS
 
 
 def test_all_plots_share_one_time(bench):
-    bench.panel.set_view(50, 150)
+    bench.panel.framing.set_view(50, 150)
     ranges = [row.view.viewRange()[0] for row in bench.panel.rows]
     assert ranges[0] == ranges[1] == ranges[2] == pytest.approx([50, 150])
     heights = [row.view.sceneBoundingRect().height() for row in bench.panel.rows]
@@ -134,7 +134,7 @@ def test_a_repair_keeps_its_band_also_when_the_review_is_opened_again(
     previewed = [row.band.boundingRect() for row in panel.rows]
     assert all(box.height() > 0 for box in previewed)
 
-    document.repair_current()
+    document.decisions.repair_current()
     document.select(gap.id)
     for row, box in zip(panel.rows, previewed, strict=True):
         assert not row.proposed
@@ -156,7 +156,7 @@ def test_a_repair_keeps_its_band_also_when_the_review_is_opened_again(
 
 
 def test_double_click_on_nothing_shows_everything(bench):
-    bench.panel.set_view(250, 350)
+    bench.panel.framing.set_view(250, 350)
     bench.double_click(300)
     low, high = bench.time
     assert low <= 0
@@ -164,7 +164,7 @@ def test_double_click_on_nothing_shows_everything(bench):
 
 
 def test_wheel_zooms_time_at_the_mouse_and_with_ctrl_values(bench):
-    bench.panel.fit_all()
+    bench.panel.framing.fit_all()
     low, high = bench.time
     view = bench.panel.rows[0].view
     at = view.mapSceneToView(bench.panel.canvas.mapToScene(bench.at(300))).x()
@@ -181,18 +181,18 @@ def test_wheel_zooms_time_at_the_mouse_and_with_ctrl_values(bench):
 
 
 def test_right_drag_pans(bench):
-    bench.panel.set_view(100, 200)
+    bench.panel.framing.set_view(100, 200)
     bench.drag(150, 170, button=RIGHT)
     assert bench.time[0] == pytest.approx(80, abs=1)
     assert bench.time[1] == pytest.approx(180, abs=1)
 
 
 def test_the_view_stays_on_the_take(bench):
-    bench.panel.set_view(-500, -400)
+    bench.panel.framing.set_view(-500, -400)
     assert bench.time[0] >= -10
-    bench.panel.set_view(-1e6, 1e6)
+    bench.panel.framing.set_view(-1e6, 1e6)
     assert bench.time[1] <= 410
-    bench.panel.zoom(1e-9)
+    bench.panel.framing.zoom(1e-9)
     assert np.diff(bench.time) >= 5
 
 
@@ -211,7 +211,7 @@ def test_shift_drag_sweeps(bench, qtbot):
 def test_dragging_an_edge_changes_the_interval_and_can_be_undone(bench):
     gap = next(a for a in bench.document.session.artifacts if a.kind is Kind.GAP)
     bench.document.select(gap.id)
-    bench.panel.set_view(40, 140)
+    bench.panel.framing.set_view(40, 140)
     bench.drag(89.5, 99.5)
     changed = bench.document.session.artifact(gap.id)
     assert (changed.start, changed.stop) == (60, pytest.approx(100, abs=1))
@@ -223,7 +223,7 @@ def test_dragging_an_edge_changes_the_interval_and_can_be_undone(bench):
 def test_shift_drag_sweeps_even_from_an_edge(bench):
     gap = next(a for a in bench.document.session.artifacts if a.kind is Kind.GAP)
     bench.document.select(gap.id)
-    bench.panel.set_view(40, 140)
+    bench.panel.framing.set_view(40, 140)
     bench.drag(89.5, 120, keys=SHIFT)
     assert bench.document.session.artifact(gap.id) == gap
     assert bench.document.selection.stop == pytest.approx(121, abs=1)
@@ -231,15 +231,15 @@ def test_shift_drag_sweeps_even_from_an_edge(bench):
 
 def test_values_follow_the_view_until_a_hand_moves_them(bench):
     row = bench.panel.rows[0]
-    bench.panel.set_view(0, 50)
+    bench.panel.framing.set_view(0, 50)
     before = row.view.viewRange()[1]
-    bench.panel.set_view(300, 350)
+    bench.panel.framing.set_view(300, 350)
     assert row.view.viewRange()[1][0] > before[1]
     bench.wheel(320, 1, Qt.KeyboardModifier.ControlModifier)
     by_hand = row.view.viewRange()[1]
-    bench.panel.set_view(0, 50)
+    bench.panel.framing.set_view(0, 50)
     assert row.view.viewRange()[1] == by_hand
-    bench.panel.fit_all()
+    bench.panel.framing.fit_all()
     assert row.view.viewRange()[1] != by_hand
 
 
@@ -250,7 +250,7 @@ def test_a_proposal_out_of_view_takes_no_room_from_the_values_in_it(bench, qtbot
     x = bench.panel.rows[0]
     assert x.proposed
     # The body walks along X: the gap lies at 0.2 m, the end of the take at 1.2 m.
-    bench.panel.set_view(300, 390)
+    bench.panel.framing.set_view(300, 390)
     seen = x.values_of["CLAV"][300:390]
     low, high = x.view.viewRange()[1]
     assert high - low < 1.5 * np.ptp(seen)
@@ -301,10 +301,10 @@ def test_prediction_is_made_anew_when_what_it_learned_from_changes(bench, qtbot)
     qtbot.waitUntil(lambda: "CLAV" in known, timeout=20_000)
     first = known["CLAV"]
     noise = next(a.id for a in bench.document.session.artifacts if a.marker == "C7")
-    bench.document.accept([noise])
+    bench.document.decisions.accept([noise])
     qtbot.wait(SETTLED_MS + 300)
     assert known["CLAV"] is first
-    bench.document.reject([noise])
+    bench.document.decisions.reject([noise])
     assert known["CLAV"] is first
     qtbot.waitUntil(lambda: known["CLAV"] is not first, timeout=20_000)
     apart = np.abs(known["CLAV"] - first)
@@ -354,7 +354,7 @@ def test_markers_passed_by_are_not_predicted(bench, qtbot, monkeypatch):
 
 
 def test_the_view_follows_a_cursor_that_leaves_it(bench):
-    bench.panel.set_view(0, 100)
+    bench.panel.framing.set_view(0, 100)
     bench.document.go_to(105)
     low, high = bench.time
     assert low <= 105 <= high
@@ -381,7 +381,7 @@ def test_the_legend_brings_a_marker_to_the_front(bench):
 
 
 def test_a_swap_is_previewed_on_both_markers(bench, qtbot):
-    bench.document.mark(Artifact("CLAV", "xyz", 250, 280, Kind.STEP, counterpart="STRN"))
+    bench.document.decisions.mark(Artifact("CLAV", "xyz", 250, 280, Kind.STEP, counterpart="STRN"))
     assert set(bench.document.shown) == {"CLAV", "STRN"}
     bench.document.choose_method("swap")
     qtbot.waitUntil(lambda: bench.document.proposal is not None, timeout=20_000)

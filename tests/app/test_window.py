@@ -112,7 +112,7 @@ def test_number_keys_choose_a_method(reviewed, qtbot):
 def test_repair_all_accepted_is_one_step(reviewed, qtbot):
     document = reviewed.document
     ids = [a.id for a in document.session.artifacts]
-    document.accept(ids)
+    document.decisions.accept(ids)
     steps = len(document.session.history)
     reviewed.actions_by_name["repair_accepted"].trigger()
     qtbot.waitUntil(lambda: not reviewed.lane.busy, timeout=WAIT)
@@ -163,10 +163,10 @@ def test_keys_decide_about_nothing_that_is_out_of_sight(reviewed, qtbot):
     qtbot.keyClick(reviewed, Qt.Key.Key_N)
     assert not said.whole
     qtbot.keyClick(reviewed, Qt.Key.Key_P)
-    reviewed.trajectories.set_view(artifact.stop + 20, artifact.stop + 60)
+    reviewed.trajectories.framing.set_view(artifact.stop + 20, artifact.stop + 60)
     assert back.isVisible()
     qtbot.mouseClick(back, Qt.MouseButton.LeftButton)
-    low, high = reviewed.trajectories._view
+    low, high = reviewed.trajectories.framing.view
     assert low < artifact.start
     assert artifact.stop < high
     qtbot.keyClick(reviewed, Qt.Key.Key_R)
@@ -183,7 +183,7 @@ def test_undo_and_redo_say_what_they_did(reviewed, qtbot):
 
 
 def test_a_picture_leaves_a_review_as_it_was(reviewed, qtbot, take_path, tmp_path):
-    reviewed.document.accept([reviewed.document.queue[0]])
+    reviewed.document.decisions.accept([reviewed.document.queue[0]])
     reviewed.document.file.save()
     reviewed.document.open(None, None)
     (review,) = tmp_path.glob("*.markermend.json")

@@ -121,9 +121,9 @@ def bench_plots(options: argparse.Namespace, folder: Path) -> None:
     print(f"{take.frames} frames x {take.markers} markers at {take.rate:g} Hz, 1400 x 900")  # noqa: T201
     print(f"{'':22}{'pan 300 s':>11}{'pan 60 s':>11}{'pan 5 s':>11}{'zoom':>11}{'cursor':>11}")  # noqa: T201
     for markers, artifacts in ((1, 0), (1, 300), (5, 0), (5, 300)):
-        document.remove([a.id for a in document.session.artifacts])
+        document.decisions.remove([a.id for a in document.session.artifacts])
         if artifacts:
-            document.add_detected(make_artifacts(take, artifacts), "bench")
+            document.decisions.add_detected(make_artifacts(take, artifacts), "bench")
         document.show(take.labels[:markers])
         QApplication.processEvents()
         cells = []
@@ -132,16 +132,16 @@ def bench_plots(options: argparse.Namespace, folder: Path) -> None:
             step = span / 40
 
             def pan(i: int, span: float = span, step: float = step) -> None:
-                panel.set_view(1000 + i * step, 1000 + i * step + span)
+                panel.framing.set_view(1000 + i * step, 1000 + i * step + span)
 
             cells.append(per_frame(panel.canvas.viewport(), pan))
 
         def zoom(i: int) -> None:
             span = take.frames * 0.8**i
-            panel.set_view(take.frames / 3 - span / 3, take.frames / 3 + span / 2)
+            panel.framing.set_view(take.frames / 3 - span / 3, take.frames / 3 + span / 2)
 
         cells.append(per_frame(panel.canvas.viewport(), zoom))
-        panel.set_view(1000, 1000 + 60 * take.rate)
+        panel.framing.set_view(1000, 1000 + 60 * take.rate)
         QApplication.processEvents()
         cells.append(per_frame(panel.canvas.viewport(), lambda i: document.go_to(2000 + 50 * i)))
         name = f"{markers} marker{'s' * (markers > 1)}, {artifacts} artifacts"
@@ -161,7 +161,7 @@ def bench_scene(options: argparse.Namespace, folder: Path) -> None:
     scene = Scene(document)
     scene.resize(900, 700)
     scene.show()
-    document.add_detected(make_artifacts(take, 300), "bench")
+    document.decisions.add_detected(make_artifacts(take, 300), "bench")
     print(f"{take.markers} markers at {take.rate:g} Hz, 900 x 700")  # noqa: T201
 
     def play(i: int) -> None:

@@ -90,7 +90,7 @@ class Operator:
         spin(lambda: self.document.session is not None and self.document.mesh is not None)
         if found is not None:
             spin(lambda: not self.window.lane.busy)
-            self.document.add_detected(found, "planted")
+            self.document.decisions.add_detected(found, "planted")
             self.document.step(1)
         spin(lambda: not self.window.lane.busy and self.document.current is not None)
         spin(self.proposed)
@@ -194,9 +194,9 @@ class Operator:
             self.key(Qt.Key.Key_H)
             spin(lambda: not self.window.lane.busy, 0.3)
         self.turns.doing = "quality"
-        self.window.show_dock("quality")
+        self.window.dock_layout.show("quality")
         wait(200)
-        self.window.show_dock("queue")
+        self.window.dock_layout.show("queue")
         wait(50)
 
     def show_more(self) -> None:

@@ -7,6 +7,7 @@ import random
 
 import numpy as np
 import pytest
+from acclaim import AMC, ASF, write_small
 from numpy.testing import assert_allclose
 
 import markermend as mm
@@ -14,68 +15,10 @@ from markermend.errors import FileFormatError, NoSkeletonError
 from markermend.files.amc import read_amc
 from markermend.files.asf import read_asf
 
-ASF = """\
-# a comment
-:version 1.10
-:units
-  mass 1.0
-  length 0.45   // inches
-  angle deg
-:root
-   order TX TY TZ RX RY RZ
-   axis XYZ
-   position 1 0 0
-   orientation 0 0 30
-:bonedata
-  begin
-     id 1
-     name upper
-     direction 0 -2 0
-     length 4
-     axis 10 20 30 XYZ
-     dof rx ry rz
-  end
-  begin
-     id 2
-     name lower   ; the other one
-     direction 1 0 0
-     length 3
-     axis 0 -40 15 ZYX
-     dof rz rx
-  end
-  begin
-     id 3
-     name stump
-     direction 0 0 1
-     length 1
-     axis 0 0 0 XYZ
-  end
-:hierarchy
-  begin
-    root upper stump
-    upper lower
-  end
-"""
-AMC = """\
-#!OML
-:FULLY-SPECIFIED
-:DEGREES
-1
-root 1 2 3 10 20 30
-upper 40 50 60
-lower -20 35
-2
-root 4 5 6 -10 5 90
-upper 1 2 3
-lower 10 20
-"""
-
 
 @pytest.fixture
 def small(tmp_path):
-    (tmp_path / "a.asf").write_text(ASF)
-    (tmp_path / "a_1.amc").write_text(AMC)
-    return tmp_path
+    return write_small(tmp_path)
 
 
 def turn(axis, degrees):
@@ -155,59 +98,6 @@ def test_the_same_poses_however_they_are_written(small):
     assert_allclose(mm.read_pose(small / "a_4.amc").positions, alike.positions)
     (small / "a_5.amc").write_bytes(AMC.replace("\n", "\r\n").encode())
     assert_allclose(mm.read_pose(small / "a_5.amc").positions, alike.positions)
-
-
-def test_written_over_its_file_only_what_changed_is_another(small):
-    text = AMC.replace("#!OML\n", "#!OML:ASF made elsewhere\n").replace("lower 10", "lower 10.00")
-    lines = text.replace("upper 1 2 3\nlower 10.00 20", "lower 10.00 20 # bent\nupper 1 2 3")
-    source = small / "a_7.amc"
-    source.write_bytes(lines.replace("\n", "\r\n").encode())
-    pose = mm.read_pose(source)
-    mm.write_pose(pose, small / "same.amc")
-    assert (small / "same.amc").read_bytes() == source.read_bytes()
-    rotations = pose.rotations.copy()
-    rotations[1, 3] = rotations[1, 1]
-    turned = pose.with_samples(pose.positions, rotations, pose.confidence)
-    mm.write_pose(turned, small / "other.amc")
-    before, after = (
-        (small / name).read_bytes().split(b"\r\n") for name in ("a_7.amc", "other.amc")
-    )
-    other = [(a, b) for a, b in zip(before, after, strict=True) if a != b]
-    assert len(other) == 1
-    assert other[0][0] == b"lower 10.00 20 # bent"
-    assert other[0][1].startswith(b"lower ")
-    assert other[0][1].endswith(b" # bent")
-    # Without the file it is written anew, with the same poses.
-    source.unlink()
-    mm.write_pose(turned, small / "a_8.amc")
-    over, anew = (
-        mm.read_pose(small / name, skeleton=small / "a.asf") for name in ("other.amc", "a_8.amc")
-    )
-    assert_allclose(anew.rotations, over.rotations, atol=1e-7)
-
-
-@pytest.mark.parametrize("begins", ["", "\ufeff"])
-def test_written_over_a_file_in_radians(small, begins):
-    source = small / "a_9.amc"
-    text = AMC.partition("\n")[2].replace(":FULLY-SPECIFIED\n:DEGREES", ":RADIANS")
-    source.write_text(begins + text.replace("50", "1.5"), encoding="utf-8")
-    pose = mm.read_pose(source)
-    mm.write_pose(pose, small / "same.amc")
-    assert (small / "same.amc").read_bytes() == source.read_bytes()
-    rotations = pose.rotations.copy()
-    rotations[0, 3] = rotations[1, 3]
-    mm.write_pose(pose.with_samples(pose.positions, rotations, pose.confidence), small / "b.amc")
-    again = mm.read_pose(small / "b.amc", skeleton=small / "a.asf")
-    assert (small / "b.amc").read_bytes().splitlines()[:4] == source.read_bytes().splitlines()[:4]
-    assert_allclose(np.abs(np.sum(again.rotations * rotations, axis=2))[1], 1.0, atol=1e-9)
-    assert again.warnings == pose.warnings
-
-
-def test_of_a_file_with_other_poses_all_is_written_anew(small):
-    pose = mm.read_pose(small / "a_1.amc")
-    (small / "a_1.amc").write_text(AMC.rpartition("2\nroot")[0])
-    mm.write_pose(pose, small / "b.amc")
-    assert mm.read_pose(small / "b.amc", skeleton=small / "a.asf").frames == 2
 
 
 def test_cut_short_keeps_the_whole_poses(small):

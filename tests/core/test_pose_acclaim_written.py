@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from acclaim import AMC, write_small
 
 import markermend as mm
 from markermend.errors import ExportError, FileFormatError
@@ -205,3 +206,63 @@ def test_what_is_no_number_of_a_pose_gets_one_short_sentence(tmp_path, digits, p
         sentences = (str(error),)
     assert all(len(said) < 200 for said in sentences)
     assert any(digits[:40] in said for said in sentences)
+
+
+@pytest.fixture
+def small(tmp_path):
+    return write_small(tmp_path)
+
+
+def test_written_over_its_file_only_what_changed_is_another(small):
+    text = AMC.replace("#!OML\n", "#!OML:ASF made elsewhere\n").replace("lower 10", "lower 10.00")
+    lines = text.replace("upper 1 2 3\nlower 10.00 20", "lower 10.00 20 # bent\nupper 1 2 3")
+    source = small / "a_7.amc"
+    source.write_bytes(lines.replace("\n", "\r\n").encode())
+    pose = mm.read_pose(source)
+    mm.write_pose(pose, small / "same.amc")
+    assert (small / "same.amc").read_bytes() == source.read_bytes()
+    rotations = pose.rotations.copy()
+    rotations[1, 3] = rotations[1, 1]
+    turned = pose.with_samples(pose.positions, rotations, pose.confidence)
+    mm.write_pose(turned, small / "other.amc")
+    before, after = (
+        (small / name).read_bytes().split(b"\r\n") for name in ("a_7.amc", "other.amc")
+    )
+    other = [(a, b) for a, b in zip(before, after, strict=True) if a != b]
+    assert len(other) == 1
+    assert other[0][0] == b"lower 10.00 20 # bent"
+    assert other[0][1].startswith(b"lower ")
+    assert other[0][1].endswith(b" # bent")
+    # Without the file it is written anew, with the same poses.
+    source.unlink()
+    mm.write_pose(turned, small / "a_8.amc")
+    over, anew = (
+        mm.read_pose(small / name, skeleton=small / "a.asf") for name in ("other.amc", "a_8.amc")
+    )
+    np.testing.assert_allclose(anew.rotations, over.rotations, atol=1e-7)
+
+
+@pytest.mark.parametrize("begins", ["", "\ufeff"])
+def test_written_over_a_file_in_radians(small, begins):
+    source = small / "a_9.amc"
+    text = AMC.partition("\n")[2].replace(":FULLY-SPECIFIED\n:DEGREES", ":RADIANS")
+    source.write_text(begins + text.replace("50", "1.5"), encoding="utf-8")
+    pose = mm.read_pose(source)
+    mm.write_pose(pose, small / "same.amc")
+    assert (small / "same.amc").read_bytes() == source.read_bytes()
+    rotations = pose.rotations.copy()
+    rotations[0, 3] = rotations[1, 3]
+    mm.write_pose(pose.with_samples(pose.positions, rotations, pose.confidence), small / "b.amc")
+    again = mm.read_pose(small / "b.amc", skeleton=small / "a.asf")
+    assert (small / "b.amc").read_bytes().splitlines()[:4] == source.read_bytes().splitlines()[:4]
+    np.testing.assert_allclose(
+        np.abs(np.sum(again.rotations * rotations, axis=2))[1], 1.0, atol=1e-9
+    )
+    assert again.warnings == pose.warnings
+
+
+def test_of_a_file_with_other_poses_all_is_written_anew(small):
+    pose = mm.read_pose(small / "a_1.amc")
+    (small / "a_1.amc").write_text(AMC.rpartition("2\nroot")[0])
+    mm.write_pose(pose, small / "b.amc")
+    assert mm.read_pose(small / "b.amc", skeleton=small / "a.asf").frames == 2

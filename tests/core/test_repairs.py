@@ -9,64 +9,22 @@ import pytest
 from gaps import gap, hide
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from rigid import RATE, lonely, rigid_take
 
-from markermend.arrays import FloatArray
 from markermend.artifact import Artifact, Kind, Status, axis_columns
-from markermend.errors import Cancelled, DataError, MethodError
+from markermend.errors import DataError, MethodError
 from markermend.patch import patched
 from markermend.repairs import (
     REPAIRS,
     choose,
     evidence_for,
     fill,
-    find_gaps,
     propose,
     repair,
-    repair_all,
 )
 from markermend.repairs.interpolation import too_few
 from markermend.repairs.result import without_own
 from markermend.take import Origin, Take
-
-RATE = 100.0
-BODY = np.array(
-    [
-        [0, 0, 0],
-        [200, 0, 0],
-        [0, 300, 0],
-        [0, 0, 150],
-        [120, 80, 60],
-        [-90, 40, 110],
-        [60, -70, 90],
-        [30, 210, -40],
-    ],
-    dtype=float,
-)
-
-
-def rotations(angles: FloatArray) -> FloatArray:
-    """(frames, 3, 3) rotations about z, then x."""
-    c, s = np.cos(angles), np.sin(angles)
-    zero, one = np.zeros((len(angles), 1))[:, 0], np.ones(len(angles[:, 0]))
-    about_z = np.stack([c[:, 0], -s[:, 0], zero, s[:, 0], c[:, 0], zero, zero, zero, one], 1)
-    about_x = np.stack([one, zero, zero, zero, c[:, 1], -s[:, 1], zero, s[:, 1], c[:, 1]], 1)
-    return about_z.reshape(-1, 3, 3) @ about_x.reshape(-1, 3, 3)
-
-
-def rigid_take(frames: int = 600, seed: int = 0) -> Take:
-    """One rigid body turning and walking, with nothing missing."""
-    rng = np.random.default_rng(seed)
-    t = np.arange(frames) / RATE
-    phase, speed = rng.uniform(0, 6, 5), rng.uniform(0.3, 1.2, 5) * 2 * np.pi
-    waves = np.sin(speed * t[:, None] + phase)
-    turned = np.einsum("fij,mj->fmi", rotations(waves[:, :2]), BODY)
-    positions = turned + 300 * waves[:, None, 2:] + np.array([0.0, 0.0, 900.0])
-    return Take(positions, tuple(f"M{i}" for i in range(len(BODY))), RATE)
-
-
-def lonely(values: FloatArray) -> Take:
-    """A take of one marker only."""
-    return Take(values[:, None], ("M0",), RATE)
 
 
 @pytest.fixture(scope="module")
@@ -175,14 +133,6 @@ def test_too_few_samples_are_told_as_an_operator_would(rigid: Take) -> None:
     assert gone.reason == "M1 has no trusted samples near the interval's beginning; needed: 4."
     assert "only one trusted sample near the interval's end" in too_few("M1", 9, 1, 2)
     assert "only 3 trusted samples near the interval's end" in too_few("M1", 9, 3, 4)
-
-
-@pytest.mark.parametrize("sure", [2.0, -0.1, float("nan")])
-def test_a_confidence_that_is_none_is_refused(rigid: Take, sure: float) -> None:
-    with pytest.raises(MethodError, match="from 0 to 1"):
-        repair(rigid, [gap("M1", 10, 20)], min_confidence=sure)
-    with pytest.raises(MethodError, match="0 or more"):
-        fill(rigid, max_gap=-1)
 
 
 def test_why_chosen_references_do_not_do_names_them(rigid: Take) -> None:
@@ -294,83 +244,6 @@ def test_choice_by_kind() -> None:
         assert choose(Artifact("M", "x", 1, 9, kind)) == "local_regression"
 
 
-def test_auto_falls_back_and_says_why() -> None:
-    t = np.arange(200) / RATE
-    wave = np.stack([np.sin(t), np.cos(t), t], axis=1) * 100
-    take = hide(lonely(wave), "M0", 80, 90)
-    done = propose(take, gap("M0", 80, 90))
-    assert done.method == "kalman"
-    assert done.patches
-    assert done.reason
-    long = propose(hide(lonely(wave), "M0", 40, 160), gap("M0", 40, 160))
-    assert not long.patches
-    assert long.reason
-
-
-def test_repair_leaves_what_is_rejected_doubtful_or_done(rigid: Take) -> None:
-    flags = [
-        replace(Artifact("M1", "xyz", 50, 60, Kind.NOISE), status=Status.REJECTED),
-        Artifact("M2", "xyz", 50, 60, Kind.NOISE, confidence=0.49),
-        replace(Artifact("M3", "xyz", 50, 60, Kind.NOISE), status=Status.REPAIRED),
-    ]
-    assert repair_all(rigid, flags) == ()
-    assert np.array_equal(repair(rigid, flags).positions, rigid.positions)
-
-
-def test_patches_of_repair_all_give_what_repair_gives(rigid: Take) -> None:
-    damaged = hide(rigid, "M4", 200, 260).positions.copy()
-    damaged[100, 4, 0] += 30.0
-    damaged[300:340, 6] += 20.0
-    take = Take(damaged, rigid.labels, RATE)
-    flags = [
-        gap("M4", 200, 260),
-        Artifact("M4", "x", 100, 101, Kind.PEAK),
-        Artifact("M6", "xyz", 300, 340, Kind.STEP),
-    ]
-    shares: list[float] = []
-    clean = repair(take, flags, progress=lambda share, _: shares.append(share))
-    pairs = repair_all(take, flags)
-    assert [r.method for _, r in pairs] == ["kalman", "local_regression", "local_regression"]
-    replayed = patched(take, [p for _, r in pairs for p in r.patches])
-    assert np.array_equal(replayed.positions, clean.positions)
-    assert np.abs(clean.positions - rigid.positions).max() < 0.05
-    assert shares == sorted(shares)
-    assert shares[-1] == 1.0
-
-
-def test_repair_can_be_cancelled(rigid: Take) -> None:
-    def stop(share: float, doing: str) -> None:
-        raise Cancelled
-
-    with pytest.raises(Cancelled):
-        repair(rigid, [Artifact("M1", "x", 5, 6, Kind.PEAK)], progress=stop)
-
-
-def test_fill_takes_gaps_up_to_the_longest_named(rigid: Take) -> None:
-    take = hide(hide(rigid, "M1", 50, 55), "M2", 100, 150)
-    assert [(g.marker, g.length) for g in find_gaps(take)] == [("M1", 5), ("M2", 50)]
-    with pytest.raises(MethodError, match="whole number"):
-        fill(take, max_gap=0.2)
-    with pytest.raises(MethodError, match="no parameter “windw”"):
-        fill(take, method="savgol", windw=3)
-    with pytest.raises(MethodError, match="“auto” has no parameters"):
-        fill(take, context=3)
-    short = fill(take, max_gap=20)
-    assert short.present[:, 1].all()
-    assert not short.present[100:150, 2].any()
-    assert fill(take, method="linear").present.all()
-    near, far = (fill(take, method="spline", context=n).positions for n in (4, 200))
-    assert np.abs(near - far)[100:150, 2].max() > 0.01
-
-
-def test_unlabelled_and_never_seen_markers_are_no_gaps() -> None:
-    positions = np.zeros((30, 3, 3)) + 1.0
-    positions[10:20, 0] = np.nan
-    positions[:, 1] = np.nan
-    take = Take(positions, ("*12", "GONE", "HERE"), RATE)
-    assert find_gaps(take) == ()
-
-
 def test_wrong_requests_are_errors(rigid: Take) -> None:
     artifact = Artifact("M1", "x", 5, 6, Kind.PEAK)
     with pytest.raises(MethodError, match="spline"):
@@ -408,47 +281,6 @@ def test_number_keys_pick_methods_in_order() -> None:
     keyed = [(m.key, name) for name, m in REPAIRS.items() if m.key is not None]
     assert keyed == sorted(keyed)
     assert keyed[0] == (1, "local_regression")
-
-
-def test_a_missing_limb_is_worked_out_from_repairs_and_says_so(rigid: Take) -> None:
-    positions = rigid.positions.copy()
-    for column, start, stop in ((1, 100, 220), (2, 200, 380), (3, 360, 540), (4, 100, 540)):
-        positions[start:stop, column] = np.nan
-    take = Take(positions[:, :6], rigid.labels[:6], RATE)
-    pairs = {a.marker: r for a, r in repair_all(take, find_gaps(take))}
-    late = {m for m, r in pairs.items() if r.patches and "other repairs" in r.reason}
-    assert late == {"M2", "M4"}
-    assert np.abs(fill(take).positions - rigid.positions[:, :6]).max() < 0.01
-
-
-def test_what_would_be_far_off_is_left_with_its_expected_error() -> None:
-    rng = np.random.default_rng(0)
-    steps = rng.normal(size=(400, 5, 3)).cumsum(axis=0) * 40
-    take = hide(Take(steps, tuple("ABCDE"), RATE), "A", 100, 190)
-    done = propose(take, gap("A", 100, 190))
-    assert not done.patches
-    assert "mm off" in done.reason
-    assert propose(take, gap("A", 100, 190), method="linear").patches
-
-
-def test_what_is_named_is_not_left_for_being_far_off_and_says_how_far() -> None:
-    rng = np.random.default_rng(0)
-    positions = rng.normal(size=(640, 6, 3)).cumsum(axis=0) * 40
-    for column, start, stop in ((1, 100, 220), (2, 200, 380), (3, 360, 540), (4, 100, 540)):
-        positions[start:stop, column] = np.nan
-    take = Take(positions, tuple("ABCDEF"), RATE)
-    pairs = repair_all(take, find_gaps(take), method="local_regression")
-    late = [r for _, r in pairs if "other repairs" in r.reason]
-    assert late
-    assert all(r.patches and r.error_mm is not None and r.error_mm > 50.0 for r in late)
-
-
-def test_a_repaired_take_is_the_same_whether_a_model_is_measured_or_not(rigid: Take) -> None:
-    take = hide(rigid, "M4", 250, 350)
-    ((_, told),) = repair_all(take, find_gaps(take), method="lpr")
-    assert told.error_mm is not None
-    named = repair(take, find_gaps(take), method="lpr")
-    np.testing.assert_array_equal(named.positions, patched(take, told.patches).positions)
 
 
 @pytest.mark.parametrize("noise_mm", [0.1, 1.0])

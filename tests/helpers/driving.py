@@ -35,3 +35,14 @@ def answer_with(qtbot, word):
         qtbot.keyClick(line, Qt.Key.Key_Return)
 
     QTimer.singleShot(200, write)
+
+
+def state(window):
+    """What undo has to bring back."""
+    session = window.document.session
+    return session.positions.tobytes(), session.artifacts, session.take.labels
+
+
+def undo(window, qtbot):
+    """Take the last step back by key."""
+    qtbot.keyClick(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)

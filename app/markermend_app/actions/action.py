@@ -88,10 +88,7 @@ class Action:
 
     Attributes
     ----------
-    name : also the name of the verb that does it, one of
-        :class:`markermend_app.verbs.commands.Commands`,
-        :class:`markermend_app.verbs.handwork.HandWork`, :class:`markermend_app.verbs.bulk.Bulk` or
-        :class:`markermend_app.verbs.smoothing.Smoothing`
+    name : also the name of the verb that does it, in one of the classes of ``verbs/``
     text : as menus show it
     menu : the menu it stands in, ``Menu/Submenu`` for one below; a leading ``|`` puts a separator
         before it

@@ -152,12 +152,12 @@ class Bulk(QObject):
         """Do what the dialog lists, as one step."""
         ids = dialog.chosen()
         if not repairing:
-            self._document.reject(ids)
+            self._document.decisions.reject(ids)
         else:
             # One alone is named as any other repair is.
             many = f"Repair {len(ids)} artifacts alike ({like.kind})"
             label = many if len(ids) > 1 else ""
             chosen = [(i, repair) for i, repair in dialog.repairs.items() if i in ids]
-            self._document.repair_many(chosen, label)
+            self._document.decisions.repair_many(chosen, label)
         said = self.tr("{0} repaired.") if repairing else self.tr("{0} rejected.")
         self.said.emit(said.format(len(ids)))

@@ -1,31 +1,33 @@
-"""What the actions do. Asking (dialogs) and doing (engine work, document verbs) are kept apart."""
+"""What the actions on files and on the artifact under review do.
+
+Asking (dialogs) and doing (engine work, document verbs) are kept apart.
+"""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from markermend.artifact import Artifact, Status, within
 from markermend.errors import DataError, MarkermendError, NoSkeletonError
 from markermend.mesh import Mesh
 from markermend.progress import Progress
 from markermend.review.file import SessionFile
-from markermend.review.session import Session
-from markermend_app import detection, settings
+from markermend_app import settings
 from markermend_app.background.jobs import Lane
-from markermend_app.background.loading import SEARCHED, Opened, load, takes_folder
+from markermend_app.background.loading import Opened, load, takes_folder
 from markermend_app.background.saver import Saver
 from markermend_app.dialogs import ask as dialogs
 from markermend_app.dialogs.file_filters import WITHOUT_PATTERNS, open_filter
 from markermend_app.document import Document
-from markermend_app.later import SOON_MS, Later
+from markermend_app.later import SOON_MS
 from markermend_app.resuming import Resuming
 from markermend_app.telling import told
+from markermend_app.verbs.detecting import Detecting
 from markermend_app.verbs.exporting import Exporter
 from markermend_app.verbs.skeletons import give_skeleton
 
@@ -40,15 +42,16 @@ class Commands(QObject):
 
     said = Signal(str)
 
-    def __init__(self, document: Document, lane: Lane, window: QWidget) -> None:
+    def __init__(
+        self, document: Document, lane: Lane, detecting: Detecting, window: QWidget
+    ) -> None:
         super().__init__(window)
         self._document = document
         self._lane = lane
+        self._detecting = detecting
         self._window = window
         self._saver = Saver(self)
         self._resuming = Resuming(document, self)
-        self._searched: Session | None = None
-        self._first = Later(self._begin, self)
         self._exporter = Exporter(document, lane, self._saver, window)
         self._exporter.said.connect(self.said)
         self._exporter.replaced.connect(self.open_path)
@@ -166,7 +169,7 @@ class Commands(QObject):
             self._document.learn(mesh)
             new = not file.session.begun and not file.read_only
             if new and settings.flag("detect_on_open", True):
-                self._detect(slow=False, by_itself=True)
+                self._detecting.search(slow=False, by_itself=True)
             else:
                 self._look_at_first(file, label)
 
@@ -238,128 +241,29 @@ class Commands(QObject):
             return False
         return True
 
-    # Detecting and repairing
-
-    def detect(self) -> None:
-        """Look for sudden artifacts and gaps."""
-        self._detect(slow=False)
-
-    def detect_slow(self) -> None:
-        """Look for every class."""
-        self._detect(slow=True)
-
-    def _detect(self, *, slow: bool, by_itself: bool = False) -> None:
-        session, mesh = self._document.session, self._document.mesh
-        if session is None:
-            return
-        take = session.original
-
-        def work(progress: Progress) -> Any:
-            return detection.search(take, mesh, progress, slow=slow)
-
-        def done(found: Sequence[Artifact]) -> None:
-            if self._document.session is not session:
-                return
-            if session.original is not take:
-                text = self.tr("Markers were renamed meanwhile; detect again.")
-                if take.skeleton:
-                    text = self.tr("Joints were renamed meanwhile; detect again.")
-                self.said.emit(text)
-                return
-            name = "all kinds" if slow else SEARCHED
-            self._document.add_detected(found, name, by_itself=by_itself)
-            one, many = self.tr("1 artifact found."), self.tr("{0} artifacts found.")
-            text = one if len(found) == 1 else many.format(len(found))
-            if session.region is not None:
-                inside = len(within(found, session.region))
-                text += " " + self.tr("In the region of interest: {0}.").format(inside)
-            # What is odd about the file was said before, and must not be lost.
-            self.said.emit(" ".join((text, *map(told, take.warnings[:1]))))
-            self._searched = session
-            self._first.ask()
-
-        self._lane.submit(self.tr("Looking for artifacts"), work, done, self.show_problem)
-
-    def _begin(self) -> None:
-        """Begin with the first artifact that was found, unless one is looked at."""
-        if self._document.session is self._searched and self._document.current is None:
-            self._document.step(1)
+    # Deciding
 
     def accept(self) -> None:
         """Accept the current artifact."""
-        self._document.accept_current()
+        self._document.decisions.accept_current()
 
     def reject(self) -> None:
         """Reject the current artifact."""
-        self._document.reject_current()
+        self._document.decisions.reject_current()
 
     def repair(self) -> None:
         """Repair the current artifact by the method shown."""
-        self._document.repair_current()
+        self._document.decisions.repair_current()
 
     def reopen(self) -> None:
         """Take the decision on the current artifact back."""
         if self._document.current is not None:
-            self._document.reopen(self._document.together)
+            self._document.decisions.reopen(self._document.together)
 
     def remove(self) -> None:
         """Take the current artifact off the list."""
         if self._document.current is not None:
-            self._document.remove(self._document.together)
-
-    def repair_accepted(self) -> None:
-        """Repair every accepted artifact, as one step."""
-        session = self._document.session
-        if session is not None:
-            ids = [a.id for a in session.listed_with(Status.ACCEPTED)]
-            self.repair_many(ids, "Repair all accepted")
-
-    def repair_many(self, ids: Sequence[str], label: str = "") -> None:
-        """Repair artifacts with their best methods, as one step."""
-        session, mesh = self._document.session, self._document.mesh
-        if session is None:
-            return
-        chosen = [session.artifact(i) for i in ids]
-        chosen = [a for a in chosen if a.status is not Status.REPAIRED]
-        if not chosen:
-            self.said.emit(self.tr("There is nothing to repair: no artifact is accepted."))
-            return
-        take, everything, revision = session.take, session.artifacts, session.revision
-
-        def work(progress: Progress) -> Any:
-            from markermend.repairs import repair_all
-
-            return repair_all(
-                take, chosen, others=everything, min_confidence=0.0, mesh=mesh, progress=progress
-            )
-
-        def moved_on() -> bool:
-            """Whether the samples that the work read are not those of now; says so."""
-            changed = self._document.session is not session or session.revision != revision
-            if changed:
-                self.said.emit(self.tr("The review changed meanwhile; repair again."))
-            return changed
-
-        def failed(error: Exception) -> None:
-            # Samples that changed under the work may be all that was wrong.
-            if not moved_on():
-                self.show_problem(error)
-
-        def done(repairs: Any) -> None:
-            if moved_on():
-                return
-            good = [(a.id, r) for a, r in repairs if r.patches]
-            if good:
-                name = label or f"Repair {len(good)} artifacts"
-                self._document.repair_many(good, name)
-            left = len(repairs) - len(good)
-            text = self.tr("{0} repaired.").format(len(good))
-            if left:
-                why = next(r.reason for _, r in repairs if not r.patches)
-                text += " " + self.tr("{0} left as they are: {1}").format(left, told(why))
-            self.said.emit(text)
-
-        self._lane.submit(self.tr("Repairing"), work, done, failed)
+            self._document.decisions.remove(self._document.together)
 
     # Walking
 

@@ -66,7 +66,7 @@ class HandWork(QObject):
         artifact = self._swept(kind)
         if artifact is not None:
             self._document.sweep(None)
-            self._document.mark(artifact)
+            self._document.decisions.mark(artifact)
             # In space it is seen where the cursor is.
             self._document.go_inside(artifact.start, artifact.stop)
 
@@ -205,7 +205,7 @@ class HandWork(QObject):
         current = self._document.current
         if current is not None:
             at = self._document.frame
-            self._document.adjust([current.id], lambda s: hand.split(s, current.id, at))
+            self._document.decisions.adjust([current.id], lambda s: hand.split(s, current.id, at))
 
     def join_artifacts(self) -> None:
         """Make one of the artifacts selected in the queue, else of the current and the next one."""
@@ -229,7 +229,7 @@ class HandWork(QObject):
             if following is not None and self._far(current, session.artifact(following)):
                 return
         if (
-            self._document.adjust(ids, lambda s: hand.join(s, ids))
+            self._document.decisions.adjust(ids, lambda s: hand.join(s, ids))
             and self._document.current is None
         ):
             left = [i for i in ids if session.find(i) is not None]
@@ -238,13 +238,13 @@ class HandWork(QObject):
     def call(self, kind: Kind) -> None:
         """Give the current artifact another class."""
         if self._document.current is not None:
-            self._document.change(self._document.current.id, kind=kind)
+            self._document.decisions.change(self._document.current.id, kind=kind)
 
     def nudge(self, start: int, stop: int) -> None:
         """Move an edge of the current artifact by frames; it stays at least one frame long."""
         current = self._document.current
         if current is not None:
-            self._document.adjust(
+            self._document.decisions.adjust(
                 [current.id], lambda s: hand.nudge(s, current.id, start=start, stop=stop)
             )
 

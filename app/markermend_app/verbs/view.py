@@ -50,9 +50,9 @@ def view_verbs(window: MainWindow) -> dict[str, Callable[[], object]]:
         "end_earlier": lambda: hand.nudge(0, -1),
         "end_later": lambda: hand.nudge(0, 1),
         **{f"class_{kind}": partial(hand.call, kind) for kind in Kind},
-        "fit": plots.fit_all,
-        "zoom_in": lambda: plots.zoom(0.5),
-        "zoom_out": lambda: plots.zoom(2.0),
+        "fit": plots.framing.fit_all,
+        "zoom_in": lambda: plots.framing.zoom(0.5),
+        "zoom_out": lambda: plots.framing.zoom(2.0),
         "before_after": lambda: _show_before(window, checked("before_after")),
         "prediction": lambda: plots.set_prediction_shown(checked("prediction")),
         "overview_mode": window.overview.mode.choose_next,
@@ -61,7 +61,7 @@ def view_verbs(window: MainWindow) -> dict[str, Callable[[], object]]:
         "previous_panel": window.walk.previous,
         **{f"theme_{name}": partial(_set_theme, name) for name in THEMES},
         "detect_on_open": lambda: settings.remember("detect_on_open", checked("detect_on_open")),
-        "reset_layout": window.reset_layout,
+        "reset_layout": window.dock_layout.reset,
         "manual": lambda: _show_manual(window),
         "tour": lambda: _show_tour(window),
         "preferences": lambda: window.preferred.open(),
@@ -88,7 +88,7 @@ def _set_theme(name: str) -> None:
 
 def _write_note(window: MainWindow) -> None:
     """Put the cursor where a note is written."""
-    window.show_dock("inspector")
+    window.dock_layout.show("inspector")
     window.inspector.write_note()
 
 

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from markermend.arrays import ByteArray, FloatArray
 from markermend.artifact import Artifact, Kind, Status, in_order, repair_in_words, within
 from markermend.errors import DataError
+from markermend.review.detected import taking_over
 from markermend.review.edits import (
     Change,
     Edit,
@@ -31,7 +32,7 @@ from markermend.review.left_at import LeftAt
 from markermend.review.pace import Pace, Stopwatch, pace_of
 from markermend.review.repairing import by_hand, describe, repairing
 from markermend.review.restoring import taking_back
-from markermend.review.step import Step, decides, parts, same_finding, touched_by_hand
+from markermend.review.step import Step, decides, parts, touched_by_hand
 from markermend.take import Take
 
 if TYPE_CHECKING:
@@ -213,19 +214,7 @@ class Session:
         half is left out. What was searched ``by_itself`` when the take was opened is no step of
         the operator's.
         """
-        touched = touched_by_hand(self._done)
-        staying: dict[str, list[Artifact]] = {}
-        changes: dict[str, Artifact | None] = {}
-        for artifact in self.artifacts:
-            if artifact.status is Status.PENDING and artifact.id not in touched:
-                changes[artifact.id] = None
-            else:
-                staying.setdefault(artifact.marker, []).append(artifact)
-        for artifact in found:
-            if artifact.id in self._state.artifacts and artifact.id not in changes:
-                continue
-            if not any(same_finding(artifact, d) for d in staying.get(artifact.marker, ())):
-                changes[artifact.id] = artifact
+        changes = taking_over(found, self.artifacts, touched_by_hand(self._done))
         return self.perform(f"Detect ({method})", SetArtifacts(changes), by_itself=by_itself)
 
     def set_status(self, ids: Sequence[str], status: Status) -> Change:

@@ -97,11 +97,3 @@ def _places(step: Step) -> set[tuple[int, int]]:
 def touched_by_hand(steps: Iterable[Step]) -> set[str]:
     """Ids of artifacts that the operator marked, changed or decided about in these steps."""
     return {i for step in steps if decides(step) for i in artifacts_of(step)}
-
-
-def same_finding(new: Artifact, decided: Artifact) -> bool:
-    """Whether a decided artifact already covers half of a new flag."""
-    if new.marker != decided.marker or new.kind != decided.kind:
-        return False
-    shared = min(new.stop, decided.stop) - max(new.start, decided.start)
-    return shared * 2 >= new.length

@@ -3602,50 +3602,6 @@
         <translation>Der Körper wird betrachtet</translation>
     </message>
     <message>
-        <source>Markers were renamed meanwhile; detect again.</source>
-        <translation>Inzwischen wurden Marker umbenannt; bitte erneut suchen.</translation>
-    </message>
-    <message>
-        <source>Joints were renamed meanwhile; detect again.</source>
-        <translation>Inzwischen wurden Gelenke umbenannt; bitte erneut suchen.</translation>
-    </message>
-    <message>
-        <source>1 artifact found.</source>
-        <translation>1 Artefakt gefunden.</translation>
-    </message>
-    <message>
-        <source>{0} artifacts found.</source>
-        <translation>{0} Artefakte gefunden.</translation>
-    </message>
-    <message>
-        <source>In the region of interest: {0}.</source>
-        <translation>Im Ausschnitt: {0}.</translation>
-    </message>
-    <message>
-        <source>Looking for artifacts</source>
-        <translation>Suche nach Artefakten</translation>
-    </message>
-    <message>
-        <source>There is nothing to repair: no artifact is accepted.</source>
-        <translation>Es gibt nichts zu reparieren: Kein Artefakt ist angenommen.</translation>
-    </message>
-    <message>
-        <source>The review changed meanwhile; repair again.</source>
-        <translation>Die Durchsicht hat sich inzwischen geändert; bitte erneut reparieren.</translation>
-    </message>
-    <message>
-        <source>{0} repaired.</source>
-        <translation>{0} repariert.</translation>
-    </message>
-    <message>
-        <source>{0} left as they are: {1}</source>
-        <translation>{0} bleiben, wie sie sind: {1}</translation>
-    </message>
-    <message>
-        <source>Repairing</source>
-        <translation>Reparatur</translation>
-    </message>
-    <message>
         <source>Undone: {0}</source>
         <translation>Rückgängig gemacht: {0}</translation>
     </message>
@@ -3715,9 +3671,6 @@
         <source>Take the decision back</source>
         <translation>Die Entscheidung zurücknehmen</translation>
     </message>
-</context>
-<context>
-    <name>Document</name>
     <message>
         <source>{0} repaired.</source>
         <translation>{0} repariert.</translation>
@@ -3729,6 +3682,33 @@
     <message>
         <source>{0} on {1} is open again: its repair was for what it was before.</source>
         <translation>{0} an {1} ist wieder offen: die Reparatur galt dem, was es vorher war.</translation>
+    </message>
+</context>
+<context>
+    <name>Detecting</name>
+    <message>
+        <source>Markers were renamed meanwhile; detect again.</source>
+        <translation>Inzwischen wurden Marker umbenannt; bitte erneut suchen.</translation>
+    </message>
+    <message>
+        <source>Joints were renamed meanwhile; detect again.</source>
+        <translation>Inzwischen wurden Gelenke umbenannt; bitte erneut suchen.</translation>
+    </message>
+    <message>
+        <source>1 artifact found.</source>
+        <translation>1 Artefakt gefunden.</translation>
+    </message>
+    <message>
+        <source>{0} artifacts found.</source>
+        <translation>{0} Artefakte gefunden.</translation>
+    </message>
+    <message>
+        <source>In the region of interest: {0}.</source>
+        <translation>Im Ausschnitt: {0}.</translation>
+    </message>
+    <message>
+        <source>Looking for artifacts</source>
+        <translation>Suche nach Artefakten</translation>
     </message>
 </context>
 <context>
@@ -4678,6 +4658,29 @@ Schließen Sie sie, um dies für die nächste Aufnahme festzulegen.</translation
     <message>
         <source>Artifacts outside them: {0}.</source>
         <translation>Artefakte außerhalb: {0}.</translation>
+    </message>
+</context>
+<context>
+    <name>Repairing</name>
+    <message>
+        <source>There is nothing to repair: no artifact is accepted.</source>
+        <translation>Es gibt nichts zu reparieren: Kein Artefakt ist angenommen.</translation>
+    </message>
+    <message>
+        <source>The review changed meanwhile; repair again.</source>
+        <translation>Die Durchsicht hat sich inzwischen geändert; bitte erneut reparieren.</translation>
+    </message>
+    <message>
+        <source>{0} repaired.</source>
+        <translation>{0} repariert.</translation>
+    </message>
+    <message>
+        <source>{0} left as they are: {1}</source>
+        <translation>{0} bleiben, wie sie sind: {1}</translation>
+    </message>
+    <message>
+        <source>Repairing</source>
+        <translation>Reparatur</translation>
     </message>
 </context>
 <context>

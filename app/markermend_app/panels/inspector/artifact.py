@@ -201,13 +201,13 @@ class ArtifactPage(QWidget):
 
     def _kind_chosen(self, place: int) -> None:
         if self._document.current is not None:
-            self._document.change(self._document.current.id, kind=list(Kind)[place])
+            self._document.decisions.change(self._document.current.id, kind=list(Kind)[place])
 
     def _axes_chosen(self) -> None:
         """Change the axes; the last one stays."""
         axes = "".join(axis for axis, button in self.axes.items() if button.isChecked())
         if self._document.current is not None and axes:
-            self._document.change(self._document.current.id, axes=axes)
+            self._document.decisions.change(self._document.current.id, axes=axes)
         self._refresh()
 
     def _edges_chosen(self) -> None:
@@ -215,7 +215,7 @@ class ArtifactPage(QWidget):
         if a is not None and session is not None:
             first = session.original.first_frame
             start, stop = self.first.value() - first, self.last.value() - first + 1
-            self._document.change(a.id, start=start, stop=stop)
+            self._document.decisions.change(a.id, start=start, stop=stop)
 
     def _recolour(self) -> None:
         t = theme.current()
@@ -237,19 +237,19 @@ class Decisions(QWidget):
             self.tr("Accept"),
             self.tr("The flag is right; the samples stay for now"),
             "accept",
-            document.accept_current,
+            document.decisions.accept_current,
         )
         self.reject = self._button(
             self.tr("Reject"),
             self.tr("A false alarm, never touched"),
             "reject",
-            document.reject_current,
+            document.decisions.reject_current,
         )
         self.repair = self._button(
             self.tr("Repair"),
             self.tr("Replace the samples by the repair shown"),
             "repair",
-            document.repair_current,
+            document.decisions.repair_current,
         )
         self.repair.setProperty("role", "primary")
         self.reopen = self._button(
@@ -286,7 +286,7 @@ class Decisions(QWidget):
 
     def _reopen(self) -> None:
         if self._document.current is not None:
-            self._document.reopen(self._document.together)
+            self._document.decisions.reopen(self._document.together)
 
     def _refresh(self) -> None:
         """Offer what can be decided."""

@@ -17,9 +17,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QToolTip, QWidget
 
-from markermend.arrays import FloatArray
 from markermend.artifact import Artifact
-from markermend.heat import worst
 from markermend.review.edits import Change
 from markermend.take import Take
 from markermend_app import units
@@ -29,8 +27,9 @@ from markermend_app.items.focus import paint_focus
 from markermend_app.later import Later
 from markermend_app.panels.inspector.artifact_text import describe
 from markermend_app.panels.overview import marks
+from markermend_app.panels.overview.artifacts import ArtifactRows
 from markermend_app.panels.overview.keys import row_by_key, span_by_key
-from markermend_app.panels.overview.missing import Missing
+from markermend_app.panels.overview.levels import Levels
 from markermend_app.panels.overview.mode import ModeButton
 from markermend_app.panels.overview.picture import (
     MOST_MM,
@@ -39,20 +38,15 @@ from markermend_app.panels.overview.picture import (
     heat,
     paint_artifacts,
     paint_levels,
-    residual_levels,
 )
 from markermend_app.panels.overview.places import Places
 from markermend_app.panels.overview.region_edges import RegionEdges
-from markermend_app.panels.overview.residual import Residuals
 from markermend_app.panels.plots.range import time_range
 from markermend_app.style import theme
 
 # Aligned with the plots above: their values stand left, their margin right.
 _LEFT, _RIGHT, _TOP, _BOTTOM = 80, 12, 4, 18
-_REACH_PX = 4.0
 _STEP = 1.25
-_MUCH = 2_000_000
-"""Samples of which more take long to be looked through for missing ones."""
 
 
 class Overview(QWidget):
@@ -72,21 +66,17 @@ class Overview(QWidget):
         super().__init__()
         self.document = document
         self._soon = Later(self._catch_up, self)
-        self._count = Later(self._count_missing, self)
-        self._changed: set[int] = set()
         self._view = (0.0, 0.0)
         self._span = (0.0, 1.0)
-        self.residuals = Residuals(first, self)
-        self.residuals.changed.connect(self._repaint)
+        self.levels = Levels(document, first, self)
+        self.levels.changed.connect(self._repaint)
         self._edges = RegionEdges(document)
         self._held: tuple[float, tuple[float, float]] | None = None
         self._rows: Rows | None = None
         self._artifacts: tuple[Artifact, ...] = ()
-        self._lying: list[Artifact] = []
         self._image: QImage | None = None
-        self._missing = Missing()
         self._column_of: dict[str, int] = {}
-        self._place = np.zeros((0, 3), dtype=np.int64)
+        self._lying = ArtifactRows()
         self.setAccessibleName(self.tr("Overview of the whole take"))
         self.setMinimumHeight(72)
         self.setMouseTracking(True)
@@ -142,10 +132,7 @@ class Overview(QWidget):
         if not self.document.renaming:
             self._span = (0.0, 1.0 if take is None else max(1.0, float(take.frames)))
             self._view = self._span
-        self.residuals.forget()
-        if not self.document.renaming:
-            self._missing.forget()
-            self._changed.clear()
+        self.levels.forget()
         self.mode.setVisible(take is not None and take.markers > 0)
         self._show_pointer(edge=False)
         self._arrange()
@@ -158,43 +145,22 @@ class Overview(QWidget):
 
     def _reread(self) -> None:
         """Take over the artifacts."""
-        session, rows = self.document.session, self._rows
-        if session is None or rows is None:
-            self._artifacts = ()
-        else:
-            self._artifacts = session.artifacts
-            # A mix-up lies on the rows of all of its markers.
-            self._lying = [a for a in self._artifacts for _ in a.markers]
-            self._place = np.array(
-                [
-                    (a.start, a.stop, rows.row_of[self._column_of[marker]])
-                    for a in self._artifacts
-                    for marker in a.markers
-                ],
-                dtype=np.int64,
-            ).reshape(-1, 3)
+        session = self.document.session
+        self._artifacts = () if session is None or self._rows is None else session.artifacts
+        self._lying = ArtifactRows(self._artifacts, self._row_of)
         self._repaint()
 
     def _refresh(self, change: Change) -> None:
         """Paint changed samples anew."""
-        self.residuals.note(change)
-        self._changed |= {self._column_of[m] for m in change.markers}
+        self.levels.note(change, (self._column_of[m] for m in change.markers))
         self._repaint()
 
     def _catch_up(self) -> None:
-        """Count what is missing of markers that changed, and paint."""
-        if (take := self._take) is not None and self._changed:
-            self._missing.note(take, sorted(self._changed))
+        """Paint, with what changed."""
+        if self.levels.catch_up():
             # It may have been painted meanwhile, as it was.
             self._image = None
-        self._changed.clear()
         self.update()
-
-    def _count_missing(self) -> None:
-        """Count what is missing of a long take that was just opened, and paint."""
-        if (take := self._take) is not None:
-            self._missing.share(take, self._columns, self._span)
-            self._repaint()
 
     def _repaint(self, *_: object) -> None:
         """Paint the picture anew when it is next needed."""
@@ -228,13 +194,14 @@ class Overview(QWidget):
             return None
         return take.labels[rows.columns[row]]
 
+    def _row_of(self, marker: str) -> int:
+        """Row of a marker."""
+        assert self._rows is not None
+        return self._rows.row_of[self._column_of[marker]]
+
     def artifact_at(self, at: QPointF) -> Artifact | None:
         """The artifact under a point, or the nearest within a few pixels."""
-        if self._rows is None or not len(self._place):
-            return None
-        away = self._places.away(at, self._place)
-        nearest = int(np.argmin(away))
-        return self._lying[nearest] if away[nearest] <= _REACH_PX else None
+        return self._lying.at(at, self._places)
 
     # What the mouse says
 
@@ -352,7 +319,7 @@ class Overview(QWidget):
         text = self.tr("Frame {frame} · {time:.2f} s").format(
             frame=take.frame_number(frame), time=frame / take.rate
         )
-        residuals = self.residuals.values
+        residuals = self.levels.residuals.values
         if self.mode.mode == "residual" and marker is not None and residuals is not None:
             off = residuals[take.index(marker), frame]
             if np.isfinite(off):
@@ -384,7 +351,7 @@ class Overview(QWidget):
                 text = self.tr("There are no markers to be seen here.")
             painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, text)
             return
-        painter.drawImage(area, self._picture(take, rows))
+        painter.drawImage(area, self._picture(rows))
         marks.paint_groups(painter, rows, area)
         room = 0.0
         if self.mode.mode == "residual":
@@ -393,14 +360,14 @@ class Overview(QWidget):
             )
         marks.paint_time(painter, area, self._span, take.rate, room)
         painter.setClipRect(area.adjusted(-8, -4, 2, 4))
-        self._paint_marks(painter, rows, places)
-        share = self.residuals.share
+        self._paint_marks(painter, places)
+        share = self.levels.residuals.share
         if self.mode.mode == "residual" and share is not None:
             marks.paint_words(
                 painter, area, self.tr("Working out residuals… {0:.0%}").format(share)
             )
 
-    def _picture(self, take: Take, rows: Rows) -> QImage:
+    def _picture(self, rows: Rows) -> QImage:
         """The picture at the screen's own resolution, painted when it is out of date."""
         if self._image is None:
             size = (
@@ -408,35 +375,21 @@ class Overview(QWidget):
                 max(1, round(self._places.area.height() * self.devicePixelRatioF())),
             )
             mode = self.mode.mode
-            self._image = paint_levels(size, rows, self._levels(take, size[0]), heat(mode))
+            levels = self.levels.of(mode, size[0], self._span)
+            self._image = paint_levels(size, rows, levels, heat(mode))
             if mode == "damage":
                 paint_artifacts(self._image, rows, self._artifacts, self._column_of, self._span)
         return self._image
 
-    def _levels(self, take: Take, width: int) -> FloatArray:
-        """(markers, width) in [0, 1]: what the picture shows behind each pixel."""
-        if self.mode.mode != "residual":
-            if self._missing.known or take.origin.size <= _MUCH:
-                return self._missing.share(take, width, self._span)
-            self._count.ask()
-            return np.zeros((take.markers, width))
-        session = self.document.session
-        if session is not None:
-            self.residuals.want(session)
-        if self.residuals.values is None:
-            return np.full((take.markers, width), np.nan)
-        return residual_levels(worst(self.residuals.values, width, *self._span))
-
-    def _paint_marks(self, painter: QPainter, rows: Rows, places: Places) -> None:
+    def _paint_marks(self, painter: QPainter, places: Places) -> None:
         """Which markers are shown, the part in view, the current artifact, and the cursor."""
-        shown = [rows.row_of[self._column_of[name]] for name in self.document.shown]
-        marks.paint_shown(painter, places, shown)
+        marks.paint_shown(painter, places, [self._row_of(m) for m in self.document.shown])
         marks.paint_view(painter, places, *self._view)
         if self._edges.region is not None:
             marks.paint_region(painter, places, *self._edges.region)
         current = self.document.current
         if current is not None:
             for marker in current.markers:
-                row = rows.row_of[self._column_of[marker]]
-                marks.paint_current(painter, places.box(row, current.start, current.stop))
+                box = places.box(self._row_of(marker), current.start, current.stop)
+                marks.paint_current(painter, box)
         marks.paint_cursor(painter, places, self.document.frame)

@@ -2,14 +2,53 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Callable, Collection, Iterable
+from functools import cached_property
 
 from markermend.arrays import ByteArray, FloatArray
 from markermend.review.session import Session
 from markermend.take import Take
 from markermend_app.columns import column_of
 from markermend_app.panels.plots.quantity import Way, way_of
-from markermend_app.panels.plots.row import Shown
+
+
+class Shown:
+    """A marker as the plots draw it, gathered when it is first drawn: many markers take long.
+
+    Parameters
+    ----------
+    frames : of the take
+    gather : gives ``now``, ``before``, ``origin`` and ``origin_before``
+    """
+
+    def __init__(
+        self, frames: int, gather: Callable[[], tuple[Way, Way, ByteArray, ByteArray]]
+    ) -> None:
+        self.frames, self._gather = frames, gather
+
+    @cached_property
+    def _gathered(self) -> tuple[Way, Way, ByteArray, ByteArray]:
+        return self._gather()
+
+    @property
+    def now(self) -> Way:
+        """Its way as it stands."""
+        return self._gathered[0]
+
+    @property
+    def before(self) -> Way:
+        """Its way as it was in the file; the same object where both agree."""
+        return self._gathered[1]
+
+    @property
+    def origin(self) -> ByteArray:
+        """(frames,) uint8, see :class:`markermend.take.Origin`."""
+        return self._gathered[2]
+
+    @property
+    def origin_before(self) -> ByteArray:
+        """(frames,) uint8, the same in the file."""
+        return self._gathered[3]
 
 
 class Drawn:

@@ -50,8 +50,8 @@ class Gestures:
 
     def _time_wanted(self, start: float, stop: float) -> None:
         """Zoom or pan as asked."""
-        self._panel.fit_when_proposed = False
-        self._panel.set_view(start, stop)
+        self._panel.framing.fit_when_proposed = False
+        self._panel.framing.set_view(start, stop)
 
     def _press(self, row: PlotFrame, at: QPointF) -> None:
         """Select the artifact that was clicked, or move the cursor."""
@@ -66,9 +66,9 @@ class Gestures:
         """Repair the artifact the first click selected; elsewhere, show everything."""
         current = self._document.current
         if self._pressed is None:
-            self._panel.fit_all()
+            self._panel.framing.fit_all()
         elif current is not None and current.id == self._pressed:
-            self._document.repair_current()
+            self._document.decisions.repair_current()
 
     def _menu(self, row: PlotFrame, at: QPointF, screen: QPointF) -> None:
         """Open the menu that fits what lies there."""
@@ -124,7 +124,7 @@ class Gestures:
         edges = row.edges.frames
         start, stop = self._whole(current.markers, *edges, take.frames, besides=current)
         if (start, stop) != (current.start, current.stop):
-            self._document.change(current.id, start=start, stop=stop)
+            self._document.decisions.change(current.id, start=start, stop=stop)
         self._panel.show_current()
 
     def _whole(

@@ -25,10 +25,10 @@ def artifact_menu(
     _title(menu, f"{name} · {PAIRED.join(artifact.markers)}")
     status, ids = artifact.status, [artifact.id]
     for verb, decide, done in (
-        ("accept", lambda: document.accept(ids), Status.ACCEPTED),
-        ("reject", lambda: document.reject(ids), Status.REJECTED),
-        ("repair", document.repair_current, Status.REPAIRED),
-        ("reopen", lambda: document.reopen(ids), Status.PENDING),
+        ("accept", lambda: document.decisions.accept(ids), Status.ACCEPTED),
+        ("reject", lambda: document.decisions.reject(ids), Status.REJECTED),
+        ("repair", document.decisions.repair_current, Status.REPAIRED),
+        ("reopen", lambda: document.decisions.reopen(ids), Status.PENDING),
     ):
         entry(menu, verb, decide).setEnabled(status is not done)
     menu.addSeparator()
@@ -37,7 +37,9 @@ def artifact_menu(
         action = classes.addAction(theme.icon(kind), theme.kind_name(kind))
         action.setCheckable(True)
         action.setChecked(kind is artifact.kind)
-        action.triggered.connect(lambda _=False, k=kind: document.change(artifact.id, kind=k))
+        action.triggered.connect(
+            lambda _=False, k=kind: document.decisions.change(artifact.id, kind=k)
+        )
     axes = menu.addMenu(theme.icon("curves"), _tr("Damaged axes"))
     for axis in "xyz":
         action = axes.addAction(axis.upper())
@@ -45,13 +47,15 @@ def artifact_menu(
         action.setChecked(axis in artifact.axes)
         action.setEnabled(artifact.axes != axis)
         action.triggered.connect(
-            lambda _=False, a=axis: document.change(artifact.id, axes=_toggled(artifact.axes, a))
+            lambda _=False, a=axis: document.decisions.change(
+                artifact.id, axes=_toggled(artifact.axes, a)
+            )
         )
     menu.addSeparator()
     for name in ("repair_alike", "reject_alike", "split_artifact", "join_artifacts", "note"):
         entry(menu, name, partial(do, name))
     menu.addSeparator()
-    entry(menu, "remove", lambda: document.remove(ids))
+    entry(menu, "remove", lambda: document.decisions.remove(ids))
     if not document.editable:
         for action in menu.actions():
             action.setEnabled(False)

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from operator import is_
 
 import numpy as np
@@ -21,8 +20,9 @@ from markermend_app.items.edges import Edges
 from markermend_app.items.intervals import Intervals
 from markermend_app.items.points import lone_samples
 from markermend_app.later import OneByOne
+from markermend_app.panels.plots.drawn import Shown
 from markermend_app.panels.plots.frame import PlotFrame
-from markermend_app.panels.plots.quantity import Quantity, Way
+from markermend_app.panels.plots.quantity import Quantity
 from markermend_app.panels.plots.range import value_range
 from markermend_app.panels.plots.trace import Trace
 from markermend_app.style import theme
@@ -40,45 +40,6 @@ Banded = tuple[Patch, FloatArray]
 def same_objects(these: Sequence[object], those: Sequence[object]) -> bool:
     """Whether two sequences hold the very same objects: then what was drawn of them still holds."""
     return len(these) == len(those) and all(map(is_, these, those))
-
-
-class Shown:
-    """A marker as the plots draw it, gathered when it is first drawn: many markers take long.
-
-    Parameters
-    ----------
-    frames : of the take
-    gather : gives ``now``, ``before``, ``origin`` and ``origin_before``
-    """
-
-    def __init__(
-        self, frames: int, gather: Callable[[], tuple[Way, Way, ByteArray, ByteArray]]
-    ) -> None:
-        self.frames, self._gather = frames, gather
-
-    @cached_property
-    def _gathered(self) -> tuple[Way, Way, ByteArray, ByteArray]:
-        return self._gather()
-
-    @property
-    def now(self) -> Way:
-        """Its way as it stands."""
-        return self._gathered[0]
-
-    @property
-    def before(self) -> Way:
-        """Its way as it was in the file; the same object where both agree."""
-        return self._gathered[1]
-
-    @property
-    def origin(self) -> ByteArray:
-        """(frames,) uint8, see :class:`markermend.take.Origin`."""
-        return self._gathered[2]
-
-    @property
-    def origin_before(self) -> ByteArray:
-        """(frames,) uint8, the same in the file."""
-        return self._gathered[3]
 
 
 @dataclass(frozen=True, eq=False)

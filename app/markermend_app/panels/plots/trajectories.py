@@ -17,16 +17,16 @@ from markermend_app.panels.floating_buttons import FloatingButtons
 from markermend_app.panels.markers.naming import short_names
 from markermend_app.panels.plots.beside import channel, grouped
 from markermend_app.panels.plots.crosshair import Crosshair
-from markermend_app.panels.plots.drawn import Drawn
+from markermend_app.panels.plots.drawn import Drawn, Shown
 from markermend_app.panels.plots.frame import PlotFrame, events_of
+from markermend_app.panels.plots.framing import Framing
 from markermend_app.panels.plots.gestures import Gestures
 from markermend_app.panels.plots.header import PlotHeader
 from markermend_app.panels.plots.nothing import why_empty
 from markermend_app.panels.plots.partner import partner_of
 from markermend_app.panels.plots.prediction import Predictions
 from markermend_app.panels.plots.quantity import COORDINATES, QUANTITIES, can_show
-from markermend_app.panels.plots.range import surrounded, time_range, well_seen
-from markermend_app.panels.plots.row import PlotRow, Shown
+from markermend_app.panels.plots.row import PlotRow
 from markermend_app.panels.plots.rows_menu import fill_rows_menu, remembered_rows
 from markermend_app.panels.plots.shown_repair import shown_repair
 from markermend_app.panels.plots.stack import PlotStack
@@ -59,14 +59,13 @@ class TrajectoryPanel(QWidget):
         self.chosen = remembered_rows()
         self.chosen_partner: str | None = None
         self._predicting = False
-        self.fit_when_proposed = False
-        self._view = (0.0, 1.0)
         self._known = Drawn()
         self._stale: set[str] = set()
-        self._unframed = self._much = False
+        self._much = False
         self.setAccessibleName(self.tr("Trajectories"))
 
         self.header = PlotHeader()
+        self.framing = Framing(self)
         self.gestures = Gestures(self)
         self._placing = QTimer(self, singleShot=True, interval=0)
         self._placing.timeout.connect(self.place_buttons)
@@ -100,11 +99,11 @@ class TrajectoryPanel(QWidget):
         document.artifacts_changed.connect(partial(self.predictions.note, samples=False))
         document.mesh_changed.connect(self._show_markers)
         document.current_changed.connect(self.show_current)
-        document.proposal_changed.connect(self._show_proposal)
+        document.proposal_changed.connect(self.show_proposal)
         document.selection_changed.connect(self._show_sweep)
         document.frame_changed.connect(self._show_frame)
-        document.frame_requested.connect(self._frame)
-        document.reveal_requested.connect(self._reveal)
+        document.frame_requested.connect(self.framing.frame)
+        document.reveal_requested.connect(self.framing.reveal)
         theme.watcher.changed.connect(self._restyle)
         self._restyle()
         self._opened()
@@ -150,32 +149,6 @@ class TrajectoryPanel(QWidget):
         button = self.header.plots
         self.menu.popup(button.mapToGlobal(button.rect().bottomLeft()))
 
-    def fit_all(self) -> None:
-        """Show the whole take."""
-        if self.take is not None:
-            self._show_afresh(-0.5, self.take.frames - 0.5)
-
-    def zoom(self, factor: float) -> None:
-        """Show ``factor`` times as much time, around the cursor when it is in view."""
-        low, high = self._view
-        at = float(self.document.frame)
-        if not low <= at <= high:
-            at = (low + high) / 2
-        self.set_view(at - (at - low) * factor, at + (high - at) * factor)
-
-    def set_view(self, start: float, stop: float) -> None:
-        """Show these frames in all plots, as far as the take reaches."""
-        take = self.take
-        if take is None:
-            return
-        self._view = time_range(start, stop, take.frames)
-        for row in self.rows:
-            row.set_view(*self._view, self.document.current)
-        for beside in self.canvas.beside:
-            beside.set_view(*self._view)
-        self.place_buttons()
-        self.view_changed.emit(*self._view)
-
     def set_prediction_shown(self, shown: bool) -> None:
         """Draw where the rest of the body says the markers are, or not."""
         self._predicting = shown
@@ -205,7 +178,7 @@ class TrajectoryPanel(QWidget):
         self.canvas.setAccessibleName(name)
         self._lay_rows()
         if (take := self.take) is not None and not self.document.renaming:
-            self.set_view(-0.5, take.frames - 0.5)
+            self.framing.set_view(-0.5, take.frames - 0.5)
         self._show_frame(self.document.frame)
 
     def _lay_rows(self) -> None:
@@ -223,7 +196,7 @@ class TrajectoryPanel(QWidget):
         self.canvas.set_beside(grouped(c for c in found if c is not None))
         self._prepare(self.canvas.beside)
         self._turn_page()
-        self.set_view(*self._view)
+        self.framing.set_view(*self.framing.view)
 
     def _prepare(self, rows: Sequence[PlotFrame]) -> None:
         """Tell rows of the take's clock, its events, and where the cursor is."""
@@ -253,12 +226,10 @@ class TrajectoryPanel(QWidget):
                 row.show_markers(drawn, soon=i >= at_once)
             self._name_distance()
             self._show_artifacts()
-            self._show_proposal()
+            self.show_proposal()
             self._show_predictions()
             self._show_sweep()
-            self._unframed = self.document.bringing
-            if not self._unframed:
-                self._show_afresh(*self._view)
+            self.framing.follow_markers()
         self.show_current()
 
     def _turn_page(self) -> None:
@@ -293,7 +264,7 @@ class TrajectoryPanel(QWidget):
         self._much |= change.stop - change.start > _MUCH
         self.predictions.note(samples=True)
 
-    def _catch_up(self) -> None:
+    def catch_up(self) -> None:
         """Draw anew what has changed since it was drawn."""
         stale = {name: self._drawn(name) for name in self.document.shown if name in self._stale}
         self._stale.clear()
@@ -320,7 +291,7 @@ class TrajectoryPanel(QWidget):
 
     def show_current(self) -> None:
         """Mark the artifact under review."""
-        self._catch_up()
+        self.catch_up()
         current = self.document.current
         if current is not None and not current.concerns(self.document.shown):
             current = None
@@ -329,15 +300,14 @@ class TrajectoryPanel(QWidget):
         self.buttons.refresh()
         self.place_buttons()
 
-    def _show_proposal(self) -> None:
+    def show_proposal(self) -> None:
         """Draw what a repair of the current artifact would put there, and how far off it may be."""
         patches, banded = shown_repair(self.document)
         for row in self.rows:
             row.show_proposal(patches, banded)
         self.buttons.refresh()
-        if patches and self.fit_when_proposed:
-            self.fit_when_proposed = False
-            self._show_afresh(*self._view)
+        if patches:
+            self.framing.follow_proposal()
 
     def _show_predictions(self) -> None:
         """Draw predictions that are there and ask for those that are not."""
@@ -350,7 +320,7 @@ class TrajectoryPanel(QWidget):
         if session is not None and residual is not None:
             for name in residual.traces:
                 residual.refresh(name, self._drawn(name))
-            residual.set_view(*self._view, self.document.current)
+            residual.set_view(*self.framing.view, self.document.current)
 
     def _show_sweep(self) -> None:
         """Draw the swept range."""
@@ -361,38 +331,11 @@ class TrajectoryPanel(QWidget):
             row.show_sweep(start, stop)
 
     def _show_frame(self, frame: int) -> None:
-        """Move the cursor line; a cursor that leaves the view takes the view along."""
+        """Move the cursor line, and the view along with it."""
         for row in self.canvas.frames:
             row.cursor.setValue(frame)
-        low, high = self._view
-        if not low <= frame <= high:
-            span = high - low
-            # Going on, most of what is ahead comes into view; a jump lands in the middle.
-            share = 0.1 if high < frame < high + span else 0.5
-            self.set_view(frame - share * span, frame + (1 - share) * span)
+        self.framing.follow_cursor(frame)
         self.cross.read_out(frame)
-
-    def _frame(self, start: int, stop: int) -> None:
-        """Bring an interval into view with some of its surroundings."""
-        take = self.take
-        if take is None:
-            return
-        self._catch_up()
-        self.fit_when_proposed = False
-        self._show_proposal()
-        self.fit_when_proposed = self.document.proposal is None
-        self._show_afresh(*surrounded(start, stop, take.rate))
-
-    def _reveal(self, start: int, stop: int) -> None:
-        """Bring an interval into view unless it can be seen well where the plots are."""
-        if self.take is not None and not well_seen(start, stop, self.take.rate, self._view):
-            self._frame(start, stop)
-        elif self._unframed:
-            self._show_afresh(*self._view)
-        else:
-            # Values that are others than before may be out of view.
-            self._catch_up()
-            self.set_view(*self._view)
 
     # What the mouse says
 
@@ -402,13 +345,6 @@ class TrajectoryPanel(QWidget):
         super().leaveEvent(event)
 
     # Looks
-
-    def _show_afresh(self, start: float, stop: float) -> None:
-        """Show these frames, and of their values what matters, wherever hands had put them."""
-        self._unframed = False
-        for row in self.canvas.frames:
-            row.follows = True
-        self.set_view(start, stop)
 
     def place_buttons(self) -> None:
         """Put the buttons beside the current artifact, once its frames are in view."""

@@ -22,32 +22,13 @@ from markermend_app.document import Document
 from markermend_app.later import Later
 from markermend_app.panels.before_hands import BeforeHands
 from markermend_app.panels.markers.badge import hint
+from markermend_app.panels.queue.columns import QueueColumns
 from markermend_app.panels.queue.filters import ACCEPTED, OPEN, QueueFilters
-from markermend_app.panels.queue.model import (
-    AXES,
-    COLUMNS,
-    CONFIDENCE,
-    FRAMES,
-    LENGTH,
-    MARKER,
-    REPAIR,
-    SIZE,
-    STATUS,
-    TIME,
-    WHY,
-    QueueModel,
-)
+from markermend_app.panels.queue.model import COLUMNS, MARKER, STATUS, QueueModel
 from markermend_app.panels.queue.view import QueueView
 from markermend_app.panels.sort_menu import sort_menu
 from markermend_app.rows import Rows
 from markermend_app.style import theme
-
-_WIDTHS = (98, 96, 96, 54, 90, 66, 66, 90, 92, 210, 60)
-_PADDING = 24
-_SPARED = (TIME, LENGTH, AXES, SIZE, FRAMES)
-"""Columns that are left out one after the other where room is scarce; tooltips tell them."""
-_WHY_LEAST, _WHY_SPARED, _NAMES_WIDEST = 200, 80, 220
-"""Pixels: the reasons' least, how many of these names may take, the most for names."""
 
 
 class ReviewQueue(QWidget):
@@ -68,8 +49,7 @@ class ReviewQueue(QWidget):
         self._doing = ""
         self._listed: tuple[str, ...] = ()
         self._followed: str | None = None
-        self._syncing = self._choosing = self._stale = self._fitting = False
-        self._names_wide = 0
+        self._syncing = self._choosing = self._stale = False
         self._soon = Later(self._catch_up, self)
         self.model = QueueModel(self)
         self.view = QueueView()
@@ -77,16 +57,7 @@ class ReviewQueue(QWidget):
         self.view.setModel(self.model)
         self.view.setSortingEnabled(True)
         self.view.sortByColumn(STATUS, Qt.SortOrder.AscendingOrder)
-        self._widths = list(_WIDTHS)
-        for column, width in enumerate(_WIDTHS):
-            self.view.setColumnWidth(column, width)
-        # Some languages have a longer word for what needs least room.
-        name = self.model.headerData(AXES, Qt.Orientation.Horizontal)
-        named = self.view.horizontalHeader().fontMetrics().horizontalAdvance(name) + _PADDING
-        self._widths[AXES] = max(_WIDTHS[AXES], named)
-        self.view.setColumnWidth(AXES, self._widths[AXES])
-        self.view.horizontalHeader().sectionResized.connect(self._remember_width)
-
+        self._columns = QueueColumns(self.view, self.model)
         self._hint = hint("")
         self._pages = QStackedWidget()
         self._pages.addWidget(self._hint)
@@ -101,7 +72,7 @@ class ReviewQueue(QWidget):
 
         self.view.selectionModel().currentRowChanged.connect(self._row_changed)
         self.view.clicked.connect(self._clicked)
-        self.view.doubleClicked.connect(lambda _: document.repair_current())
+        self.view.doubleClicked.connect(lambda _: document.decisions.repair_current())
         BeforeHands(self.view, self._soon.catch_up)
         self.view.verb.connect(self.apply)
         self.view.customContextMenuRequested.connect(self._show_menu)
@@ -143,9 +114,9 @@ class ReviewQueue(QWidget):
         if not ids:
             return
         if verb != "repair":
-            getattr(self._document, verb)(ids)
+            getattr(self._document.decisions, verb)(ids)
         elif set(ids) == set(self._document.together):
-            self._document.repair_current()
+            self._document.decisions.repair_current()
         else:
             self.repair_requested.emit(ids)
 
@@ -234,18 +205,9 @@ class ReviewQueue(QWidget):
         self._follow_current(scroll=False)
         self.filters.count(() if session is None else session.listed)
         self.filters.fit(self.width())
-        self._measure_names()
-        self._explain()
-
-    def _measure_names(self) -> None:
-        """Note how wide the widest name is, and make room for it."""
-        each = {a.markers: a for a in self.model.rows}
-        metrics = self.view.fontMetrics()
-        wide = [metrics.horizontalAdvance(self.model.text(a, MARKER)) for a in each.values()]
-        widest = max(wide, default=0) + _PADDING
-        if widest != self._names_wide:
-            self._names_wide = widest
+        if self._columns.measure_names():
             self._fit_columns()
+        self._explain()
 
     def _select(self, ids: set[str]) -> None:
         """Select rows by id, as they were before the model changed."""
@@ -268,32 +230,8 @@ class ReviewQueue(QWidget):
         self._explain()
 
     def _fit_columns(self) -> None:
-        """Leave room for the reasons; repairs are listed only where something repaired can be."""
-        statuses = self.filters.statuses
-        hidden = {REPAIR} if statuses and Status.REPAIRED not in statuses else set()
-        room = self.width() - self.view.verticalScrollBar().sizeHint().width() - _WHY_LEAST
-        # Of those that are open the status says nothing, of decided ones how sure a flag was.
-        last = (STATUS,) if REPAIR in hidden else (CONFIDENCE, STATUS)
-        for column in (*_SPARED, *last):
-            if sum(w for c, w in enumerate(self._widths[:WHY]) if c not in hidden) <= room:
-                break
-            hidden.add(column)
-        for column in range(WHY):
-            self.view.setColumnHidden(column, column in hidden)
-        spare = (
-            room + _WHY_SPARED - sum(w for c, w in enumerate(self._widths[:WHY]) if c not in hidden)
-        )
-        more = min(self._names_wide, _NAMES_WIDEST) - self._widths[MARKER]
-        # A width that a hand has chosen stays.
-        if self._widths[MARKER] == _WIDTHS[MARKER]:
-            self._fitting = True
-            self.view.setColumnWidth(MARKER, _WIDTHS[MARKER] + max(0, min(more, spare)))
-            self._fitting = False
-
-    def _remember_width(self, column: int, _: int, width: int) -> None:
-        """Remember how wide a column is while it is left out, too."""
-        if width and column != WHY and not self._fitting:
-            self._widths[column] = width
+        """Leave out columns where there is no room for all, or nothing to be told in them."""
+        self._columns.fit(self.width(), self.filters.statuses)
 
     def _order_changed(self) -> None:
         """Tell the document in which order artifacts are walked."""

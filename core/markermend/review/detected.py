@@ -1,0 +1,47 @@
+"""What becomes of a review's artifacts once a detector has looked again."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Sequence
+
+from markermend.artifact import Artifact, Status
+
+
+def taking_over(
+    found: Iterable[Artifact], known: Sequence[Artifact], touched: Collection[str]
+) -> dict[str, Artifact | None]:
+    """Changes that put what was found in place of flags that nobody has decided about.
+
+    Parameters
+    ----------
+    found : by the detector
+    known : of the review
+    touched : ids of those that the operator decided, marked or changed
+
+    Returns
+    -------
+    By id: None for a pending flag that goes, the artifact for one that comes. One that stays keeps
+    out a new flag of the same marker and kind that it covers by half.
+    """
+    ids = {a.id for a in known}
+    staying: dict[str, list[Artifact]] = {}
+    changes: dict[str, Artifact | None] = {}
+    for artifact in known:
+        if artifact.status is Status.PENDING and artifact.id not in touched:
+            changes[artifact.id] = None
+        else:
+            staying.setdefault(artifact.marker, []).append(artifact)
+    for artifact in found:
+        if artifact.id in ids and artifact.id not in changes:
+            continue
+        if not any(_same_finding(artifact, d) for d in staying.get(artifact.marker, ())):
+            changes[artifact.id] = artifact
+    return changes
+
+
+def _same_finding(new: Artifact, decided: Artifact) -> bool:
+    """Whether a decided artifact already covers half of a new flag."""
+    if new.marker != decided.marker or new.kind != decided.kind:
+        return False
+    shared = min(new.stop, decided.stop) - max(new.start, decided.start)
+    return shared * 2 >= new.length
