@@ -23,7 +23,7 @@ from markermend.poses.faults import (
 from markermend.poses.noise import Noise, corrupt_pose
 from markermend.poses.nuitrack import to_nuitrack, twins
 from markermend.poses.prior import shipped_prior
-from markermend.poses.quaternion import turn
+from markermend.poses.quaternion import turn, unit
 from markermend.poses.restore import restore
 from markermend.poses.sensor import as_depth_sensor
 from markermend.poses.skeleton import forward_kinematics
@@ -200,6 +200,19 @@ def test_whoever_jumps_is_wrong_wherever_bones_happen_to_reach(walk):
         right += np.array_equal(found, expected)
         assert not (found & ~expected).any()
     assert right >= 0.95 * tries
+
+
+def test_a_joint_that_is_somewhere_else_in_every_frame_is_wrong_in_all_of_them(walk):
+    slow = recorded(walk, Case("30 Hz", "nothing", slow=True))
+    random = np.random.default_rng(5)
+    for _ in range(40):
+        joint, start = int(random.integers(1, len(walk.joints))), int(random.integers(2, 400))
+        away = random.normal(size=(15, 3))
+        positions = np.array(slow.positions)
+        positions[start : start + 15, joint] += 400.0 * unit(away)
+        found = marked(mend_faults(slow.with_samples(positions, slow.rotations))[1], slow)
+        assert found[start : start + 15, joint].all()
+        assert not np.delete(found, joint, axis=1).any()
 
 
 def test_one_frame_is_enough_to_be_found(walk):

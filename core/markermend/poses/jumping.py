@@ -17,6 +17,9 @@ _JUMP, _AROUND_S, _LEAST_AROUND = 0.25, 0.05, 2
 _FASTEST_MM_S, _FASTEST_BODY_MM_S = 25_000.0, 8_000.0
 # A joint comes back within this time, and but for this share of the jump to where it would be.
 _AWAY_S, _BACK = 1.0, 0.5
+# So many jumps with at most one frame of rest between any two are one trip, of somewhere else in
+# every frame; two of them may well seem to take it back by chance.
+_RESTLESS, _REST = 5, 2
 # Meanwhile bones are broken when, from one frame to the next, their length changes by this share
 # of it, and by so many times the standard deviation of what it usually changes.
 _BREAKS, _UNUSUAL = 0.05, 6.0
@@ -137,10 +140,20 @@ def _breaks(far: FloatArray, bones: FloatArray) -> BoolArray:
 
 
 def _trips(odd: FloatArray, leaps: BoolArray, rate: float) -> Iterator[tuple[int, int]]:
-    """Steps on which a joint leaves, and comes back with the next jump that takes it there."""
+    """Steps on which a joint leaves, and comes back with the next jump that takes it there.
+
+    Where it is somewhere else in every frame that is the last jump in a row.
+    """
     at, done = np.flatnonzero(leaps).tolist(), -1
     for n, out in enumerate(at):
         if out <= done:
+            continue
+        last = n
+        while last + 1 < len(at) and at[last + 1] - at[last] <= _REST:
+            last += 1
+        if last - n + 1 >= _RESTLESS and at[last] - out <= _AWAY_S * rate:
+            done = at[last]
+            yield out, done
             continue
         for home in at[n + 1 :]:
             if home - out > _AWAY_S * rate:
