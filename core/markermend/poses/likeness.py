@@ -9,7 +9,7 @@ import numpy as np
 from markermend.arrays import Float32Array, IntArray
 from markermend.poses.solving import solved
 
-MOMENTS, SOME_MOMENTS, FEW_MOMENTS = (250, 200), (100, 60), (50, 30)
+MOMENTS, SOME_MOMENTS, FEW_MOMENTS = (250, 200), (100, 60), (30, 20)
 """Of a whole recording compared with a gap, as it is and mirrored.
 
 Some are enough where gaps are so many that time counts, few where gaps are filled again.

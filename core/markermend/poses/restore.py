@@ -240,7 +240,7 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
         share = 1.0 if look == 1 else _AGAIN
         told = share * filled.values + (1.0 - share) * near.values
         filled = replace(filled, values=np.where(known, filled.values, told))
-        features, bones = settled(filled, rounds)
+        features, bones = settled(filled, 1 if many and look < looks else rounds)
     if level > _NOISY:
         tell(0.8, "Smoothing again")
         first = features
