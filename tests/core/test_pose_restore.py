@@ -199,7 +199,7 @@ def test_an_elbow_between_joints_that_are_seen_settles_where_this_arm_bends():
     pose = arm(frames=600, rate=30.0)
     hidden = slice(200, 230)
     restored = restore(hide(pose, hidden, 2)).pose
-    assert far(restored, pose)[hidden, 2].mean() < 1.0
+    assert far(restored, pose)[hidden, 2].mean() < 2.0
     assert far(restored, pose)[:, [1, 3, 4]].max() < 1e-6
 
 

@@ -3,19 +3,48 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
+from markermend.poses.channels import Channels, to_features
+from markermend.poses.normal import FEATURES
 from markermend.poses.quaternion import inverse, lengths_of, turn
 
-FIXED_MM = 1.0
-"""What strays by more than this is not fixed."""
-
+# What strays by more than this is not fixed.
+_FIXED_MM = 1.0
 # What was seen in fewer frames is not known to be fixed; so many are looked at first.
 _LEAST_FRAMES, _FEW = 10, 100
 # Of what is allowed, a joint is expected to stray by at least so much.
 _SELDOM_EXACT = 0.1
+
+
+def linked_channels(
+    channels: Channels, known: tuple[BoolArray, BoolArray], parents: Sequence[int]
+) -> tuple[Channels, FloatArray]:
+    """Let joints that rigid links tell be known.
+
+    Parameters
+    ----------
+    channels : a recording in columns
+    known : (frames, joints) bool each, positions and rotations that are known
+    parents : index of each joint's parent, -1 for the root
+
+    Returns
+    -------
+    the channels, and (frames, joints) by how many mm they may be off, 0 where no link was needed
+    """
+    features, mm = to_features(channels.values, channels), channels.normal.scale
+    limit = _FIXED_MM / mm
+    places, error = linked(features[..., :3], features[..., 3:], *known, parents, limit)
+    values = channels.values.reshape(len(features), -1, FEATURES).copy()
+    sure = channels.known.reshape(values.shape).copy()
+    joints, shape = list(channels.joints), channels.values.shape
+    values[..., :3] = places[:, joints]
+    sure[..., :3] |= ~np.isnan(error[:, joints, None])
+    more = replace(channels, values=values.reshape(shape), known=sure.reshape(shape))
+    return more, np.nan_to_num(error) * mm
 
 
 def linked(

@@ -16,8 +16,9 @@ from markermend.poses.channels import Channels, steadied, to_channels, to_featur
 from markermend.poses.covariance import Moments
 from markermend.poses.faults import CARRIED, Fault, mend_faults
 from markermend.poses.filling import Filled, fill
+from markermend.poses.hanging import by_parents
 from markermend.poses.likeness import FEW_MOMENTS, MOMENTS, SOME_MOMENTS
-from markermend.poses.linking import FIXED_MM, linked
+from markermend.poses.linking import linked_channels
 from markermend.poses.normal import FEATURES, denormalise
 from markermend.poses.nuitrack import mirrored
 from markermend.poses.pose import Pose
@@ -183,7 +184,8 @@ def _tried(restored: Restored, tell: Progress) -> Restored:
 
 def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     """Restore with moments of the recording's own channels."""
-    channels, off_mm = _linked(steadied(to_channels(pose), pose.rate), pose)
+    channels = steadied(to_channels(pose), pose.rate)
+    channels, off_mm = linked_channels(channels, _known_joints(channels, pose), pose.parents)
     usable = np.asarray(channels.known.any(axis=0))
     values, known = channels.values[:, usable], channels.known[:, usable]
     mirror = None
@@ -194,12 +196,13 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
             mirror = mirror_of([pose.joints[j] for j in channels.joints], usual, IN_MIRROR)
         else:
             prior = prior.of(usable)
+    beside = stance(channels.normal)
     filled_by = partial(
         fill,
         known=known,
         rate=pose.rate,
         prior=prior,
-        beside=stance(channels.normal),
+        beside=beside,
         mirror=mirror,
         joints=np.flatnonzero(usable) // FEATURES,
     )
@@ -223,6 +226,18 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     whole[:, ~usable] = np.nan
     variance = np.full(channels.values.shape, np.nan)
 
+    def hung(filled: Filled) -> Filled:
+        if prior is not None or known.all():
+            return filled
+        whole[:, usable] = filled.values
+        unsure = np.full(whole.shape, np.nan)
+        unsure[:, usable] = filled.variance
+        given = to_features(whole, channels), _of_all(unsure, channels), known_joints
+        body = pose.parents, pose.order, pose.rate
+        told, left = by_parents(*given, *body, beside, _LEFT * level)
+        told, left = (_columns(x, channels)[:, usable] for x in (told, left))
+        return replace(filled, values=np.where(known, filled.values, told), variance=left)
+
     def settled(filled: Filled, rounds: int) -> tuple[FloatArray, Bones]:
         whole[:, usable] = filled.values
         variance[:, usable] = _variance(filled, known, noise[usable])
@@ -231,6 +246,7 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     tell(0.7, "Keeping bones")
     many, rounds = filled.lasting >= _MANY, 1 if level > _NOISY else _ROUNDS
     looks = _LOOKS[many] - int(level > 0) if filled.lasting else 0
+    filled = filled if looks else hung(filled)
     features, bones = settled(filled, int(not many) if looks else rounds)
     for look in range(1, looks + 1):
         tell(0.7 + 0.1 * look / (looks + 1), "Filling again")
@@ -240,6 +256,7 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
         share = 1.0 if look == 1 else _AGAIN
         told = share * filled.values + (1.0 - share) * near.values
         filled = replace(filled, values=np.where(known, filled.values, told))
+        filled = filled if look < looks else hung(filled)
         features, bones = settled(filled, 1 if many and look < looks else rounds)
     if level > _NOISY:
         tell(0.8, "Smoothing again")
@@ -255,22 +272,6 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     return _finished(pose, features, channels, noise, variance, off_mm)
 
 
-def _linked(channels: Channels, pose: Pose) -> tuple[Channels, FloatArray]:
-    """Channels in which joints told by rigid links are known, and (frames, joints) their errors."""
-    features, (seen, turned) = to_features(channels.values, channels), _known_joints(channels, pose)
-    mm, joints = channels.normal.scale, list(channels.joints)
-    places, error = linked(
-        features[..., :3], features[..., 3:], seen, turned, pose.parents, FIXED_MM / mm
-    )
-    values = channels.values.reshape(pose.frames, -1, FEATURES).copy()
-    known = channels.known.reshape(values.shape).copy()
-    values[..., :3] = places[:, joints]
-    known[..., :3] |= ~np.isnan(error[:, joints, None])
-    shape = channels.values.shape
-    more = replace(channels, values=values.reshape(shape), known=known.reshape(shape))
-    return more, np.nan_to_num(error) * mm
-
-
 def _variance(filled: Filled, known: BoolArray, noise: FloatArray) -> FloatArray:
     """(frames, channels) of errors of what was filled, and of what noise is left."""
     unsure = np.where(known, 0.0, np.maximum(filled.variance, _SURE**2))
@@ -280,6 +281,13 @@ def _variance(filled: Filled, known: BoolArray, noise: FloatArray) -> FloatArray
 def _columns(features: FloatArray, channels: Channels) -> FloatArray:
     """(frames, joints · 7) of all joints but the root."""
     return features[:, channels.joints].reshape(len(features), -1)
+
+
+def _of_all(columns: FloatArray, channels: Channels) -> FloatArray:
+    """(frames, joints, 7) of columns; 0 for the root."""
+    whole = np.zeros((len(columns), len(channels.joints) + 1, FEATURES))
+    whole[:, channels.joints] = columns.reshape(len(columns), -1, FEATURES)
+    return whole
 
 
 def _known_joints(channels: Channels, pose: Pose) -> tuple[BoolArray, BoolArray]:
