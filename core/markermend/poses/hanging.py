@@ -18,8 +18,9 @@ from markermend.poses.likeness import MOMENTS
 from markermend.poses.normal import FEATURES
 from markermend.poses.quaternion import inverse, lengths_of, multiply, turn, unit, unrolled
 
-# Squared errors of what the whole body tells are larger than is said, by about this.
-_TOO_SURE = 4.0
+# Squared errors of what the whole body tells are larger than is said, the more so the less of it
+# was recorded: by this time over the recording's.
+_TOO_SURE_S = 8.0
 # Nothing is surer than this, squared.
 _SURE = 1e-9
 
@@ -60,7 +61,7 @@ def by_parents(
     local, sure = _in_parents(features, known, parents)
     joints = [joint for joint in order if parents[joint] >= 0]
     told, unsure = _filled(local[:, joints], sure[:, joints], rate, beside, noise)
-    out, left = features.copy(), variance.copy()
+    out, left = features.copy(), (1.0 + _TOO_SURE_S * rate / len(features)) * variance
     seen, turned = known
     for n, joint in enumerate(joints):
         above, frames = parents[joint], ~(seen[:, joint] & turned[:, joint])
@@ -91,7 +92,7 @@ def _mean(
     own: FloatArray, unsure: FloatArray, other: FloatArray, doubt: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """Mean of two estimates by how sure each is, and its variance; the first where it is alone."""
-    ours, theirs = (x.sum(axis=1, keepdims=True) + _SURE for x in (_TOO_SURE * unsure, doubt))
+    ours, theirs = (x.sum(axis=1, keepdims=True) + _SURE for x in (unsure, doubt))
     missing = np.isnan(other + theirs).any(axis=1, keepdims=True)
     share = np.where(missing, 0.0, ours / (ours + np.where(missing, 1.0, theirs)))
     value = own + share * (np.where(missing, own, other) - own)
