@@ -19,7 +19,8 @@ def main():
         bootstrap.ensure_environment("deep")
         arguments = ["-m", "deep", *arguments]
     bootstrap.ensure_libraries(display=False)
-    env = bootstrap.child_environment(QT_QPA_PLATFORM="offscreen")
+    # Some containers turn byte code off; each of the many processes would compile us anew.
+    env = bootstrap.child_environment(QT_QPA_PLATFORM="offscreen", PYTHONDONTWRITEBYTECODE="")
     command = [bootstrap.venv_program("python"), "-m", "pytest", "-n", "2", "-q"]
     return subprocess.call(command + arguments, env=env, cwd=str(bootstrap.ROOT))
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import gc
+import shutil
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -267,16 +269,22 @@ def overview(open_overview, damaged):
     return open_overview(take, artifacts, mesh)
 
 
-@pytest.fixture
-def broken(shared_data, tmp_path):
-    """A file of joints of which each fault has some, and one joint is not seen for a while."""
+@pytest.fixture(scope="session")
+def made_broken(shared_data, tmp_path_factory):
+    """The file of ``broken``, made once."""
     walk = to_nuitrack(mm.read_pose(shared_data / "poses" / "02_01.amc"))
     pose, _ = break_pose(walk, each=1, seed=4)
     confidence = np.array(pose.confidence)
     confidence[200:230, JOINTS.index("head")] = 0.0
-    path = tmp_path / "sensor.csv"
+    path = tmp_path_factory.mktemp("broken") / "sensor.csv"
     mm.write_pose(pose.with_samples(pose.positions, pose.rotations, confidence), path)
     return path
+
+
+@pytest.fixture
+def broken(made_broken, tmp_path):
+    """A file of joints of which each fault has some, and one joint is not seen for a while."""
+    return Path(shutil.copy(made_broken, tmp_path))
 
 
 @pytest.fixture

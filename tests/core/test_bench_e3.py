@@ -42,7 +42,7 @@ def test_distorted_errors_are_the_published_ones():
     assert take.positions.shape == (3200, 53, 3)
     rows = by_way(
         e3([Clean("person", take)], detectors=(), repairers=("spline",), kinds=["peak"],
-           simulations=4, n_jobs=1)
+           simulations=2, n_jobs=1)
     )  # fmt: skip
     for share, printed in ((0.05, 0.191), (0.1, 0.270), (0.2, 0.382)):
         row = rows["distorted", "", share, "peak"]

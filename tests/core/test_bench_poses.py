@@ -49,7 +49,8 @@ def test_restoring_beats_what_knows_no_bodies(clips):
     for case in cases:
         for simple in ("as it is", "linear", "pchip", "pchip, filtered"):
             assert error[case.name, "restore"] < 0.8 * error[case.name, simple]
-    assert [r.error for r in rows] == [r.error for r in compare(clips, cases=cases)]
+    again = compare(clips, cases=cases[:1])
+    assert [r.error for r in again] == [r.error for r in rows if r.case == cases[0].name]
     text = "\n".join(poses_table(rows) + hidden_table(rows))
     assert "Frame by frame" in text
     assert "restore, no prior" in text
@@ -93,7 +94,7 @@ def test_a_prior_helps_whom_it_never_saw(clips):
     prior = learn_prior([clips["02_01"]])
     truth = clips["03_02"]
     noise = Noise(displacement=0.0, burst=120)
-    damaged = [corrupt_pose(truth, noise, seed=seed) for seed in range(1, 5)]
+    damaged = [corrupt_pose(truth, noise, seed=seed) for seed in (1, 2)]
 
     def error(known):
         restored = [restore(pose, prior=known).pose.positions[~pose.seen] for pose in damaged]

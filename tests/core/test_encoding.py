@@ -12,6 +12,7 @@ from command_line import run, strict, write_swing
 import markermend as mm
 from markermend.batch import Recipe, find_takes, run_batch
 from markermend.batch.review import takes_to_review
+from markermend.detectors import find_detector
 from markermend.encoding import json_kept, printable, utf8
 from markermend.review.file import open_session
 
@@ -57,7 +58,9 @@ def test_commands(odd: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str])
 
 def test_batch(odd: Path, tmp_path: Path) -> None:
     takes, out = find_takes([odd.parent]), tmp_path / "out"
-    done = run_batch(takes, out, Recipe(detector="paper", min_confidence=1.0), jobs=1)
+    slowless = find_detector("paper").params(slow=False)
+    recipe = Recipe(detector="paper", detector_params=slowless, min_confidence=1.0)
+    done = run_batch(takes, out, recipe, jobs=1)
     assert not done.failures
     assert len(done.takes) == 2
     assert done.review
@@ -71,10 +74,10 @@ def test_batch(odd: Path, tmp_path: Path) -> None:
         assert item.found is not None
         assert item.found.is_file()
     assert odd in {item.path for item in takes_to_review([out])}
-    again = run_batch(takes, out, Recipe(detector="paper", min_confidence=1.0), jobs=1, resume=True)
+    again = run_batch(takes, out, recipe, jobs=1, resume=True)
     assert again.skipped == 2
     odd.write_bytes(b"nothing")
-    broken = run_batch(takes, out, Recipe(detector="paper"), jobs=1, force=True)
+    broken = run_batch(takes, out, recipe, jobs=1, force=True)
     assert list(broken.failures) == [Path(NAME).stem]
     assert "��" in (out / "report.html").read_text(encoding="utf-8")
 

@@ -168,9 +168,9 @@ def test_many_markers_and_long_takes_are_quick() -> None:
         take = Take(walk + rng.normal(0, 400, (markers, 3)), still(markers).labels, 100.0)
         best = np.inf
         for _ in range(3):  # other work on the machine must not fail this
-            begun = time.perf_counter()
+            begun = time.process_time()
             infer_mesh(take)
-            best = min(best, time.perf_counter() - begun)
+            best = min(best, time.process_time() - begun)
             if best < limit_s:
                 break
         assert best < limit_s

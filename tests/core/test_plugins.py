@@ -287,11 +287,11 @@ format = "{}"
 
 
 def batch(folder: Path, detector: str, repair: str, kind: str) -> list[str]:
-    """Words for a batch over a folder "shoot", into "out"."""
+    """Words for a batch over a folder "shoot", into one of the kind's name."""
     recipe = folder / f"{kind}.toml"
     recipe.write_text(RECIPE.format(detector, repair, kind))
     words = ["-m", "markermend", "batch", str(folder / "shoot"), "-o", str(folder / kind)]
-    return [*words, "--recipe", str(recipe), "--jobs", "2", "--progress", "json"]
+    return [*words, "--recipe", str(recipe), "--jobs", "1", "--progress", "json"]
 
 
 def test_a_batch_detects_repairs_reads_and_writes_by_plugins(

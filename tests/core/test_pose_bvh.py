@@ -221,7 +221,7 @@ def test_a_rate_that_is_given_holds(tmp_path):
 
 
 def test_joints_may_hang_deeper_than_python_calls(tmp_path):
-    depth = 3000
+    depth = 1500
     places = np.zeros((2, depth, 3))
     places[..., 1] = 100.0 * np.arange(depth)
     turns = np.tile([0.0, 0.0, 0.0, 1.0], (2, depth, 1))

@@ -24,6 +24,17 @@ def walk(shared_data):
     return to_nuitrack(mm.read_pose(shared_data / "poses" / "02_01.amc"))
 
 
+@pytest.fixture(scope="module")
+def damaged(walk):
+    return corrupt_pose(walk, Noise(displacement=0.0, burst=30), seed=3)
+
+
+@pytest.fixture(scope="module")
+def filled(walk, damaged):
+    """The places of the damaged walk's joints as they come out with the shipped prior."""
+    return run(Live(first_of(walk), shipped_prior()), damaged)[0]
+
+
 def first_of(pose):
     return Pose(pose.positions[:1], pose.rotations[:1], pose.joints, pose.parents, pose.rate)
 
@@ -34,8 +45,7 @@ def run(live, pose):
 
 
 @pytest.mark.parametrize(("prior", "most"), [(None, 0.32), (shipped_prior(), 0.29)])
-def test_hidden_joints_follow_the_body(walk, prior, most):
-    damaged = corrupt_pose(walk, Noise(displacement=0.0, burst=30), seed=3)
+def test_hidden_joints_follow_the_body(walk, damaged, prior, most):
     places, turns = run(Live(first_of(walk), prior), damaged)
     truth, hidden = walk.positions[1:], ~damaged.seen[1:]
     held = np.array(damaged.positions)
@@ -52,11 +62,10 @@ def test_hidden_joints_follow_the_body(walk, prior, most):
     np.testing.assert_allclose(np.sum(turns**2, axis=2), 1.0, atol=1e-6)
 
 
-def test_one_side_of_a_body_tells_of_the_other(walk, monkeypatch):
+def test_one_side_of_a_body_tells_of_the_other(walk, damaged, monkeypatch):
     # Were both sides to count alike, a body seen in a mirror would be filled alike.
     monkeypatch.setattr("markermend.poses.sides.OTHER_SIDE", 0.5)
     monkeypatch.setattr("markermend.poses.levels._DRAWN_S", 1e9)
-    damaged = corrupt_pose(walk, Noise(displacement=0.0, burst=30), seed=3)
     sides = twins(walk.joints)
 
     def in_mirror(pose):
@@ -70,8 +79,7 @@ def test_one_side_of_a_body_tells_of_the_other(walk, monkeypatch):
     np.testing.assert_allclose(other[:, sides] * [-1.0, 1.0, 1.0], places, atol=1.0)
 
 
-def test_signs_of_rotations_say_nothing_about_movement(walk):
-    damaged = corrupt_pose(walk, Noise(displacement=0.0, burst=30), seed=3)
+def test_signs_of_rotations_say_nothing_about_movement(walk, damaged, filled):
     other = np.random.default_rng(0).random((1, 17, 1)) < 0.5
     turned = damaged.with_samples(
         damaged.positions,
@@ -82,9 +90,8 @@ def test_signs_of_rotations_say_nothing_about_movement(walk):
     negative = first.with_samples(
         first.positions, np.where(other, -first.rotations, first.rotations), first.confidence
     )
-    places, _ = run(Live(first, shipped_prior()), damaged)
     again, _ = run(Live(negative, shipped_prior()), turned)
-    np.testing.assert_allclose(again, places, atol=1e-6)
+    np.testing.assert_allclose(again, filled, atol=1e-6)
 
 
 def test_hidden_columns_are_drawn_to_where_others_tell():
@@ -104,11 +111,9 @@ def test_hidden_columns_are_drawn_to_where_others_tell():
     assert (strayed[1:] == truth[1:]).all()
 
 
-def test_left_hands_are_filled_alike(walk):
-    damaged = corrupt_pose(walk, Noise(displacement=0.0, burst=30), seed=3)
-    places, _ = run(Live(first_of(walk), shipped_prior()), damaged)
+def test_left_hands_are_filled_alike(walk, damaged, filled):
     other, _ = run(Live(mirrored(first_of(walk)), shipped_prior()), mirrored(damaged))
-    np.testing.assert_allclose(other * [-1.0, 1.0, 1.0], places, atol=1e-6)
+    np.testing.assert_allclose(other * [-1.0, 1.0, 1.0], filled, atol=1e-6)
 
 
 def test_a_body_is_known_by_one_pose_of_whatever_it_does(shared_data):
@@ -190,13 +195,11 @@ def test_command_line(walk, tmp_path, monkeypatch, capsys):
 
 
 @pytest.mark.parametrize("length", [1.0, 0.99, 1.05, 2.0])
-def test_lengths_of_rotations_say_nothing(walk, length):
-    damaged = corrupt_pose(walk, Noise(displacement=0.0, burst=30), seed=3)
-    places, _ = run(Live(first_of(walk), shipped_prior()), damaged)
+def test_lengths_of_rotations_say_nothing(walk, damaged, filled, length):
     live = Live(first_of(walk), shipped_prior())
     turned = damaged.rotations * length
     longer = [live(damaged.positions[t], turned[t], damaged.seen[t]) for t in range(1, walk.frames)]
-    np.testing.assert_allclose([again for again, _ in longer], places, atol=1e-6)
+    np.testing.assert_allclose([again for again, _ in longer], filled, atol=1e-6)
     # What is seen goes through as it is, the root too.
     root = np.array([turns[0] for _, turns in longer])
     np.testing.assert_array_equal(root[damaged.seen[1:, 0]], turned[1:, 0][damaged.seen[1:, 0]])

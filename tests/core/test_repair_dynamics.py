@@ -185,7 +185,8 @@ def test_a_blackout_is_learnt_once_for_all_markers(
     positions[200:230] = np.nan
     holed = Take(positions, take.labels, take.rate)
     gaps = [Artifact(label, "xyz", 200, 230, Kind.GAP) for label in take.labels]
-    alone = [propose(Take(positions, take.labels, take.rate), g, method=name) for g in gaps]
+    some = gaps[::5]
+    alone = [propose(Take(positions, take.labels, take.rate), g, method=name) for g in some]
 
     def counted(*given: object) -> object:
         rounds.append(given)
@@ -195,5 +196,5 @@ def test_a_blackout_is_learnt_once_for_all_markers(
     evidence = evidence_for(holed)
     together = [propose_from(evidence, g, method=name) for g in gaps]
     assert len(rounds) == 1
-    for one, other in zip(alone, together, strict=True):
+    for one, other in zip(alone, together[::5], strict=True):
         np.testing.assert_array_equal(one.patches[0].values, other.patches[0].values)
