@@ -36,9 +36,7 @@ class DockLayout:
         left, right = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
         window.setCorner(Qt.Corner.BottomLeftCorner, left)
         window.setCorner(Qt.Corner.BottomRightCorner, right)
-        window.resizeDocks([docks["markers"], docks["history"]], [640, 200], _V)
-        window.resizeDocks([docks["scene"], docks["inspector"]], [380, 480], _V)
-        window.resizeDocks([docks["queue"]], [230], _V)
+        self._give_heights()
 
     @property
     def _sides(self) -> list[QDockWidget]:
@@ -60,8 +58,7 @@ class DockLayout:
     def take_size(self, size: QSize) -> None:
         """Give the window a size, with the panels beside the plots in proportion."""
         self._window.resize(size)
-        share = min(self._window.width() / ROOMY.width(), 1.0)
-        self._window.resizeDocks(self._sides, [round(wide * share) for wide in SIDES], _H)
+        self._give_widths()
 
     def show(self, name: str) -> None:
         """Bring a panel into sight."""
@@ -78,6 +75,9 @@ class DockLayout:
     def reset(self) -> None:
         """Put the panels where they were at first."""
         self._place(self._default_state)
+        # That knows pixels of a window that was not laid out yet, perhaps of another size.
+        self._give_widths()
+        self._give_heights()
 
     def remember(self) -> None:
         """Keep the layout for the next start."""
@@ -85,6 +85,18 @@ class DockLayout:
         self._docks["takes"].hide()
         settings.remember("geometry", self._window.saveGeometry())
         settings.remember("state", self._window.saveState(LAYOUT_VERSION))
+
+    def _give_widths(self) -> None:
+        """Put the panels beside the plots in proportion."""
+        share = min(self._window.width() / ROOMY.width(), 1.0)
+        self._window.resizeDocks(self._sides, [round(wide * share) for wide in SIDES], _H)
+
+    def _give_heights(self) -> None:
+        """Put panels of one column in proportion."""
+        docks = self._docks
+        self._window.resizeDocks([docks["markers"], docks["history"]], [640, 200], _V)
+        self._window.resizeDocks([docks["scene"], docks["inspector"]], [380, 480], _V)
+        self._window.resizeDocks([docks["queue"]], [230], _V)
 
     def _place(self, state: QByteArray) -> None:
         """Put the panels where they were; Qt makes new tabs then, and leaves the old ones lying."""
