@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from PySide6.QtCore import QByteArray, QSize, Qt
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabBar
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QSplitter, QTabBar
 
 from markermend_app import settings
 from markermend_app.panels.side_widths import SideWidths
 
 LAYOUT_VERSION = 2
 ROOMY, SIDES = QSize(1500, 940), (310, 400)
+PLOTS, OVERVIEW = 620, 120
 TAKES_HIGH = 330
+_MIDDLE = "middle"
 _H, _V = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
 
 
@@ -23,10 +25,13 @@ class DockLayout:
     ----------
     window : has the docks in their areas already
     docks : by name
+    middle : the plots and the overview below
     """
 
-    def __init__(self, window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:
-        self._window, self._docks = window, docks
+    def __init__(
+        self, window: QMainWindow, docks: Mapping[str, QDockWidget], middle: QSplitter
+    ) -> None:
+        self._window, self._docks, self._middle = window, docks, middle
         window.tabifyDockWidget(docks["queue"], docks["quality"])
         docks["queue"].raise_()
         # Beside the history, and only where there is more than one take.
@@ -53,6 +58,9 @@ class DockLayout:
             window.restoreGeometry(geometry)
         if isinstance(state, QByteArray):
             self._place(state)
+        middle = settings.layout(_MIDDLE)
+        if middle is not None:
+            self._middle.restoreState(middle)
         SideWidths(window, self._sides, (ROOMY.width(), list(SIDES)))
 
     def take_size(self, size: QSize) -> None:
@@ -85,6 +93,7 @@ class DockLayout:
         self._docks["takes"].hide()
         settings.remember("geometry", self._window.saveGeometry())
         settings.remember("state", self._window.saveState(LAYOUT_VERSION))
+        settings.remember(_MIDDLE, self._middle.saveState())
 
     def _give_widths(self) -> None:
         """Put the panels beside the plots in proportion."""
@@ -92,8 +101,9 @@ class DockLayout:
         self._window.resizeDocks(self._sides, [round(wide * share) for wide in SIDES], _H)
 
     def _give_heights(self) -> None:
-        """Put panels of one column in proportion."""
+        """Put what stands in one column in proportion."""
         docks = self._docks
+        self._middle.setSizes([PLOTS, OVERVIEW])
         self._window.resizeDocks([docks["markers"], docks["history"]], [640, 200], _V)
         self._window.resizeDocks([docks["scene"], docks["inspector"]], [380, 480], _V)
         self._window.resizeDocks([docks["queue"]], [230], _V)
