@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from PySide6.QtCore import QByteArray, QSize, Qt
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabBar
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QSplitter, QTabBar
 
 from markermend_app import settings
 from markermend_app.panels.side_widths import SideWidths
 
 LAYOUT_VERSION = 2
 ROOMY, SIDES = QSize(1500, 940), (310, 400)
+PLOTS, OVERVIEW = 620, 120
 TAKES_HIGH = 330
+_MIDDLE = "middle"
 _H, _V = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
 
 
@@ -23,10 +25,13 @@ class DockLayout:
     ----------
     window : has the docks in their areas already
     docks : by name
+    middle : the plots and the overview below
     """
 
-    def __init__(self, window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:
-        self._window, self._docks = window, docks
+    def __init__(
+        self, window: QMainWindow, docks: Mapping[str, QDockWidget], middle: QSplitter
+    ) -> None:
+        self._window, self._docks, self._middle = window, docks, middle
         window.tabifyDockWidget(docks["queue"], docks["quality"])
         docks["queue"].raise_()
         # Beside the history, and only where there is more than one take.
@@ -36,9 +41,7 @@ class DockLayout:
         left, right = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
         window.setCorner(Qt.Corner.BottomLeftCorner, left)
         window.setCorner(Qt.Corner.BottomRightCorner, right)
-        window.resizeDocks([docks["markers"], docks["history"]], [640, 200], _V)
-        window.resizeDocks([docks["scene"], docks["inspector"]], [380, 480], _V)
-        window.resizeDocks([docks["queue"]], [230], _V)
+        self._give_heights()
 
     @property
     def _sides(self) -> list[QDockWidget]:
@@ -55,13 +58,15 @@ class DockLayout:
             window.restoreGeometry(geometry)
         if isinstance(state, QByteArray):
             self._place(state)
+        middle = settings.layout(_MIDDLE)
+        if middle is not None:
+            self._middle.restoreState(middle)
         SideWidths(window, self._sides, (ROOMY.width(), list(SIDES)))
 
     def take_size(self, size: QSize) -> None:
         """Give the window a size, with the panels beside the plots in proportion."""
         self._window.resize(size)
-        share = min(self._window.width() / ROOMY.width(), 1.0)
-        self._window.resizeDocks(self._sides, [round(wide * share) for wide in SIDES], _H)
+        self._give_widths()
 
     def show(self, name: str) -> None:
         """Bring a panel into sight."""
@@ -78,6 +83,9 @@ class DockLayout:
     def reset(self) -> None:
         """Put the panels where they were at first."""
         self._place(self._default_state)
+        # That knows pixels of a window that was not laid out yet, perhaps of another size.
+        self._give_widths()
+        self._give_heights()
 
     def remember(self) -> None:
         """Keep the layout for the next start."""
@@ -85,6 +93,20 @@ class DockLayout:
         self._docks["takes"].hide()
         settings.remember("geometry", self._window.saveGeometry())
         settings.remember("state", self._window.saveState(LAYOUT_VERSION))
+        settings.remember(_MIDDLE, self._middle.saveState())
+
+    def _give_widths(self) -> None:
+        """Put the panels beside the plots in proportion."""
+        share = min(self._window.width() / ROOMY.width(), 1.0)
+        self._window.resizeDocks(self._sides, [round(wide * share) for wide in SIDES], _H)
+
+    def _give_heights(self) -> None:
+        """Put what stands in one column in proportion."""
+        docks = self._docks
+        self._middle.setSizes([PLOTS, OVERVIEW])
+        self._window.resizeDocks([docks["markers"], docks["history"]], [640, 200], _V)
+        self._window.resizeDocks([docks["scene"], docks["inspector"]], [380, 480], _V)
+        self._window.resizeDocks([docks["queue"]], [230], _V)
 
     def _place(self, state: QByteArray) -> None:
         """Put the panels where they were; Qt makes new tabs then, and leaves the old ones lying."""

@@ -139,7 +139,6 @@ class MainWindow(QMainWindow):
         plots.addWidget(self.trajectories)
         plots.addWidget(self.overview)
         plots.setStretchFactor(0, 1)
-        plots.setSizes([620, 120])
         plots.setChildrenCollapsible(False)
         self.centre = QStackedWidget()
         self.centre.addWidget(self.welcome)
@@ -171,7 +170,7 @@ class MainWindow(QMainWindow):
             "quality": self._dock("quality", self.tr("Quality"), self.quality, bottom),
         }
         self.docks["quality"].visibilityChanged.connect(self.quality.set_seen)
-        self.dock_layout = DockLayout(self, self.docks)
+        self.dock_layout = DockLayout(self, self.docks, plots)
 
     def _dock(self, name: str, title: str, panel: QWidget, area: Qt.DockWidgetArea) -> QDockWidget:
         dock = QDockWidget(title, self)

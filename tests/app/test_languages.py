@@ -156,6 +156,12 @@ def test_the_window_speaks_german(german, open_window):
     assert window.queue.filters.status.currentText() == "Offen"
 
 
+def test_alt_opens_each_menu_by_a_letter_of_its_own(german, open_window):
+    titles = [action.text() for action in open_window().menuBar().actions()]
+    letters = [title[title.index("&") + 1].lower() for title in titles]
+    assert len(letters) == len(set(letters))
+
+
 def test_german_has_room_in_the_quality_panel_and_the_sheet_of_keys(german, open_window, qtbot):
     window = open_window()
     theme.apply(QApplication.instance(), "light")

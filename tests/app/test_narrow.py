@@ -172,6 +172,24 @@ def test_sides_get_their_widths_back_after_a_narrow_window(window):
     assert [side.width() for side in sides] == before
 
 
+def test_sides_grow_with_a_window_that_has_never_been_wide(window):
+    sides = [window.docks["markers"], window.docks["scene"]]
+    wide = 1400
+    window.resize(wide, 900)
+    window.actions_by_name["reset_layout"].trigger()
+    widen(window, wide, 900)
+    before = [side.width() for side in sides]
+    widen(window, HALF)
+    assert all(now.width() < then for now, then in zip(sides, before, strict=True))
+    widen(window, wide, 900)
+    assert [side.width() for side in sides] == pytest.approx(before, abs=2)
+    # What a hand has drawn narrower stays so.
+    window.resizeDocks(sides[:1], [255], Qt.Orientation.Horizontal)
+    widen(window, wide + 60, 900)
+    assert sides[0].width() == pytest.approx(255, abs=2)
+    assert sides[1].width() > before[1]
+
+
 def test_sides_get_their_widths_back_in_the_next_start_too(window, qtbot, review, damaged):
     widen(window, 1500, 900)
     sides = [window.docks["markers"], window.docks["scene"]]

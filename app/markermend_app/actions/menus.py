@@ -114,17 +114,29 @@ def hint_of(name: str, *, joints: bool = False) -> str:
 def fill_menus(bar: QMenuBar, made: dict[str, QAction]) -> dict[str, QMenu]:
     """Put the actions into menus; returns the menus by the path of their names."""
     menus: dict[str, QMenu] = {}
+    taken: set[str] = set()
     for spec in ACTIONS:
         path = spec.menu.lstrip("|")
         if path not in menus:
             above, _, name = path.rpartition("/")
             title = tr(name)
-            menus[path] = menus[above].addMenu(title) if above else bar.addMenu("&" + title)
+            menus[path] = (
+                menus[above].addMenu(title) if above else bar.addMenu(_opened_by_alt(title, taken))
+            )
             menus[path].setToolTipsVisible(True)
         if spec.menu.startswith("|"):
             menus[path].addSeparator()
         menus[path].addAction(made[spec.name])
     return menus
+
+
+def _opened_by_alt(title: str, taken: set[str]) -> str:
+    """A menu's title with its first letter marked that is not ``taken``; from now on it is."""
+    for at, letter in enumerate(title):
+        if letter.isalpha() and letter.lower() not in taken:
+            taken.add(letter.lower())
+            return f"{title[:at]}&{title[at:]}"
+    return title
 
 
 def fill_toolbar(bar: QToolBar, made: Mapping[str, QAction]) -> None:

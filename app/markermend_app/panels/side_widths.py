@@ -16,6 +16,8 @@ from markermend_app import settings
 _Widths = tuple[int, list[int]]
 """Of a window, and of its sides then."""
 _KEPT = "side_widths"
+_ROUNDED = 2
+"""Pixels that a share may be off."""
 
 
 class SideWidths(QObject):
@@ -37,6 +39,7 @@ class SideWidths(QObject):
         self._window, self._sides = window, sides
         before = _kept(len(sides)) or roomy
         self._before: _Widths | None = before if window.width() < before[0] else None
+        self._shared = window.width()
         self._settled: _Widths = 0, []
         self._soon = QTimer(self, singleShot=True, interval=0)
         self._soon.timeout.connect(self._widen)
@@ -57,7 +60,7 @@ class SideWidths(QObject):
                 now = [side.width() for side in self._sides]
                 self._before = self._settled if known else (old, now)
                 _keep(self._before)
-            elif self._before is not None and new >= self._before[0]:
+            elif self._before is not None and new > old:
                 self._soon.start()
             if 0 < new < old:
                 self._less.start()
@@ -73,18 +76,34 @@ class SideWidths(QObject):
     def _narrow(self) -> None:
         """Leave the sides no more than their share of a window that shrank."""
         if self._before is not None:
-            whole, widths = self._before
-            shares = [round(width * self._window.width() / whole) for width in widths]
-            self._give(shares, lambda now, wanted: now > wanted)
+            self._shared = self._window.width()
+            self._give(_shares(self._before, self._shared), lambda now, wanted: now > wanted)
 
     def _widen(self) -> None:
         """Give the sides what they had, where they have less; wider ones were drawn wider since."""
-        if self._before is None or self._window.width() < self._before[0]:
+        if self._before is None:
+            return
+        if self._window.width() < self._before[0]:
+            self._widen_some(self._before)
             return
         (_, widths), self._before = self._before, None
         _keep(None)
         self._note.start()
         self._give(widths, lambda now, wanted: now < wanted)
+
+    def _widen_some(self, before: _Widths) -> None:
+        """Give the sides their share of a window that is still narrower than it was.
+
+        Those that a hand has drawn narrower than the share they had stay.
+        """
+        shared, self._shared = self._shared, self._window.width()
+        wanted = [
+            share if side.width() >= had - _ROUNDED else side.width()
+            for side, had, share in zip(
+                self._sides, _shares(before, shared), _shares(before, self._shared), strict=True
+            )
+        ]
+        self._give(wanted, lambda now, wanted: now < wanted)
 
     def _give(self, widths: Sequence[int], where: Callable[[int, int], bool]) -> None:
         """Give the sides these widths where that of now compares so with the one wanted."""
@@ -96,6 +115,12 @@ class SideWidths(QObject):
         if docked:
             sides, wanted = zip(*docked, strict=True)
             self._window.resizeDocks(list(sides), list(wanted), Qt.Orientation.Horizontal)
+
+
+def _shares(before: _Widths, width: int) -> list[int]:
+    """Widths of the sides in proportion, of a window of another width."""
+    whole, widths = before
+    return [round(wide * width / whole) for wide in widths]
 
 
 def _keep(widths: _Widths | None) -> None:
