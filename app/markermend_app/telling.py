@@ -15,6 +15,7 @@ from markermend_app import file_words, units
 from markermend_app.method_words import label_of
 from markermend_app.style import theme
 from markermend_app.words import tr
+from markermend_app.work_words import DOING
 
 _SAME = (
     # Steps of the history.
@@ -158,6 +159,7 @@ _FORMS: Mapping[str, str] = {
     "Detect (sudden)": "Find gaps, peaks, noise and steps",
     "Detect (all kinds)": "Find artifacts of all classes",
     **file_words.HERE,
+    **DOING,
     **{form: form for form in (*_FILES, *_OF_METHODS, *_SAME)},
 }
 """Forms as the engine writes them, and as they are told."""

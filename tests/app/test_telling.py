@@ -16,6 +16,8 @@ import markermend as mm
 from markermend.artifact import Artifact, Kind, Status
 from markermend.detectors import detect
 from markermend.mesh.names import _FROM_THE_TOP
+from markermend.poses.noise import Noise, corrupt_pose
+from markermend.poses.nuitrack import to_nuitrack
 from markermend.repairs import propose
 from markermend.repairs.look_again import in_words
 from markermend.review import hand
@@ -335,3 +337,23 @@ def test_the_engine_tells_of_files_in_the_forms_that_are_translated():
     written = [re.compile(words) for words in told_there]
     for form in file_words.ODDITIES:
         assert any(words.fullmatch(form) for words in written), form
+
+
+def test_what_the_engine_is_doing_is_told(damaged, brackets, tmp_path, shared_data):
+    doing: set[str] = set()
+
+    def progress(share, what):
+        doing.add(what)
+
+    take, truth = damaged
+    detect(take, progress=progress)
+    mm.repair(take, truth, progress=progress)
+    mm.write(take, tmp_path / "take.c3d", progress=progress)
+    mm.read(tmp_path / "take.c3d", progress=progress)
+    pose = to_nuitrack(mm.read_pose(shared_data / "poses" / "02_03.amc"))
+    noisy = corrupt_pose(pose, Noise(burst=30), seed=1)
+    mm.denoise(noisy, progress=progress)
+    assert {"Reading frames", "Writing frames", "jumps, peaks and heavy noise"} <= doing
+    assert any(what.startswith("Repairing ") for what in doing)
+    for what in doing - {"done"}:
+        assert told(what).startswith("⟦"), what

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QLabel, QProgressBar, QSizePolicy, QStatusBar, QTo
 from markermend_app.background.jobs import Lane
 from markermend_app.document import Document
 from markermend_app.style import theme
+from markermend_app.telling import told
 
 
 class Sentence(QLabel):
@@ -117,7 +118,7 @@ class StatusLine(QStatusBar):
         if self._stopping:
             return
         self._bar.setValue(round(share * 1000))
-        self._doing.setText(f"{self._label}: {doing}")
+        self._doing.setText(f"{self._label}: {told(doing)}")
 
     def _finished(self) -> None:
         if self._lane.busy:

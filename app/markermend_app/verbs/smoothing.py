@@ -79,7 +79,7 @@ class Smoothing(QObject):
 
     def _get_ready(self) -> None:
         """Load the smoothers on the worker and make the plots, which the first dialog waits for."""
-        self._lane.submit("Smoothing", _load_smoothers, _let_be, _let_be)
+        self._lane.submit(self.tr("Smoothing"), _load_smoothers, _let_be, _let_be)
         self._ahead.ask()
 
     def _plots(self) -> SmoothPictures:
@@ -126,7 +126,7 @@ class Smoothing(QObject):
             return Smoothed(made, markers, scope.start, stop, after, origin, percent)
 
         self._lane.cancel()
-        self._lane.submit("Smoothing", work, dialog.tell, dialog.tell_problem)
+        self._lane.submit(self.tr("Smoothing"), work, dialog.tell, dialog.tell_problem)
 
     def _inspect(self, dialog: SmoothDialog, take: Take) -> None:
         """Look at the spectra of the marker that is shown."""

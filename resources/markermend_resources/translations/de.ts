@@ -1848,6 +1848,126 @@
         <translation>Artefakte aller Klassen gesucht</translation>
     </message>
     <message>
+        <source>{0}</source>
+        <translation>{0}</translation>
+    </message>
+    <message>
+        <source>Reading frames</source>
+        <translation>Frames werden gelesen</translation>
+    </message>
+    <message>
+        <source>Reading poses</source>
+        <translation>Posen werden gelesen</translation>
+    </message>
+    <message>
+        <source>Reading rows</source>
+        <translation>Zeilen werden gelesen</translation>
+    </message>
+    <message>
+        <source>Writing frames</source>
+        <translation>Frames werden geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing poses</source>
+        <translation>Posen werden geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing rows</source>
+        <translation>Zeilen werden geschrieben</translation>
+    </message>
+    <message>
+        <source>Comparing bytes</source>
+        <translation>Bytes werden verglichen</translation>
+    </message>
+    <message>
+        <source>Opening the review</source>
+        <translation>Durchsicht wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Proposing repairs</source>
+        <translation>Reparaturen werden vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>Predicting {0}</source>
+        <translation>{0} wird vorhergesagt</translation>
+    </message>
+    <message>
+        <source>gaps</source>
+        <translation>Lücken</translation>
+    </message>
+    <message>
+        <source>jumps, peaks and heavy noise</source>
+        <translation>Sprünge, Spitzen und starkes Rauschen</translation>
+    </message>
+    <message>
+        <source>what is wrong, and how sure that is</source>
+        <translation>was falsch ist, und wie sicher</translation>
+    </message>
+    <message>
+        <source>slow changes</source>
+        <translation>langsame Veränderungen</translation>
+    </message>
+    <message>
+        <source>slow changes of {0}</source>
+        <translation>langsame Veränderungen an {0}</translation>
+    </message>
+    <message>
+        <source>slow changes, filled</source>
+        <translation>langsame Veränderungen, aufgefüllt</translation>
+    </message>
+    <message>
+        <source>the body&apos;s structure</source>
+        <translation>der Aufbau des Körpers</translation>
+    </message>
+    <message>
+        <source>body mesh</source>
+        <translation>Aufbau des Körpers</translation>
+    </message>
+    <message>
+        <source>body mesh of {0}</source>
+        <translation>Aufbau von {0}</translation>
+    </message>
+    <message>
+        <source>residuals</source>
+        <translation>Abstände</translation>
+    </message>
+    <message>
+        <source>residual of {0}</source>
+        <translation>Abstand von {0}</translation>
+    </message>
+    <message>
+        <source>Looking for noise</source>
+        <translation>Rauschen wird gesucht</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Smoothing again</source>
+        <translation>Glätten, noch einmal</translation>
+    </message>
+    <message>
+        <source>Filling</source>
+        <translation>Auffüllen</translation>
+    </message>
+    <message>
+        <source>Filling again</source>
+        <translation>Auffüllen, noch einmal</translation>
+    </message>
+    <message>
+        <source>Keeping bones</source>
+        <translation>Knochen behalten ihre Länge</translation>
+    </message>
+    <message>
+        <source>Compiling the network</source>
+        <translation>Das Netz wird übersetzt</translation>
+    </message>
+    <message>
+        <source>Learning how the body moves, round {0} of {1}</source>
+        <translation>Lernt, wie der Körper sich bewegt, Runde {0} von {1}</translation>
+    </message>
+    <message>
         <source>{0} samples have the residual word 65535, which is -1 without its sign; they were read as missing.</source>
         <translation>{0} Werte haben das Residuenwort 65535, also -1 ohne Vorzeichen; sie wurden als fehlend gelesen.</translation>
     </message>
@@ -5075,6 +5195,10 @@ Schließen Sie sie, um dies für die nächste Aufnahme festzulegen.</translation
     <message>
         <source>Frames {0}–{1} of {2}</source>
         <translation>Frames {0}–{1} von {2}</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glätten</translation>
     </message>
     <message>
         <source>The review changed meanwhile; do it again.</source>
