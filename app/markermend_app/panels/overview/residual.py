@@ -9,7 +9,7 @@ import numpy as np
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from markermend.arrays import Float32Array
-from markermend.artifact import Artifact, distrusted
+from markermend.artifact import Artifact, distrusted, still_damaged
 from markermend.progress import Progress
 from markermend.review.edits import Change
 from markermend.review.session import Session
@@ -61,7 +61,9 @@ class Residuals(QObject):
             self._session, self._artifacts = session, session.artifacts
             self._stale = _named(session.original.labels)
         if session.artifacts is not self._artifacts:
-            before, now = distrusted(self._artifacts), distrusted(session.artifacts)
+            before, now = (
+                distrusted(still_damaged(some)) for some in (self._artifacts, session.artifacts)
+            )
             differ = {m for m in before.keys() | now.keys() if before.get(m) != now.get(m)}
             self._stale |= _named(differ if len(differ) < 2 else session.original.labels)
             self._artifacts = session.artifacts
