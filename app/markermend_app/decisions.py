@@ -130,8 +130,11 @@ class Decisions(QObject):
             self._document.select(*({a.id for a in session.artifacts} - before), frame=False)
 
     def remove(self, ids: Sequence[str]) -> None:
-        """Take artifacts off the list."""
-        self._document.do(lambda s: s.remove(ids))
+        """Take artifacts off the list; when the current one is among them, move on."""
+        following = self._document.next_open(besides=ids)
+        moving = following is not None and self._is_current(ids)
+        if self._document.do(lambda s: s.remove(ids), moving=moving) and moving:
+            self._move_on(following)
 
     def change(
         self,

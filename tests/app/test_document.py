@@ -29,6 +29,19 @@ def of(document, kind):
     return next(a for a in document.session.artifacts if a.kind is kind)
 
 
+def test_removing_moves_on_and_the_last_leaves_nothing(document):
+    first, second, *others = (a.id for a in document.session.artifacts)
+    document.select(first)
+    document.decisions.remove([first])
+    assert document.current.id == second
+    document.decisions.remove(others)
+    assert document.current.id == second
+    document.decisions.remove([second])
+    assert document.current is None
+    document.undo()
+    assert second in {a.id for a in document.session.artifacts}
+
+
 def test_deciding_moves_to_the_next_undecided_and_wraps(document):
     gap, peak, noise, step = document.session.artifacts
     document.decisions.reject([peak.id])
