@@ -227,11 +227,6 @@ def trusted_samples(take: Take, artifacts: Iterable[Artifact]) -> BoolArray:
     return trusted
 
 
-def still_damaged(artifacts: Iterable[Artifact]) -> tuple[Artifact, ...]:
-    """Artifacts but mix-ups that were repaired: what is exchanged back is as it was recorded."""
-    return tuple(a for a in artifacts if a.counterpart is None or a.status is not Status.REPAIRED)
-
-
 def changed_markers(artifact: Artifact, method: str | None) -> tuple[str, ...]:
     """Name the markers a repair is about: of a mix-up all, unless it was repaired on one alone.
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from markermend.arrays import ByteArray, Float32Array, FloatArray, IntArray
-from markermend.artifact import Artifact, Status, columns_of, still_damaged, trusted_samples
+from markermend.artifact import Artifact, Status, columns_of, trusted_samples
 from markermend.measures import distance
 from markermend.progress import Progress, quiet
 from markermend.take import Origin, Take
@@ -138,7 +138,7 @@ def body_residuals(
     Parameters
     ----------
     take : the recording
-    artifacts : known damage, which nothing is learned from until a mix-up is repaired
+    artifacts : known damage, which nothing is learned from
     markers : those to be worked out; by default all
     progress : told the share of markers done; may raise ``Cancelled``
 
@@ -154,7 +154,7 @@ def body_residuals(
     """
     from markermend.predictors.local import predict_local
 
-    report, trusted = progress or quiet, trusted_samples(take, still_damaged(artifacts))
+    report, trusted = progress or quiet, trusted_samples(take, artifacts)
     names = take.labels if markers is None else tuple(markers)
     result = np.empty((len(names), take.frames), dtype=np.float32)
     step = int(np.clip(take.frames // LEAST_KNOTS, 1, max(1, round(take.rate / KNOT_HZ))))

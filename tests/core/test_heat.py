@@ -80,16 +80,6 @@ def test_residuals_show_where_a_marker_is_off(person: Take) -> None:
     assert np.isfinite(found[1, :40]).all()
 
 
-def test_limbs_that_were_exchanged_back_tell_of_each_other_again(person: Take) -> None:
-    pairs = zip(person.labels[::2], person.labels[1::2], strict=False)
-    mixed = [Artifact(a, "xyz", 100, 130, Kind.STEP, 1.0, counterpart=b) for a, b in pairs]
-    back = [a.with_status(Status.REPAIRED) for a in mixed]
-    some = person.labels[6:8]
-    clean, found = body_residuals(person, (), some), body_residuals(person, back, some)
-    np.testing.assert_array_equal(found, clean)
-    assert not np.array_equal(body_residuals(person, mixed, some), clean, equal_nan=True)
-
-
 def test_long_takes_are_thinned_without_losing_what_is_short(monkeypatch) -> None:
     take = simulate_clean(duration_s=10.0, rate=120.0, seed=2)
     positions = take.positions.copy()

@@ -8,7 +8,7 @@ from markermend.artifact import Artifact, Kind, Status
 from markermend.patch import Patch
 from markermend.repairs import Repair
 from markermend.review.session import Session
-from markermend.review.standing import standings
+from markermend.review.standing import standings, still_doubted
 from markermend.take import Take
 
 
@@ -78,3 +78,22 @@ def test_a_mix_up_counts_for_each_of_its_markers_and_once_for_the_take() -> None
     _, a, b, _ = standings(s.original, s.take, s.artifacts, s.notes)
     # Repaired on one alone, it is of that one.
     assert (a.decided[Kind.STEP], b.decided[Kind.STEP], b.worst_mm) == (1, 0, None)
+
+
+def test_what_was_exchanged_back_is_believed_and_what_was_filled_is_not() -> None:
+    random = np.random.default_rng(0)
+    session = Session(Take(random.normal(size=(100, 3, 3)), ("A", "B", "C"), 100.0))
+    found = tuple(
+        Artifact("A", "xyz", at, at + 10, Kind.STEP, 1.0, counterpart="B") for at in (10, 40, 70)
+    )
+    session.add_detected(found, "test")
+    assert still_doubted(session.artifacts, session.notes) == session.artifacts
+    both, alone, _ = (a.id for a in session.artifacts)
+    sides = [Patch(name, "xyz", 10, 20, np.ones((10, 3))) for name in "AB"]
+    session.repair([(both, Repair("swap", tuple(sides)))])
+    # The other side is an artifact of its own then.
+    session.repair([(alone, Repair("linear", (Patch("A", "xyz", 40, 50, np.ones((10, 3))),)))])
+    doubted = still_doubted(session.artifacts, session.notes)
+    assert [(a.marker, a.start) for a in doubted] == [("A", 40), ("B", 40), ("A", 70)]
+    session.set_status([both], Status.PENDING)
+    assert len(still_doubted(session.artifacts, session.notes)) == 4

@@ -39,7 +39,8 @@ def by_parents(
 
     Parameters
     ----------
-    features : (frames, joints, 7) filled, rotations of unit length; NaN where nothing tells
+    features : (frames, joints, 7) filled, in mean bone lengths and quaternions of unit length; NaN
+        where nothing tells
     variance : (frames, joints, 7) of what was filled
     known : (frames, joints) bool each, positions and rotations that are known
     parents : index of each joint's parent, -1 for the root
@@ -50,7 +51,8 @@ def by_parents(
 
     Returns
     -------
-    (frames, joints, 7) features and variances, those that are known as they were
+    (frames, joints, 7) features and variances, those that are known as they were. Where parents
+    tell nothing features stay, and variances are larger by what the whole body is too sure of.
 
     Notes
     -----

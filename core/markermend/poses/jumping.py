@@ -148,15 +148,15 @@ def _trips(odd: FloatArray, leaps: BoolArray, rate: float) -> Iterator[tuple[int
     for n, out in enumerate(at):
         if out <= done:
             continue
-        last = n
-        while last + 1 < len(at) and at[last + 1] - at[last] <= _REST:
+        last, longest = n, _AWAY_S * rate
+        while last + 1 < len(at) and at[last + 1] - at[last] <= _REST and at[last] - out <= longest:
             last += 1
-        if last - n + 1 >= _RESTLESS and at[last] - out <= _AWAY_S * rate:
+        if last - n + 1 >= _RESTLESS and at[last] - out <= longest:
             done = at[last]
             yield out, done
             continue
         for home in at[n + 1 :]:
-            if home - out > _AWAY_S * rate:
+            if home - out > longest:
                 break
             left = lengths_of(odd[out] + odd[home])
             if left < _BACK * min(lengths_of(odd[out]), lengths_of(odd[home])):

@@ -33,7 +33,8 @@ def linked_channels(
 
     Returns
     -------
-    the channels, and (frames, joints) by how many mm they may be off, 0 where no link was needed
+    the channels, and (frames, joints) expected errors in mm (root mean square) of what links tell,
+    0 elsewhere
     """
     features, mm = to_features(channels.values, channels), channels.normal.scale
     limit = _FIXED_MM / mm
@@ -95,7 +96,7 @@ def linked(
             if off > strays:
                 continue
             off = max(off, _SELDOM_EXACT * strays)
-            told = positions[gap, base] + turn(rotations[gap, axes], np.tile(place, (len(gap), 1)))
+            told = positions[gap, base] + turn(rotations[gap, axes], place)
             apart = lengths_of(told - out[gap, joint])
             first = np.isnan(error[gap, joint])
             out[gap[first], joint] = told[first]

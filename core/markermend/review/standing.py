@@ -86,6 +86,29 @@ def standings(
     )
 
 
+def still_doubted(
+    artifacts: Iterable[Artifact], notes: Mapping[str, RepairNote]
+) -> tuple[Artifact, ...]:
+    """Leave out mix-ups that were repaired on all of their markers.
+
+    Their samples are those that were recorded, exchanged back, and tell of the body like any
+    others; what other repairs put in is a guess, of which nothing is to be learned.
+
+    Parameters
+    ----------
+    artifacts : of a review
+    notes : how repaired ones were repaired, by id
+    """
+
+    def exchanged_back(artifact: Artifact) -> bool:
+        note = notes.get(artifact.id)
+        if artifact.counterpart is None or artifact.status is not Status.REPAIRED or note is None:
+            return False
+        return changed_markers(artifact, note.method) == artifact.markers
+
+    return tuple(artifact for artifact in artifacts if not exchanged_back(artifact))
+
+
 def changed_outside(original: Take, take: Take, region: tuple[int, int]) -> bool:
     """Whether samples outside an interval of frames are not as they were read.
 

@@ -9,10 +9,11 @@ import numpy as np
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from markermend.arrays import Float32Array
-from markermend.artifact import Artifact, distrusted, still_damaged
+from markermend.artifact import Artifact, distrusted
 from markermend.progress import Progress
 from markermend.review.edits import Change
 from markermend.review.session import Session
+from markermend.review.standing import still_doubted
 from markermend.take import is_unlabelled
 from markermend_app.background.jobs import Lane
 
@@ -52,6 +53,7 @@ class Residuals(QObject):
         self._session: Session | None = None
         self._stale: set[str] = set()
         self._artifacts: tuple[Artifact, ...] = ()
+        self._doubted: dict[str, frozenset[tuple[int, int]]] = {}
         self._lane: Lane | None = None
 
     def want(self, session: Session) -> None:
@@ -59,14 +61,13 @@ class Residuals(QObject):
         if session is not self._session:
             self.forget()
             self._session, self._artifacts = session, session.artifacts
+            self._doubted = distrusted(still_doubted(session.artifacts, session.notes))
             self._stale = _named(session.original.labels)
         if session.artifacts is not self._artifacts:
-            before, now = (
-                distrusted(still_damaged(some)) for some in (self._artifacts, session.artifacts)
-            )
+            before, now = self._doubted, distrusted(still_doubted(session.artifacts, session.notes))
             differ = {m for m in before.keys() | now.keys() if before.get(m) != now.get(m)}
             self._stale |= _named(differ if len(differ) < 2 else session.original.labels)
-            self._artifacts = session.artifacts
+            self._artifacts, self._doubted = session.artifacts, now
         if self._stale and self.share is None:
             self._begin.start()
 
@@ -90,7 +91,7 @@ class Residuals(QObject):
         markers = tuple(s for s in session.original.labels if s in self._stale)
         # Samples that change under the work make their markers stale again.
         self.share, self._stale = 0.0, set()
-        take, artifacts = session.take, session.artifacts
+        take, artifacts = session.take, still_doubted(session.artifacts, session.notes)
 
         def work(progress: Progress) -> Float32Array:
             from markermend.heat import body_residuals

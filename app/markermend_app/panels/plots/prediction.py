@@ -12,6 +12,7 @@ from markermend.arrays import FloatArray
 from markermend.artifact import distrusted
 from markermend.progress import Progress
 from markermend.review.session import Session
+from markermend.review.standing import still_doubted
 from markermend_app.background.jobs import Lane, Work
 
 SETTLED_MS = 400
@@ -72,7 +73,7 @@ class Predictions(QObject):
         before = {*self._wanted, self._asked}
         self._wanted = tuple(m for m in shown if m not in self._fresh and m != self._asked)
         if self._wanted and not self._fresh and self._asked is None:
-            self._session, self._rests_on = session, distrusted(session.artifacts)
+            self._session, self._rests_on = session, _doubts(session)
         if not before.issuperset(self._wanted):
             self._pause.start(min(MOST_PATIENCE_MS, round(1000 * self._took_s)))
 
@@ -109,7 +110,7 @@ class Predictions(QObject):
         session = self._session
         if session is None:
             return
-        if self._moved or distrusted(session.artifacts) != self._rests_on:
+        if self._moved or _doubts(session) != self._rests_on:
             self._let_go()
 
     def _let_go(self) -> None:
@@ -148,9 +149,14 @@ class Predictions(QObject):
             self._begin()
 
 
+def _doubts(session: Session) -> dict[str, frozenset[tuple[int, int]]]:
+    """Which samples nothing is learned from now."""
+    return distrusted(still_doubted(session.artifacts, session.notes))
+
+
 def _work(session: Session, name: str) -> Work:
     """The engine's part, as a job: the prediction and the seconds that it took."""
-    take, artifacts = session.take, session.artifacts
+    take, artifacts = session.take, still_doubted(session.artifacts, session.notes)
 
     def run(progress: Progress) -> tuple[FloatArray, float]:
         from markermend.artifact import trusted_samples
