@@ -27,8 +27,11 @@ from markermend.poses.solving import solved
 # Gaps up to this long are many and alike, and are crossed all at once; a rough result crosses gaps
 # up to this long by time alone.
 _SHORT_S, _ROUGH_S = 0.02, 0.1
-# Share of the deviations' estimate beside the levels', in gaps shorter and longer than this.
-_BRIEF_S, _BRIEF, _LONG = 0.3, 0.85, 0.5
+BRIEF_S = 0.3
+"""Gaps that last longer are told by alike moments."""
+
+# Share of the deviations' estimate beside the levels', in brief gaps and in longer ones.
+_BRIEF, _LONG = 0.85, 0.5
 # Added to variances before regressing: absolute, and of a channel hidden part of the time.
 _RIDGE, _LEVEL_RIDGE, _DOUBT = 1e-4, 1e-3, 0.1
 _SHORT_RIDGE = 1e-6
@@ -184,7 +187,7 @@ def fill(
         moments = pooled(learn(base, rate, range(1, short + 1)), prior)
         _cross_short(base, variance, known, shortest, moments, rate, cross)
     lengthy = [gap for gap in gaps if gap.length > short]
-    brief, again = (lengthy, []) if rough else by_lasting(lengthy, len(known), _BRIEF_S * rate)
+    brief, again = (lengthy, []) if rough else by_lasting(lengthy, len(known), BRIEF_S * rate)
     estimate = base.copy() if near is None else np.where(known, base, near.values)
     first = lengthy if near is None else []
     if begun is not None:
@@ -283,7 +286,7 @@ def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
     levels_by, strays_by = look.covariances[length]
     ridge = _LEVEL_RIDGE * float(np.trace(levels_by)) / len(levels_by)
     weights, left = _regress(levels_by, others, gap.channels, ridge, doubt)
-    if look.moved is not None and length >= _BRIEF_S * rate:
+    if look.moved is not None and length >= BRIEF_S * rate:
         there = look.frames_of(gap.channels)
         chosen = moments_to_compare(there, start, stop, rate, look.compared[0])
         if len(chosen):
@@ -317,7 +320,7 @@ def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
     weights, left = _regress(strays_by, others, gap.channels, _RIDGE, doubt)
     bridges = look.cross(length) @ look.estimate[around(start, stop)]
     told = (seen - bridges[:, others]) @ weights
-    share = _BRIEF if length < _BRIEF_S * rate else _LONG
+    share = _BRIEF if length < BRIEF_S * rate else _LONG
     return (
         share * (bridges[:, gap.channels] + told) + (1.0 - share) * levels,
         shape * left,

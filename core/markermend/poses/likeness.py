@@ -61,6 +61,11 @@ def moments_to_compare(
     return chosen if len(chosen) >= _LEAST_MOMENTS else chosen[:0]
 
 
+def reach_of(channels: int) -> float:
+    """How many times as far away poses may be that are asked, where so many channels are gone."""
+    return float(max(channels / _A_JOINT, 1.0) ** _REACH)
+
+
 def some_of(there: IntArray, most: int) -> IntArray:
     """Frames, or so many of them, evenly."""
     return there[:: max(-(-len(there) // most), 1)]
@@ -134,7 +139,7 @@ def by_likeness(
     told = (rows.reshape(-1, len(trust)) @ weights).reshape(len(rows), -1)
     rows *= np.tile(trust, 2)
     # Those that tell with each other, and below them those inside with those that tell.
-    reach = max(own.targets.shape[1] / _A_JOINT, 1.0) ** _REACH
+    reach = reach_of(own.targets.shape[1])
     system = _likeness(_apart([rows, told], count, moments), reach)
     mine, its = slice(0, moments), slice(moments, count)
     system[mine, its] *= _SAME_WAY

@@ -11,11 +11,11 @@ from threadpoolctl import threadpool_limits
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import DataError
 from markermend.poses.bones import Bones, find_bones, fuse, keep_lengths, swing, wobble
-from markermend.poses.bridging import bridging_error
 from markermend.poses.channels import Channels, steadied, to_channels, to_features, trusted_turns
 from markermend.poses.covariance import Moments
-from markermend.poses.faults import CARRIED, Fault, mend_faults
-from markermend.poses.filling import Filled, fill
+from markermend.poses.expecting import left_of_noise, limbs_doubted, with_root_errors
+from markermend.poses.faults import Fault, mend_faults
+from markermend.poses.filling import BRIEF_S, Filled, fill
 from markermend.poses.hanging import by_parents
 from markermend.poses.likeness import FEW_MOMENTS, MOMENTS, SOME_MOMENTS
 from markermend.poses.linking import linked_channels
@@ -24,7 +24,6 @@ from markermend.poses.nuitrack import mirrored
 from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior, fitting, shipped_prior
 from markermend.poses.quaternion import signed_like, unit
-from markermend.poses.rooting import rooted
 from markermend.poses.settling import settle, settle_in_time
 from markermend.poses.sides import mirror_of
 from markermend.poses.smoothing import LEAST_NOISE, noise_level, smooth, smooth_again
@@ -41,8 +40,6 @@ _WORTH = 1e-3
 _FAINT = 5e-3
 # Noise above this makes it worth to let positions and rotations agree.
 _NOISY = 2e-3
-# What is left of white noise after smoothing, about.
-_LEFT = 0.35
 # What is known exactly is taken for this sure, and filled again from what comes out.
 _SURE, _ROUNDS = 2e-3, 2
 # Where nothing is noisy the way a body bends may change what was filled only so much: its squared
@@ -137,24 +134,8 @@ def restore(
             restored = _tried(restored, part(tell, 0.9, 1.0))
     if left_handed:
         restored = replace(restored, pose=mirrored(restored.pose))
-    return _with_root_errors(replace(restored, faults=faults), pose)
-
-
-def _with_root_errors(restored: Restored, pose: Pose) -> Restored:
-    """Expect errors of a root that was not seen, and of a body carried back to where it belongs."""
-    root = pose.order[0]
-    unseen = restored.filled[:, root]
-    carried = np.zeros(restored.filled.shape, dtype=bool)
-    for fault in restored.faults:
-        if fault.kind == CARRIED:
-            carried[fault.start : fault.stop, fault.joint] = True
-    error = restored.error_mm.copy()
-    if unseen.any():
-        error[unseen, root] = rooted(pose, trusted_turns(pose)).error_mm[unseen]
-    if carried.any():
-        off = bridging_error(restored.pose.positions[:, root], ~(unseen | carried.any(axis=1)))
-        error = np.where(carried, np.hypot(error, off[:, None]), error)
-    return replace(restored, error_mm=error)
+    error = with_root_errors(restored.error_mm, restored.filled, restored.pose, faults, pose)
+    return replace(restored, error_mm=error, faults=faults)
 
 
 def _tried(restored: Restored, tell: Progress) -> Restored:
@@ -222,7 +203,8 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
         tell(0.3, "Smoothing")
         values = smooth(rough, noise[usable], pose.rate)
     tell(0.5, "Filling")
-    filled = filled_by(values, noise=_LEFT * level, begun=begun)
+    left = left_of_noise(pose.rate)
+    filled = filled_by(values, noise=left * level, begun=begun)
     whole[:, ~usable] = np.nan
     variance = np.full(channels.values.shape, np.nan)
 
@@ -234,13 +216,13 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
         unsure[:, usable] = filled.variance
         given = to_features(whole, channels), _of_all(unsure, channels), known_joints
         body = pose.parents, pose.order, pose.rate
-        told, left = by_parents(*given, *body, beside, _LEFT * level)
-        told, left = (_columns(x, channels)[:, usable] for x in (told, left))
-        return replace(filled, values=np.where(known, filled.values, told), variance=left)
+        told, doubt = by_parents(*given, *body, beside, left * level)
+        told, doubt = (_columns(x, channels)[:, usable] for x in (told, doubt))
+        return replace(filled, values=np.where(known, filled.values, told), variance=doubt)
 
     def settled(filled: Filled, rounds: int) -> tuple[FloatArray, Bones]:
         whole[:, usable] = filled.values
-        variance[:, usable] = _variance(filled, known, noise[usable])
+        variance[:, usable] = _variance(filled, known, left * noise[usable])
         return _agreed(whole, variance, channels, pose, known_joints, level, rounds)
 
     tell(0.7, "Keeping bones")
@@ -252,7 +234,7 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
         tell(0.7 + 0.1 * look / (looks + 1), "Filling again")
         near = replace(filled, values=_columns(features, channels)[:, usable])
         compared = FEW_MOMENTS if look < looks else SOME_MOMENTS if many else MOMENTS
-        filled = filled_by(values, noise=_LEFT * level, near=near, compared=compared)
+        filled = filled_by(values, noise=left * level, near=near, compared=compared)
         share = 1.0 if look == 1 else _AGAIN
         told = share * filled.values + (1.0 - share) * near.values
         filled = replace(filled, values=np.where(known, filled.values, told))
@@ -269,13 +251,14 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
             last = _in_time(features, channels, noise, pose)
             features = _between(last, features, first, known_joints)
     features = _with_bones(features, known_joints, bones)
+    variance[:, usable] *= limbs_doubted(known.shape, filled.gaps, BRIEF_S * pose.rate)
     return _finished(pose, features, channels, noise, variance, off_mm)
 
 
-def _variance(filled: Filled, known: BoolArray, noise: FloatArray) -> FloatArray:
-    """(frames, channels) of errors of what was filled, and of what noise is left."""
+def _variance(filled: Filled, known: BoolArray, left: FloatArray) -> FloatArray:
+    """(frames, channels) of errors of what was filled, and of the noise that is left."""
     unsure = np.where(known, 0.0, np.maximum(filled.variance, _SURE**2))
-    return unsure + (_LEFT * noise) ** 2
+    return unsure + left**2
 
 
 def _columns(features: FloatArray, channels: Channels) -> FloatArray:
@@ -309,7 +292,7 @@ def _agreed(
 ) -> tuple[FloatArray, Bones]:
     """(frames, joints, 7) settled where they are noisy or filled, and the bones found."""
     features = to_features(values, channels)
-    bones = find_bones(features, *known, pose.parents, _LEFT * noise)
+    bones = find_bones(features, *known, pose.parents, left_of_noise(pose.rate) * noise)
     noisy, hidden = noise > _NOISY, ~np.stack(known)
     if not (noisy or hidden.any()):
         return features, bones

@@ -1,0 +1,62 @@
+"""How far off restored joints are, and are expected to be, of people who were not learnt from.
+
+python tests/benchmarks/bench_pose_bands.py 01_05.amc 02_05.amc 03_04.amc
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import numpy as np
+
+import markermend as mm
+from markermend.arrays import FloatArray
+from markermend.bench.poses import CASES, Case, recorded, unseen
+from markermend.poses.noise import corrupt
+from markermend.poses.normal import denormalise, normalise
+from markermend.poses.pose import Pose
+from markermend.poses.prior import Prior
+from markermend.poses.quaternion import unit, upright
+from markermend.poses.restore import restore
+
+
+def measured(pose: Pose, prior: Prior, case: Case, seed: int) -> dict[bool, FloatArray]:
+    """(joints, 2) mm off and expected, of joints that were hidden and of those that were seen."""
+    truth = recorded(pose, case)
+    features, normal = normalise(truth)
+    damaged, occluded = corrupt(features, truth.parents, case.noise(truth.rate), seed=seed)
+    damaged[..., 3:] = upright(unit(damaged[..., 3:]))
+    given = truth.with_samples(*denormalise(damaged, normal), np.where(occluded, 0.0, 1.0))
+    restored = restore(given, prior=prior)
+    off = np.linalg.norm(restored.pose.positions - truth.positions, axis=2)
+    both = np.stack([off, restored.error_mm], axis=-1)
+    return {
+        hidden: both[(restored.filled == hidden) & (restored.error_mm > 0)]
+        for hidden in (True, False)
+    }
+
+
+def main() -> None:
+    """Measure and print."""
+    clips = {Path(name).stem: mm.read_pose(name) for name in sys.argv[1:]}
+    seeds = {name: 1 + n for n, name in enumerate(clips)}
+    priors = list(unseen(clips))
+    sys.stdout.write("case, joints | off, mm | expected, mm | within it | within twice it\n")
+    for case in CASES:
+        if case.sensor or case.kind == "nothing":
+            continue
+        rows = [measured(pose, prior, case, seeds[name]) for name, pose, prior in priors]
+        for hidden, what in ((True, "hidden"), (False, "seen")):
+            off, expected = np.concatenate([row[hidden] for row in rows]).T
+            if case.kind == ("displacements" if hidden else "occlusions"):
+                continue
+            away, said = (np.sqrt(np.mean(x**2)) for x in (off, expected))
+            shares = " | ".join(f"{100 * np.mean(off < k * expected):.0f} %" for k in (1, 2))
+            name = f"{case.name}, {case.kind}, {what}"
+            sys.stdout.write(f"{name} | {away:.1f} | {said:.1f} | {shares}\n")
+            sys.stdout.flush()
+
+
+if __name__ == "__main__":
+    main()
