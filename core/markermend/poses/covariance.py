@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -18,6 +18,8 @@ LENGTHS_S = (0.008, 0.017, 0.033, 0.067, 0.133, 0.25, 0.5, 1.0, 2.0, 4.0)
 # Where the rotation begins among a joint's features.
 _TURN = 3
 _INSIDE = 5
+# Added to variances where what is not told of is regressed, of the mean one and at least.
+_RIDGE, _TINY = 1e-3, 1e-12
 _WINDOWS_A_LENGTH = 8
 
 
@@ -33,6 +35,7 @@ class Moments:
         from the bridge over that time
     weight : poses that mean and whole count for when another recording's are added
     counts : the same for each length of ``within``; 0 where nothing is known of it
+    told : (channels,) bool, those that anything is known of; None where all are
     """
 
     mean: FloatArray
@@ -40,6 +43,7 @@ class Moments:
     within: FloatArray
     weight: float
     counts: FloatArray
+    told: BoolArray | None = None
 
     def nearest(self, seconds: float) -> int:
         """Place of the nearest length in :data:`LENGTHS_S`, a known one."""
@@ -55,7 +59,10 @@ class Moments:
         """Moments of some of the channels, or of all in another order."""
         both = np.ix_(channels, channels)
         within = self.within[:, both[0], both[1]]
-        return Moments(self.mean[channels], self.whole[both], within, self.weight, self.counts)
+        told = None if self.told is None else self.told[channels]
+        return Moments(
+            self.mean[channels], self.whole[both], within, self.weight, self.counts, told
+        )
 
     def signed_like(self, values: FloatArray) -> Moments:
         """Moments of rotations that have the signs of others: of q and -q the nearer one.
@@ -69,16 +76,17 @@ class Moments:
         signs[np.sum(own * there, axis=1) < 0, _TURN:] = -1.0
         flat = signs.ravel()
         both = flat[:, None] * flat
-        return Moments(
-            flat * self.mean, both * self.whole, both * self.within, self.weight, self.counts
+        return replace(
+            self, mean=flat * self.mean, whole=both * self.whole, within=both * self.within
         )
 
     def and_more(self, count: int) -> Moments:
-        """Moments with some channels more, of which nothing is known."""
+        """Moments with some channels more, of which nothing is known but that they do not move."""
         more = (0, count)
         within = np.pad(self.within, ((0, 0), more, more))
         whole = np.pad(self.whole, (more, more))
-        return Moments(np.pad(self.mean, more), whole, within, self.weight, self.counts)
+        told = None if self.told is None else np.append(self.told, np.ones(count, dtype=bool))
+        return Moments(np.pad(self.mean, more), whole, within, self.weight, self.counts, told)
 
 
 def nearest_length(seconds: float) -> int:
@@ -146,15 +154,44 @@ def learn(values: NDArray[Any], rate: float, lengths: Iterable[int] | None = Non
 
 
 def pooled(own: Moments, prior: Moments | None) -> Moments:
-    """Moments of a recording and of others before it, each by its weight."""
+    """Moments of a recording and of others before it, each by its weight.
+
+    Channels that the others tell nothing of move with those that they tell of as they do in the
+    recording itself.
+    """
     if prior is None:
         return own
+    if prior.told is not None:
+        prior = replace(
+            prior,
+            whole=_completed(prior.whole, own.whole, prior.told),
+            within=np.stack(
+                [
+                    _completed(*both, prior.told)
+                    for both in zip(prior.within, own.within, strict=True)
+                ]
+            ),
+        )
     total = own.weight + prior.weight
     whole = (own.weight * own.whole + prior.weight * prior.whole) / total
     counts = own.counts + prior.counts
     share = (own.counts / np.maximum(counts, 1e-9))[:, None, None]
     within = share * own.within + (1.0 - share) * prior.within
     return Moments(own.mean, whole, within, total, counts)
+
+
+def _completed(covariance: FloatArray, own: FloatArray, told: BoolArray) -> FloatArray:
+    """A covariance whose untold channels are regressed on the told ones as another has it."""
+    here, there = np.ix_(told, told), np.ix_(told, ~told)
+    ridge = _RIDGE * float(np.trace(own)) / len(own) + _TINY
+    by = np.linalg.solve(own[here] + ridge * np.eye(int(told.sum())), own[there])
+    left = own[np.ix_(~told, ~told)] - own[there].T @ by
+    out = own.copy()
+    out[here] = covariance[here]
+    out[there] = covariance[here] @ by
+    out[np.ix_(~told, told)] = out[there].T
+    out[np.ix_(~told, ~told)] = by.T @ covariance[here] @ by + left
+    return out
 
 
 def averaged(parts: Sequence[Moments], weight: float) -> Moments:

@@ -109,7 +109,8 @@ def _offsets(pose: Pose) -> FloatArray:
         range(len(usual)),
         key=lambda j: JOINTS.index(usual[j]) if usual[j] in JOINTS else len(JOINTS),
     )
-    child_of = {pose.parents[j]: j for j in reversed(by_rank)}
+    # A hand on a wrist turns no wrist that other sensors show without a hand.
+    child_of = {pose.parents[j]: j for j in reversed(by_rank) if usual[j] in JOINTS}
     for joint, name in enumerate(usual):
         child = child_of.get(joint)
         if child is None or name not in JOINTS:

@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from importlib.resources import files
 from pathlib import Path
 
 import numpy as np
 
-from markermend.arrays import FloatArray, IntArray
+from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.errors import DataError, FileFormatError
 from markermend.files.npz import read_arrays, write_arrays
 from markermend.poses.bridging import bridged
 from markermend.poses.channels import steadied, to_channels
 from markermend.poses.covariance import LENGTHS_S, Moments, averaged, learn
-from markermend.poses.normal import FEATURES
+from markermend.poses.normal import FEATURES, bone_lengths
 from markermend.poses.nuitrack import mirrored, to_nuitrack, usual_name
 from markermend.poses.pose import Pose
 from markermend.poses.turnless import turnless
@@ -35,6 +35,8 @@ NOT_FITTING = (
 _ALIKE, _ALIKE_ONCE = 1.0, 1.6
 # Poses that tell where joints stand.
 _TELLING = 300
+# Where the rotation begins among a joint's features.
+_TURN = 3
 _SHIPPED = ("models", "pose_prior.npz")
 
 
@@ -124,20 +126,48 @@ def fitting(pose: Pose, prior: Prior) -> tuple[Moments, bool] | None:
     Returns
     -------
     moments, and whether they are those of the recording :func:`mirrored`, as left-handed sensors
-    have it; None where joints are others, or stand elsewhere than bodies have them
+    have it; None where joints of the prior are missing, or stand elsewhere than bodies have them.
+    Of joints that the recording has besides nothing is told.
     """
     names = [usual_name(joint) for joint in pose.joints]
     root = pose.order[0]
-    if sorted(names) != sorted(prior.joints) or names[root] != prior.joints[0]:
+    shared = [joint for joint, name in enumerate(names) if name in prior.joints]
+    if sorted(names[j] for j in shared) != sorted(prior.joints) or names[root] != prior.joints[0]:
         return None
     at = {name: i for i, name in enumerate(prior.joints[1:])}
-    order = np.array([at[name] for j, name in enumerate(names) if j != root])
+    order = np.array([at.get(name, -1) for j, name in enumerate(names) if j != root])
     columns: IntArray = (order[:, None] * FEATURES + np.arange(FEATURES)).ravel()
     moments = prior.moments.of(columns)
+    if len(shared) < len(names):
+        moments = _of_shared(moments, np.repeat(order >= 0, FEATURES), _size(pose, shared))
     some = _some(pose)
     apart = [_apart(body, moments) for body in (some, mirrored(some))]
     limit = _ALIKE if pose.frames > 1 else _ALIKE_ONCE
     return (moments, apart[1] < apart[0]) if min(apart) < limit else None
+
+
+def _size(pose: Pose, shared: Sequence[int]) -> float:
+    """Mean bone between some joints, over that of all: in fingers and faces bones are short."""
+    parents = list(pose.parents)
+    for joint in pose.order:
+        while parents[joint] >= 0 and parents[joint] not in shared:
+            parents[joint] = parents[parents[joint]]
+    some = bone_lengths(pose.positions, tuple(parents))
+    ends = [joint for joint in shared if parents[joint] >= 0]
+    return float(np.nanmean(some[ends]) / np.nanmean(bone_lengths(pose.positions, pose.parents)))
+
+
+def _of_shared(moments: Moments, told: BoolArray, size: float) -> Moments:
+    """Moments of channels some of which are not told of, for bones that are longer by ``size``."""
+    scale = np.where(np.arange(len(told)) % FEATURES < _TURN, size, 1.0) * told
+    both = scale[:, None] * scale
+    return replace(
+        moments,
+        mean=scale * moments.mean,
+        whole=both * moments.whole,
+        within=both * moments.within,
+        told=told,
+    )
 
 
 def _some(pose: Pose) -> Pose:
@@ -171,6 +201,8 @@ def _apart(pose: Pose, moments: Moments) -> float:
         count = np.maximum(channels.known.sum(axis=0), 1)
         away = (np.nansum(values, axis=0) / count - moments.mean).reshape(-1, FEATURES)
     seen = np.asarray(channels.known.any(axis=0))[::FEATURES]
+    if moments.told is not None:
+        seen &= moments.told[::FEATURES]
     return float(np.mean(np.sqrt(np.sum(away[seen, :3] ** 2, axis=1)))) if seen.any() else np.inf
 
 

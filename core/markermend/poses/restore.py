@@ -130,20 +130,20 @@ def restore(
         fit = fitting(pose, prior) if prior is not None else None
         moments, left_handed = fit or (None, False)
         restored = _restore(mirrored(pose) if left_handed else pose, moments, tell)
-        if moments is None:
-            restored = _tried(restored, part(tell, 0.9, 1.0))
+        if moments is None or moments.told is not None:
+            restored = _tried(restored, moments, part(tell, 0.9, 1.0))
     if left_handed:
         restored = replace(restored, pose=mirrored(restored.pose))
     error = with_root_errors(restored.error_mm, restored.filled, restored.pose, faults, pose)
     return replace(restored, error_mm=error, faults=faults)
 
 
-def _tried(restored: Restored, tell: Progress) -> Restored:
+def _tried(restored: Restored, moments: Moments | None, tell: Progress) -> Restored:
     """Expect the errors that are made where something known is hidden.
 
     A body's covariances fit the recording that they were learnt from, and so say too little of
-    what they foretell elsewhere in it. Others' recordings keep them from that; without these it is
-    tried, on stretches as long and of the same joints as some that were filled.
+    what they foretell elsewhere in it. Others' recordings keep them from that; of joints that these
+    do not tell of it is tried, on stretches as long, of the same joints, as some that were filled.
     """
     whole, rows = restored.pose, enough_around(restored.filled)
     trials = trials_of(restored.filled[rows], whole.rate)
@@ -152,15 +152,25 @@ def _tried(restored: Restored, tell: Progress) -> Restored:
     positions, rotations = whole.positions[rows], whole.rotations[rows]
     hidden = hidden_in(trials, len(positions), len(whole.joints))
     known = whole.with_samples(positions, rotations, np.where(hidden, 0.0, 1.0))
-    again = _restore(known, None, tell)
-    # Of a root, which everything is measured from, no error is expected.
-    judged = hidden & (again.error_mm > 0)
-    if not judged.any():
-        return restored
-    away = np.sum((again.pose.positions - positions)[judged] ** 2, axis=1)
-    more = float(np.sqrt(np.sum(away) / np.sum(again.error_mm[judged] ** 2)))
-    error = np.where(restored.filled, max(more, 1.0) * restored.error_mm, restored.error_mm)
+    again = _restore(known, moments, tell)
+    away = np.sum((again.pose.positions - positions) ** 2, axis=2)
+    error = restored.error_mm.copy()
+    untold = _untold(moments, whole)
+    for joints in (untold, ~untold):
+        # Of a root, which everything is measured from, no error is expected.
+        judged = hidden & (again.error_mm > 0) & joints
+        if judged.any():
+            more = float(np.sqrt(np.sum(away[judged]) / np.sum(again.error_mm[judged] ** 2)))
+            error[restored.filled & joints] *= max(more, 1.0)
     return replace(restored, error_mm=error)
+
+
+def _untold(moments: Moments | None, pose: Pose) -> BoolArray:
+    """(joints,) bool, those that others' recordings tell nothing of."""
+    untold = np.ones(len(pose.joints), dtype=bool)
+    if moments is not None and moments.told is not None:
+        untold[[j for j in range(len(untold)) if j != pose.order[0]]] = ~moments.told[::FEATURES]
+    return untold
 
 
 def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
@@ -209,7 +219,7 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     variance = np.full(channels.values.shape, np.nan)
 
     def hung(filled: Filled) -> Filled:
-        if prior is not None or known.all():
+        if (prior is not None and prior.told is None) or known.all():
             return filled
         whole[:, usable] = filled.values
         unsure = np.full(whole.shape, np.nan)
@@ -218,7 +228,9 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
         body = pose.parents, pose.order, pose.rate
         told, doubt = by_parents(*given, *body, beside, left * level)
         told, doubt = (_columns(x, channels)[:, usable] for x in (told, doubt))
-        return replace(filled, values=np.where(known, filled.values, told), variance=doubt)
+        kept = known if prior is None or prior.told is None else known | prior.told
+        doubt = np.where(kept, filled.variance, doubt)
+        return replace(filled, values=np.where(kept, filled.values, told), variance=doubt)
 
     def settled(filled: Filled, rounds: int) -> tuple[FloatArray, Bones]:
         whole[:, usable] = filled.values
