@@ -179,9 +179,11 @@ class Document(Looking):
         self._propose()
 
     def step(self, by: int) -> None:
-        """Go to the next (1) or previous (-1) artifact of the queue; with none, to any marker."""
+        """Go to the next (1) or previous (-1) artifact of the queue; with none, to what is seen."""
         if self.session is not None and not self.queue and not self.shown:
-            self.show(self.session.original.labels[:1])
+            take = self.session.original
+            seen = [m for i, m in enumerate(take.labels) if take.present[:, i].any()]
+            self.show((*seen, *take.labels)[:1])
         row = self._rows.beside(self._current, by)
         if row is not None:
             self.select(row)
