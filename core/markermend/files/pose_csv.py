@@ -47,6 +47,8 @@ _FRAMES_A_REPORT = 256
 # Nobody records joints so slowly: times that grow by more a pose are no seconds.
 _SLOWEST_S = 1.0
 _LARGEST_TIME = 1e15
+# As far apart two times can be by being rounded to microseconds, as they are written here.
+_ROUNDED_S = 1.01e-6
 _MILLISECONDS = "The times in the file grow too fast for seconds; milliseconds were assumed."
 
 
@@ -322,6 +324,11 @@ def _by_times(told: list[float], frame: list[int]) -> _Clock | None:
     unit = 1.0 if slope <= _SLOWEST_S else 1e-3
     at = int(np.argmin(np.where(known, frames, frames.max() + 1)))
     rate = float(np.round(1.0 / (unit * slope), 4))
+    whole = float(max(round(rate), 1))
+    off = unit * times[known] - frames[known] / whole
+    if np.ptp(off) <= _ROUNDED_S:
+        # A few times, rounded as they are written, tell a rate that is a little off.
+        rate, slope = whole, 1.0 / (unit * whole)
     return _Clock(
         rate, unit * (told[at] - frame[at] * slope), () if unit == 1 else (_MILLISECONDS,)
     )
