@@ -156,5 +156,7 @@ REVIEWS = (
     "the review so far stays in “{0}”.",
     "The take has changed since it was reviewed: what was decided on the {0} markers that are the "
     "same was kept, on {1} it was not; the old review stays in “{2}”.",
+    "The take has changed since it was reviewed: what was decided on the {0} joints that are the "
+    "same was kept, on {1} it was not; the old review stays in “{2}”.",
 )
 """What is said of a review that was there before."""

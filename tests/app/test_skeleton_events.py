@@ -9,7 +9,11 @@ from PySide6.QtCore import Qt
 
 import markermend as mm
 from markermend.artifact import Artifact, Kind, Status
+from markermend.poses.nuitrack import JOINTS
+from markermend.review import hand
+from markermend.review.file import open_session
 from markermend_app.panels.plots.menu import artifact_menu
+from markermend_app.telling import FORMS, compiled
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 LEG = ("left_ankle", "left_knee", "left_hip")
@@ -107,3 +111,30 @@ def test_the_menu_of_a_plot_decides_about_the_event_that_it_names(leg, entry, st
     assert np.array_equal(
         document.session.positions, document.session.original.positions, equal_nan=True
     )
+
+
+def test_joints_are_not_called_markers_where_work_is_told(leg, broken):
+    document = leg.document
+
+    def smoothed(session):
+        columns = [session.original.index(joint) for joint in LEG]
+        samples, origin = session.positions[:9, columns], session.origin[:9, columns]
+        return hand.replace_samples(session, "Smooth", LEG, 0, samples, origin)
+
+    assert document.do(smoothed)
+    assert document.session.history[-1] == "Smooth 3 joints in frames 1–9"
+    document.file.save()
+    document.open(None, None)
+    pose = mm.read_pose(broken)
+    positions = pose.positions.copy()
+    positions[0, JOINTS.index("head")] += 1.0
+    mm.write_pose(pose.with_samples(positions, pose.rotations, pose.confidence), broken)
+    again = open_session(mm.read(broken), folder=broken.parent)
+    assert "decided on the 16 joints that are the same was kept" in again.warning
+    assert_known(again.warning)
+    again.close()
+
+
+def assert_known(sentence):
+    """A sentence of the engine can be told in the language of the app."""
+    assert any(compiled(form).fullmatch(sentence) for form in FORMS), sentence

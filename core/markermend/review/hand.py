@@ -160,7 +160,8 @@ def replace_samples(
         Patch(marker, AXES, start, stop, positions[:, i].copy(), origin[:, i].copy())
         for i, marker in enumerate(markers)
     ]
-    what = markers[0] if len(markers) == 1 else f"{len(markers)} markers"
+    many = "joints" if session.original.skeleton else "markers"
+    what = markers[0] if len(markers) == 1 else f"{len(markers)} {many}"
     label = f"{label} {what} in {_frames(session, start, stop)}"
     return _perform(session, label, patches, keep_artifacts=True)
 
