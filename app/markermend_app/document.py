@@ -138,6 +138,10 @@ class Document(Looking):
             rows = Rows([[a.id for a in event] for event in events(self.session.listed)])
         return rows.together(current.id)
 
+    def decided_with(self, artifact_id: str) -> tuple[str, ...]:
+        """Ids of an artifact and of the rest of its event, as far as the queue lists it."""
+        return self._rows.together(artifact_id)
+
     @property
     def queue(self) -> tuple[str, ...]:
         """Ids of the rows of the review queue, in the order in which they are walked."""

@@ -113,6 +113,23 @@ def test_the_menu_of_a_plot_decides_about_the_event_that_it_names(leg, entry, st
     )
 
 
+def test_what_is_like_an_event_takes_all_of_its_joints_along(leg, qtbot):
+    document = leg.document
+    qtbot.keyClick(leg, Qt.Key.Key_R, Qt.KeyboardModifier.ShiftModifier)
+    dialog = leg.bulk.dialog
+    assert dialog.scope.currentText() == "On left_ankle"
+    assert dialog.go.text() == f"Reject {len(LEG) + 2}"
+    dialog.reject()
+    # One joint alone, once the queue is filtered by its name.
+    leg.queue.filters.marker.setText("left_ankle")
+    document.select(next(a.id for a in document.session.artifacts if "ankle" in a.marker))
+    qtbot.keyClick(leg, Qt.Key.Key_R, Qt.KeyboardModifier.ShiftModifier)
+    assert leg.bulk.dialog.go.text() == "Reject 2"
+    leg.bulk.dialog.accept()
+    rejected = {a.marker for a in document.session.with_status(Status.REJECTED)}
+    assert rejected == {"left_ankle"}
+
+
 def test_joints_are_not_called_markers_where_work_is_told(leg, broken):
     document = leg.document
 
