@@ -10,6 +10,7 @@ from PySide6.QtCore import Qt
 import markermend as mm
 from markermend.artifact import Artifact, Kind, Status
 from markermend.poses.nuitrack import JOINTS
+from markermend.report import review_report, reviewed
 from markermend.review import hand
 from markermend.review.file import open_session
 from markermend_app.panels.plots.menu import artifact_menu
@@ -140,6 +141,9 @@ def test_joints_are_not_called_markers_where_work_is_told(leg, broken):
 
     assert document.do(smoothed)
     assert document.session.history[-1] == "Smooth 3 joints in frames 1–9"
+    page = review_report(reviewed(document.session), name="sensor.csv")
+    assert ">Joint<" in page
+    assert ">Marker<" not in page
     document.file.save()
     document.open(None, None)
     pose = mm.read_pose(broken)
