@@ -13,6 +13,7 @@ from markermend.poses.nuitrack import JOINTS
 from markermend.report import review_report, reviewed
 from markermend.review import hand
 from markermend.review.file import open_session
+from markermend.review.step import stretch
 from markermend_app.panels.plots.menu import artifact_menu
 from markermend_app.telling import FORMS, compiled
 
@@ -55,6 +56,7 @@ def test_edges_and_class_are_those_of_every_joint(leg, qtbot):
     assert len(leg.document.together) == len(LEG)
     assert leg.document.session.history[-1].startswith("Nudge the end of step on ")
     assert leg.document.session.history[-1].endswith(" +2")
+    assert stretch(leg.document.session.steps[0][-1]) == (40, 52)
     leg.inspector.artifact.first.setValue(leg.inspector.artifact.first.value() - 3)
     assert told(leg) == of_leg(37, 52) | LATER
     key(qtbot, leg, Qt.Key.Key_3, CTRL)
