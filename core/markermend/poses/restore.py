@@ -150,7 +150,9 @@ def _with_root_errors(restored: Restored, pose: Pose) -> Restored:
             carried[fault.start : fault.stop, fault.joint] = True
     error = restored.error_mm.copy()
     if unseen.any():
-        error[unseen, root] = rooted(pose, trusted_turns(pose)).error_mm[unseen]
+        # What was filled beside it was worked out from it.
+        off = np.where(unseen, rooted(pose, trusted_turns(pose)).error_mm, 0.0)
+        error = np.where(restored.filled, np.hypot(error, off[:, None]), error)
     if carried.any():
         off = bridging_error(restored.pose.positions[:, root], ~(unseen | carried.any(axis=1)))
         error = np.where(carried, np.hypot(error, off[:, None]), error)

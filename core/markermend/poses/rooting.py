@@ -111,7 +111,11 @@ def _turned(
     # A rotation's numbers are off by half of a small angle.
     error = 2.0 * np.hypot(bridging_error(off, known), shake)
     turns = multiply(found, unit(_bridged(off, known, NO_TURN)))
-    return np.where(known[:, None], rotation, unit(turns)), error
+    turns = np.where(known[:, None], rotation, unit(turns))
+    # Where none was seen there is nothing to lay over.
+    told = known | counts.any(axis=1)
+    between = unrolled(np.where(told[:, None], turns, np.nan)[:, None])[:, 0]
+    return np.where(told[:, None], turns, unit(_bridged(between, told, NO_TURN))), error
 
 
 def _calmed(values: FloatArray, known: BoolArray, rate: float) -> tuple[FloatArray, float]:
