@@ -316,6 +316,25 @@ def test_noise_beside_a_joint_never_seen_is_taken_out():
     assert far(restored, truth)[:, 1:4].mean() < 0.9 * far(noisy, truth)[:, 1:4].mean()
 
 
+def test_rotations_that_are_all_one_are_taken_for_none_and_come_back():
+    random = np.random.default_rng(2)
+    pose = arm(120)
+    noise = random.normal(0.0, 5.0, pose.positions.shape)
+    noisy = pose.with_samples(pose.positions + noise, pose.rotations)
+    noisy = hide(noisy, slice(40, 50), 4)
+    turned = np.broadcast_to([0.0, 0.0, 0.0, 1.0], noisy.rotations.shape) * random.choice(
+        [-1.0, 1.0], (120, 5, 1)
+    )
+    told = restore(noisy.with_samples(noisy.positions, turned, noisy.confidence))
+    assert 3.0 < np.median(told.noise_mm[1:]) < 7.0
+    none = np.full(noisy.rotations.shape, np.nan)
+    without = restore(noisy.with_samples(noisy.positions, none, noisy.confidence))
+    assert_allclose(told.pose.positions, without.pose.positions)
+    assert (told.pose.rotations[noisy.seen] == turned[noisy.seen]).all()
+    assert (np.abs(told.pose.rotations[..., 3]) == 1.0).all()
+    assert np.isnan(without.pose.rotations).all()
+
+
 def test_too_little_is_said():
     pose = arm(2)
     with pytest.raises(DataError, match="too short"):

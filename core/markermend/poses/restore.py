@@ -12,7 +12,15 @@ from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import DataError
 from markermend.poses.bones import Bones, find_bones, fuse, keep_lengths, swing, wobble
 from markermend.poses.bridging import bridging_error
-from markermend.poses.channels import Channels, steadied, to_channels, to_features, trusted_turns
+from markermend.poses.channels import (
+    Channels,
+    known_joints,
+    of_all_joints,
+    steadied,
+    to_channels,
+    to_features,
+    trusted_turns,
+)
 from markermend.poses.covariance import Moments
 from markermend.poses.faults import CARRIED, Fault, mend_faults
 from markermend.poses.filling import Filled, fill
@@ -30,6 +38,7 @@ from markermend.poses.sides import mirror_of
 from markermend.poses.smoothing import LEAST_NOISE, noise_level, smooth, smooth_again
 from markermend.poses.stance import IN_MIRROR, stance
 from markermend.poses.trials import enough_around, hidden_in, trials_of
+from markermend.poses.turnless import with_one_turn, without_one_turn
 from markermend.progress import Progress, part, quiet
 
 INFERRED = 0.5
@@ -129,7 +138,8 @@ def restore(
     tell = progress or quiet
     # Matrices as small as these take several times as long where two threads share one.
     with threadpool_limits(1):
-        pose, faults = mend_faults(pose)
+        mended, faults = mend_faults(pose)
+        pose = without_one_turn(mended)
         fit = fitting(pose, prior) if prior is not None else None
         moments, left_handed = fit or (None, False)
         restored = _restore(mirrored(pose) if left_handed else pose, moments, tell)
@@ -137,6 +147,8 @@ def restore(
             restored = _tried(restored, part(tell, 0.9, 1.0))
     if left_handed:
         restored = replace(restored, pose=mirrored(restored.pose))
+    if pose is not mended:
+        restored = replace(restored, pose=with_one_turn(restored.pose, mended))
     return _with_root_errors(replace(restored, faults=faults), pose)
 
 
@@ -187,7 +199,7 @@ def _tried(restored: Restored, tell: Progress) -> Restored:
 def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     """Restore with moments of the recording's own channels."""
     channels = steadied(to_channels(pose), pose.rate)
-    channels, off_mm = linked_channels(channels, _known_joints(channels, pose), pose.parents)
+    channels, off_mm = linked_channels(channels, known_joints(channels, pose), pose.parents)
     usable = np.asarray(channels.known.any(axis=0))
     values, known = channels.values[:, usable], channels.known[:, usable]
     mirror = None
@@ -213,9 +225,9 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     rough = begun.values
     whole = np.zeros(channels.values.shape)
     whole[:, usable] = rough
-    known_joints = _known_joints(channels, pose)
+    seen_turned = known_joints(channels, pose)
     shown = to_features(channels.values, channels)[..., :3]
-    shake = wobble(shown, known_joints[0], pose.parents, channels.normal.root)
+    shake = wobble(shown, seen_turned[0], pose.parents, channels.normal.root)
     noise = noise_level(whole, channels.known)
     level = float(np.median(noise[usable]))
     if level < _WORTH or (level < _FAINT and shake < _WORTH):
@@ -234,7 +246,7 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
         whole[:, usable] = filled.values
         unsure = np.full(whole.shape, np.nan)
         unsure[:, usable] = filled.variance
-        given = to_features(whole, channels), _of_all(unsure, channels), known_joints
+        given = to_features(whole, channels), of_all_joints(unsure, channels), seen_turned
         body = pose.parents, pose.order, pose.rate
         told, left = by_parents(*given, *body, beside, _LEFT * level)
         told, left = (_columns(x, channels)[:, usable] for x in (told, left))
@@ -243,7 +255,7 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     def settled(filled: Filled, rounds: int) -> tuple[FloatArray, Bones]:
         whole[:, usable] = filled.values
         variance[:, usable] = _variance(filled, known, noise[usable])
-        return _agreed(whole, variance, channels, pose, known_joints, level, rounds)
+        return _agreed(whole, variance, channels, pose, seen_turned, level, rounds)
 
     tell(0.7, "Keeping bones")
     many, rounds = filled.lasting >= _MANY, 1 if level > _NOISY else _ROUNDS
@@ -267,10 +279,10 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
             pilot = _columns(features, channels)[:, usable]
             again = np.where(known, channels.values[:, usable], pilot)
             whole[:, usable] = smooth_again(again, pilot, noise[usable], pose.rate)
-            features, bones = _agreed(whole, variance, channels, pose, known_joints, level, 1)
+            features, bones = _agreed(whole, variance, channels, pose, seen_turned, level, 1)
             last = _in_time(features, channels, noise, pose)
-            features = _between(last, features, first, known_joints)
-    features = _with_bones(features, known_joints, bones)
+            features = _between(last, features, first, seen_turned)
+    features = _with_bones(features, seen_turned, bones)
     return _finished(pose, features, channels, noise, variance, off_mm)
 
 
@@ -283,21 +295,6 @@ def _variance(filled: Filled, known: BoolArray, noise: FloatArray) -> FloatArray
 def _columns(features: FloatArray, channels: Channels) -> FloatArray:
     """(frames, joints · 7) of all joints but the root."""
     return features[:, channels.joints].reshape(len(features), -1)
-
-
-def _of_all(columns: FloatArray, channels: Channels) -> FloatArray:
-    """(frames, joints, 7) of columns; 0 for the root."""
-    whole = np.zeros((len(columns), len(channels.joints) + 1, FEATURES))
-    whole[:, channels.joints] = columns.reshape(len(columns), -1, FEATURES)
-    return whole
-
-
-def _known_joints(channels: Channels, pose: Pose) -> tuple[BoolArray, BoolArray]:
-    """(frames, joints) bool each: positions and rotations that are known, the root's always."""
-    seen, turned = np.ones((2, pose.frames, len(pose.joints)), dtype=bool)
-    seen[:, channels.joints] = channels.known[:, ::FEATURES]
-    turned[:, channels.joints] = channels.known[:, FEATURES - 1 :: FEATURES]
-    return seen, turned
 
 
 def _agreed(
