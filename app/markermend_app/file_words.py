@@ -49,6 +49,10 @@ ODDITIES = (
     "The file is cut short; its last row was left out.",
     "{0} rows stand twice, line {1} for one; they were read once.",
     "The times in the file grow too fast for seconds; milliseconds were assumed.",
+    "The times in the file grow too fast for seconds; microseconds were assumed.",
+    "The times in the file grow too fast for seconds; nanoseconds were assumed.",
+    "Times in the file jump or stand still (after frame {0}, for one); the rate is that between "
+    "most poses.",
     "Frame numbers go from {0} to {1} in line {2}; poses were read one after the other.",
     "No number stands before {0} poses, in line {1} for one; they were read all the same.",
     "The header counts {0} frames; {1} were read.",

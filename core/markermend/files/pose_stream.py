@@ -9,7 +9,7 @@ import numpy as np
 
 from markermend.arrays import FloatArray
 from markermend.errors import FileFormatError
-from markermend.files.pose_csv import parents_of, quoted, rows_of
+from markermend.files.pose_csv import parents_of, quoted, rows_of, too_short
 from markermend.files.pose_rows import (
     COLUMNS,
     NUMBERS,
@@ -69,11 +69,13 @@ def follow(
     joints: tuple[str, ...] = ()
     live: Live | None = None
     parents: tuple[int, ...] = ()
-    count, time = 0, -1.0 / rate
+    count, time, fine = 0, -1.0 / rate, False
     for rows in _poses(telling, header, warn):
         if not joints:
             joints, parents = _body(rows, header)
         values = _values(rows, header, joints, parents)
+        # Metres that are not said to be go out as they came in.
+        fine = fine or (not count and too_short(values[None, :, :3], parents))
         places, turns, sure = values[:, :3], values[:, 3:7], values[:, 7]
         if live is None and (sure > 0).all():
             live = Live(Pose(places[None], turns[None], joints, parents, rate), prior)
@@ -84,13 +86,13 @@ def follow(
             sure = np.where(sure > 0, sure, INFERRED)
         number, row = rows[0]
         told = header.time(row)
-        time = told if isfinite(told) else time + 1.0 / rate
+        time = told * (header.second or 1.0) if isfinite(told) else time + 1.0 / rate
         names = [quoted(joint) for joint in joints]
         above = [names[parent] if parent >= 0 else "" for parent in parents]
         unturned = np.where((sure > 0)[:, None], 0.0, NO_TURN)
         turns = np.where(np.isnan(turns), unturned, turns)
         values = np.column_stack([places, turns, sure])
-        write("".join(rows_of(header.frame(row, number), time, names, above, values)))
+        write("".join(rows_of(header.frame(row, number), time, names, above, values, fine=fine)))
         count += 1
     if count and live is None:
         warn("No pose of the stream had every joint of its first one, so nothing was filled.")

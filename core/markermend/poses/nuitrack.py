@@ -90,6 +90,7 @@ _OTHER_NAMES = {
     "spine": "torso",
     "spinemid": "torso",
     "spinenaval": "torso",
+    "spinenavel": "torso",
     "chest": "collar",
     "spinechest": "collar",
     "spineshoulder": "collar",
