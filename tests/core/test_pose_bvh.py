@@ -189,6 +189,39 @@ def test_damaged_files_get_one_sentence(tmp_path, change, said):
         mm.read_pose(written(tmp_path, TEXT.replace(*change)))
 
 
+def test_a_joint_may_end_several_times(tmp_path):
+    toe = TEXT[TEXT.index("    End Site") : TEXT.index("  }\n}\nMOTION")]
+    three = TEXT.replace(toe, toe + toe.replace("0 -40 0", "5 -40 0") + toe.replace("-40", "-39"))
+    pose = mm.read_pose(written(tmp_path, three))
+    ends = [f"LeftLeg_end{n}" for n in ("", "2", "3")]
+    assert pose.joints == ("Hips", "LeftLeg", *ends)
+    mm.write_pose(pose, tmp_path / "back.bvh")
+    text = (tmp_path / "back.bvh").read_text()
+    assert (text.count("End Site"), text.count("CHANNELS")) == (3, 2)
+    back = mm.read_pose(tmp_path / "back.bvh")
+    assert back.joints == pose.joints
+    np.testing.assert_allclose(back.positions, pose.positions, atol=1e-4)
+    # A joint that is only called so has a name and angles of its own.
+    other = replace(pose, joints=("Hips", "LeftLeg", "LeftLeg_end2", "LeftLeg_end", "toes"))
+    mm.write_pose(other, tmp_path / "other.bvh")
+    assert set(other.joints) < set(mm.read_pose(tmp_path / "other.bvh").joints)
+
+
+@pytest.mark.parametrize(
+    ("line", "other"),
+    [
+        ("Frame Time: 0.0333333", "Frame time:\t.0333333"),
+        ("Frame Time: 0.0333333", "Frame Time:0.0333333"),
+        ("Frames: 2", "Frames:2"),
+        ("Frames: 2", "frames : 2\n\n"),
+        ("Frames: 2\nFrame Time: 0.0333333\n", "Frames: 2 Frame Time: 0.0333333 "),
+    ],
+)
+def test_the_head_of_a_movement_is_read_as_programs_write_it(tmp_path, line, other):
+    pose = mm.read_pose(written(tmp_path, TEXT.replace(line, other)))
+    assert (pose.frames, pose.rate) == (2, 30.0)
+
+
 def test_what_is_wrong_with_a_file_names_it(tmp_path):
     with pytest.raises(FileFormatError, match=r"walk\.bvh is damaged: it has two"):
         mm.read_pose(written(tmp_path, TEXT.replace("LeftLeg", "Hips")))

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import ExportError
-from markermend.files.bvh_read import CM, END, MOVES, unit_of
+from markermend.files.bvh_read import CM, END, MOVES, end_name, unit_of
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import inverse, multiply, turn
 from markermend.poses.turnless import turned_as_parents, turnless
@@ -209,7 +209,7 @@ def _describe(
         lines += [f"{tab}{'ROOT' if parent < 0 else 'JOINT'} {name}"]
         lines += [tab + "{", f"{tab}  OFFSET {_three(offset)}"]
         lines.append(f"{tab}  CHANNELS {moves} Zrotation Xrotation Yrotation")
-        ends = [c for c in below if _is_end(c, pose, children) and carried[c]]
+        ends = _ends(below, pose, children, carried)
         tips = [offsets[end] for end in ends] or ([] if below else [np.zeros(3)])
         # What comes last is written first.
         waiting.append(tab + "}")
@@ -219,9 +219,16 @@ def _describe(
         waiting += [(child, depth + 1) for child in reversed(below) if child not in ends]
 
 
-def _is_end(joint: int, pose: Pose, children: dict[int, list[int]]) -> bool:
-    """Whether a joint is nothing but the end of its parent's bone."""
-    return joint not in children and pose.joints[joint] == pose.joints[pose.parents[joint]] + END
+def _ends(
+    below: list[int], pose: Pose, children: dict[int, list[int]], carried: BoolArray
+) -> list[int]:
+    """Those below a joint that are nothing but ends of its bone, and are called so again."""
+    ends = list[int]()
+    for child in below:
+        name = end_name(pose.joints[pose.parents[child]], len(ends))
+        if child not in children and carried[child] and pose.joints[child] == name:
+            ends.append(child)
+    return ends
 
 
 def _three(values: FloatArray) -> str:
