@@ -304,6 +304,20 @@ def test_joints_never_seen_and_positions_alone():
     assert np.isnan(clean.rotations).all()
 
 
+def test_what_a_joint_that_is_never_seen_hangs_on_keeps_the_rotations_it_was_given():
+    pose = arm()
+    told = restore(hide(hide(pose, slice(None), 4), slice(50, 60), 2))
+    there = np.r_[0:50, 60:400]
+    assert_allclose(told.pose.rotations[there, 3], pose.rotations[there, 3], atol=1e-9)
+    assert np.isnan(told.pose.rotations[:, 4]).all()
+
+
+def test_where_one_pose_was_seen_no_error_is_known_but_of_joints_beside_the_root():
+    told = restore(hide(arm(60), np.r_[0:30, 31:60], slice(None)))
+    assert np.isnan(told.error_mm[[0, -1], 0]).all()
+    assert np.isfinite(told.error_mm[:, 1:]).all()
+
+
 def test_noise_beside_a_joint_never_seen_is_taken_out():
     truth = arm()
     random = np.random.default_rng(5)

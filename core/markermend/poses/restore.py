@@ -164,7 +164,8 @@ def _with_root_errors(restored: Restored, pose: Pose) -> Restored:
     if unseen.any():
         # What was filled beside it was worked out from it.
         off = np.where(unseen, rooted(pose, trusted_turns(pose)).error_mm, 0.0)
-        error = np.where(restored.filled, np.hypot(error, off[:, None]), error)
+        error = np.where(restored.filled, np.hypot(error, np.nan_to_num(off)[:, None]), error)
+        error[unseen, root] = off[unseen]
     if carried.any():
         off = bridging_error(restored.pose.positions[:, root], ~(unseen | carried.any(axis=1)))
         error = np.where(carried, np.hypot(error, off[:, None]), error)
@@ -383,6 +384,8 @@ def _finished(
     # A root that was never seen is where poses are looked at from.
     positions[:, ~pose.seen.any(axis=0)] = np.nan
     rotations = signed_like(rotations, pose.rotations, trusted_turns(pose))
+    # Of what could never be trusted nothing better is known.
+    rotations = np.where(np.isnan(rotations), pose.rotations, rotations)
     there = ~np.isnan(positions[..., 0])
     rotations[:, np.isnan(pose.rotations).all(axis=(0, 2))] = np.nan
     filled = there & ~pose.seen
