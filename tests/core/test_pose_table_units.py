@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -172,3 +173,37 @@ def test_angles_are_no_quaternion_and_stay_as_they_are(tmp_path):
     places = pose.positions + np.array([1.0, 0.0, 0.0])
     mm.write_pose(pose.with_samples(places, pose.rotations), tmp_path / "moved.csv")
     assert (tmp_path / "moved.csv").read_text().count(",10.5,20.5,30.5\n") == 3 * FRAMES
+
+
+KINECTS = {
+    "second": (
+        "SpineBase SpineMid Neck Head ShoulderLeft ElbowLeft WristLeft HandLeft HipLeft KneeLeft"
+        " AnkleLeft FootLeft SpineShoulder HandTipLeft ThumbLeft",
+        "ThumbLeft HandLeft WristLeft ElbowLeft ShoulderLeft SpineShoulder SpineMid SpineBase",
+    ),
+    "first": (
+        "HipCenter Spine ShoulderCenter Head ShoulderRight ElbowRight WristRight HandRight",
+        "HandRight WristRight ElbowRight ShoulderRight ShoulderCenter Spine HipCenter",
+    ),
+    "Azure": (
+        "PELVIS SPINE_NAVEL SPINE_CHEST NECK CLAVICLE_LEFT SHOULDER_LEFT HEAD NOSE EYE_LEFT",
+        "SHOULDER_LEFT CLAVICLE_LEFT SPINE_CHEST SPINE_NAVEL PELVIS",
+    ),
+    "Nuitrack": (
+        "JOINT_HEAD JOINT_NECK JOINT_TORSO JOINT_WAIST JOINT_LEFT_COLLAR JOINT_LEFT_SHOULDER",
+        "JOINT_LEFT_SHOULDER JOINT_LEFT_COLLAR JOINT_TORSO JOINT_WAIST",
+    ),
+    "few": ("waist neck left_shoulder", "left_shoulder waist"),
+}
+
+
+@pytest.mark.parametrize("kind", KINECTS)
+def test_joints_that_sensors_name_hang_on_the_next_one_that_is_there(tmp_path, kind):
+    joints, chain = (names.split() for names in KINECTS[kind])
+    rows = [f"{n},{joint},{n},{i},900" for n in range(3) for i, joint in enumerate(joints)]
+    path = tmp_path / "k.csv"
+    path.write_text("\n".join(["frame,joint,x,y,z", *rows]) + "\n")
+    pose = mm.read_pose(path)
+    for joint, parent in pairwise(chain):
+        assert pose.joints[pose.parents[pose.index(joint)]] == parent
+    assert [j for j, p in zip(pose.joints, pose.parents, strict=True) if p < 0] == [chain[-1]]

@@ -37,7 +37,7 @@ from markermend.files.pose_rows import (
 )
 from markermend.files.text import read_lines
 from markermend.poses.normal import bone_lengths
-from markermend.poses.nuitrack import PARENT_OF, usual_name
+from markermend.poses.nuitrack import usual_parents
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import NO_TURN
 from markermend.progress import Progress, quiet
@@ -305,13 +305,12 @@ def parents_of(
     if "parent" in at:
         above = {row[at["joint"]].strip(): row[at["parent"]].strip() for row in body}
     else:
-        usual = {usual_name(joint): joint for joint in joints}
-        unknown = [joint for joint in joints if usual_name(joint) not in PARENT_OF]
+        above = usual_parents(joints)
+        unknown = [joint for joint in joints if joint not in above]
         if unknown:
             raise FileFormatError(
                 f"{name} does not say what “{unknown[0]}” hangs on; add a column “parent”."
             )
-        above = {joint: usual.get(PARENT_OF[usual_name(joint)], "") for joint in joints}
     lost = [parent for parent in above.values() if parent and parent not in joints]
     if lost:
         raise FileFormatError(f"{name} is damaged: the parent “{lost[0]}” is no joint of it.")
