@@ -96,6 +96,29 @@ def test_of_one_joint_only_the_way_beside_tells_how_a_root_turned():
     assert lengths_of(found.position - pose.positions[:, 0])[100:120].max() < 25.0
 
 
+@pytest.mark.parametrize("gone", [("left_hip", "right_hip"), ("torso",), ("right_hip",)])
+def test_those_of_its_joints_that_are_seen_are_held_against_themselves(run, gone):
+    away = Rotation.from_euler("y", 100.0, degrees=True).as_quat()
+    turned = run.with_samples(turn(away, run.positions), multiply(away, run.rotations))
+    found = rooted(*seen_of(hidden(turned, slice(60, 80), ("waist", *gone))))
+    off = lengths_of(found.position - turned.positions[:, 0])
+    assert off[60:80].max() < 15.0
+    assert not off[:60].any()
+    if gone != ("torso",):
+        assert 0.3 < found.error_mm[60:80].mean() / off[60:80].mean() < 5.0
+    alike = np.abs(np.sum(found.rotation * turned.rotations[:, 0], axis=1))[60:80]
+    assert np.degrees(2.0 * np.arccos(np.minimum(alike, 1.0))).max() < 6.0
+
+
+def test_of_very_many_sets_of_joints_the_rarest_are_taken_together(run, monkeypatch):
+    monkeypatch.setattr("markermend.poses.rooting._MOST_PARTS", 1)
+    some = hidden(hidden(run, slice(60, 80)), slice(60, 64), ("torso",))
+    some = hidden(hidden(some, slice(64, 66), ("left_hip",)), slice(66, 67), run.joints)
+    found = rooted(*seen_of(some))
+    assert lengths_of(found.position - run.positions[:, 0])[60:80].max() < 40.0
+    assert (found.error_mm[60:80] > 0).all()
+
+
 def test_a_restored_body_stands_on_its_root(run):
     told = restore(hidden(run, slice(40, 140)), prior=shipped_prior())
     off = lengths_of(told.pose.positions - run.positions)
