@@ -64,6 +64,7 @@ ODDITIES = (
 
 PROBLEMS = (
     "{0} is empty; look for another copy of it.",
+    "{0} is text in UTF-16, as PowerShell and Excel write it; save it as UTF-8.",
     "{0} is not a C3D file; its first bytes are not a C3D header.",
     "{0} is of an unknown kind; C3D, TRC, CSV, AMC, ASF and BVH can be read.",
     "{0} is damaged: its header puts the parameters at byte {1}, where there are none; look for "

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import markermend as mm
+from markermend.errors import FileFormatError
 from markermend.files.pose_stream import follow
 
 FRAMES = 120
@@ -207,3 +208,33 @@ def test_joints_that_sensors_name_hang_on_the_next_one_that_is_there(tmp_path, k
     for joint, parent in pairwise(chain):
         assert pose.joints[pose.parents[pose.index(joint)]] == parent
     assert [j for j, p in zip(pose.joints, pose.parents, strict=True) if p < 0] == [chain[-1]]
+
+
+def test_a_stream_that_was_stopped_within_a_row_ends_with_the_pose_before(tmp_path):
+    lines = table(tmp_path).read_text().splitlines(keepends=True)
+    out, said = [], []
+    text = "".join(lines[:31]) + lines[31][:12]
+    count = follow(io.StringIO(text), out.append, rate=30.0, prior=None, warn=said.append)
+    assert count == 10
+    assert said == ["The stream is cut short; its last row was left out."]
+    text = "".join(lines[:31]) + lines[31][:12] + "\n" + "".join(lines[32:40])
+    with pytest.raises(FileFormatError, match=r"line 32, “10,0\.3333,hi”, lacks cells"):
+        follow(io.StringIO(text), out.append, rate=30.0, prior=None)
+
+
+def test_what_a_spreadsheet_is_told_about_cells_is_no_row(tmp_path):
+    path = table(tmp_path)
+    text = path.read_text().replace(",", ";").replace(".", ",")
+    path.write_text("sep=;\n" + text)
+    pose = mm.read_pose(path)
+    np.testing.assert_allclose(pose.positions[:, 1], KNEE, atol=1e-3)
+    mm.write_pose(pose, tmp_path / "again.csv")
+    assert (tmp_path / "again.csv").read_bytes() == path.read_bytes()
+
+
+@pytest.mark.parametrize("ending", ["csv", "bvh"])
+def test_two_bytes_a_letter_are_named(tmp_path, ending):
+    path = tmp_path / f"k.{ending}"
+    path.write_bytes(table(tmp_path).read_text().encode("utf-16"))
+    with pytest.raises(FileFormatError, match="is text in UTF-16, as PowerShell and Excel"):
+        mm.read_pose(path)

@@ -292,8 +292,8 @@ def whole_rows(
 
 
 def says_nothing(line: str) -> bool:
-    """Whether a line is blank, has blank cells only, or is a comment."""
-    return not line.strip(_BLANKS) or line.startswith("#")
+    """Whether a line is blank, has blank cells only, is a comment, or tells Excel the delimiter."""
+    return not line.strip(_BLANKS) or line.startswith(("#", "sep="))
 
 
 def measured(values: FloatArray) -> BoolArray:

@@ -57,12 +57,11 @@ def follow(
     FileFormatError
         when there is no header, or a row is damaged
     """
-    numbered = ((n, line.rstrip("\r\n")) for n, line in enumerate(lines, 1))
-    telling = ((n, line) for n, line in numbered if not says_nothing(line))
+    telling = ((n, line) for n, line in enumerate(lines, 1) if not says_nothing(line))
     number, first_line = next(telling, (0, ""))
     if not number:
         raise FileFormatError(f"{_STREAM} is empty; it should begin with a line of column names.")
-    header = header_of(first_line, _STREAM, number)
+    header = header_of(first_line.rstrip("\r\n"), _STREAM, number)
     if not header.unit_known:
         warn(UNKNOWN_UNIT)
     write(",".join(COLUMNS) + "\n")
@@ -121,10 +120,15 @@ def _poses(
     given: int | None = None
     now: int | None = None
     for number, line in lines:
-        row = header.cells(line, number)
+        text = line.rstrip("\r\n")
+        row = header.cells(text, number)
         if len(row) < header.width:
+            if not line.endswith("\n") and next(lines, None) is None:
+                # Whoever wrote it was stopped.
+                warn("The stream is cut short; its last row was left out.")
+                break
             raise FileFormatError(
-                f"{_STREAM} is damaged: line {number}, “{line[:40]}”, lacks cells."
+                f"{_STREAM} is damaged: line {number}, “{text[:40]}”, lacks cells."
             )
         frame, joint = header.frame(row, number), header.joint(row, number)
         if waiting and frame != now:
