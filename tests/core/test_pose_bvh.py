@@ -92,6 +92,25 @@ def test_joints_at_the_ends_of_their_bones_are_written_where_these_begin(tmp_pat
     assert one[0] == two[0]
 
 
+def test_joints_that_slide_in_a_hierarchy_stay_who_they_are(tmp_path):
+    random = np.random.default_rng(5)
+    slides = "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n    End"
+    text = TEXT.replace("CHANNELS 3 Zrotation Xrotation Yrotation\n    End", slides)
+    head = text[: text.index("Frames")] + "Frames: 40\nFrame Time: 0.02\n"
+    # Its own axes stay where they are, those of what it hangs on do not.
+    hips = np.cumsum(random.normal(0.0, 9.0, (40, 6)), axis=0)
+    turns = Rotation.from_euler("ZXY", hips[:, 3:], degrees=True)
+    leg = np.hstack(
+        [turns.inv().apply([10.0, 0.0, 0.0]), turns.inv().as_euler("ZXY", degrees=True)]
+    )
+    rows = [" ".join(f"{value:.6f}" for value in row) for row in np.hstack([hips, leg])]
+    pose = mm.read_pose(written(tmp_path, head + "\n".join(rows) + "\n"))
+    mm.write_pose(pose, tmp_path / "back.bvh")
+    back = mm.read_pose(tmp_path / "back.bvh")
+    assert back.joints == pose.joints
+    np.testing.assert_allclose(back.positions, pose.positions, atol=1e-3)
+
+
 def test_a_rate_comes_back(tmp_path):
     pose = mm.read_pose(written(tmp_path, TEXT))
     for rate in (240.0, 119.88, 1000.0, 29.97):

@@ -49,13 +49,14 @@ def write_bvh(
 
     A joint of a BVH stands where its bone begins and carries those below it. Where joints of a
     recording stand where their bone ends, as those of an AMC, they are written so, and the ends of
-    chains as its ends. A joint that others do not carry along, as a shoulder in the trunk, has
-    channels of position besides, so that it is where the recording has it.
+    chains as its ends; those that a hierarchy was read for, which has such ends, stay. A joint that
+    others do not carry along, as a shoulder in the trunk, has channels of position besides, so that
+    it is where the recording has it.
     """
     pose, told = _writable(pose, whole)
     offsets = _offsets(told, told.parents)
     by_own = _strays(_offsets(told, range(len(told.joints))))
-    if by_own.sum() + _RIGID_MM < _strays(offsets).sum():
+    if not _has_ends(told) and by_own.sum() + _RIGID_MM < _strays(offsets).sum():
         pose, told = _at_starts(pose), _at_starts(told)
         offsets = _offsets(told, told.parents)
     children: dict[int, list[int]] = {}
@@ -217,6 +218,12 @@ def _describe(
             site = [f"{tab}  End Site", tab + "  {", f"{tab}    OFFSET {_three(tip)}", tab + "  }"]
             waiting.append("\n".join(site))
         waiting += [(child, depth + 1) for child in reversed(below) if child not in ends]
+
+
+def _has_ends(pose: Pose) -> bool:
+    """Whether joints are those of a hierarchy: chains end in one that is called so."""
+    above = zip(pose.joints, pose.parents, strict=True)
+    return any(p >= 0 and joint == end_name(pose.joints[p], 0) for joint, p in above)
 
 
 def _ends(
