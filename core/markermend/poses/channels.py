@@ -117,6 +117,11 @@ def to_features(values: FloatArray, channels: Channels) -> FloatArray:
     return features
 
 
+def columns_of(features: FloatArray, channels: Channels) -> FloatArray:
+    """(frames, joints · 7) of all joints but the root."""
+    return features[:, channels.joints].reshape(len(features), -1)
+
+
 def of_all_joints(columns: FloatArray, channels: Channels) -> FloatArray:
     """(frames, joints, 7) of columns; 0 for the root."""
     whole = np.zeros((len(columns), len(channels.joints) + 1, FEATURES))

@@ -14,6 +14,7 @@ from markermend.poses.bones import Bones, find_bones, fuse, keep_lengths, swing,
 from markermend.poses.bridging import bridging_error
 from markermend.poses.channels import (
     Channels,
+    columns_of,
     known_joints,
     of_all_joints,
     steadied,
@@ -27,6 +28,7 @@ from markermend.poses.filling import Filled, fill
 from markermend.poses.hanging import by_parents
 from markermend.poses.likeness import FEW_MOMENTS, MOMENTS, SOME_MOMENTS
 from markermend.poses.linking import linked_channels
+from markermend.poses.loose_root import with_loose_root, without_loose_root
 from markermend.poses.normal import FEATURES, denormalise
 from markermend.poses.nuitrack import mirrored
 from markermend.poses.pose import Pose
@@ -135,6 +137,9 @@ def restore(
         raise DataError(
             f"The recording is too short: it takes {_LEAST_FRAMES} poses, and has {pose.frames}."
         )
+    body = without_loose_root(pose)
+    if body is not None:
+        return with_loose_root(restore(body, prior=prior, progress=progress), pose)
     tell = progress or quiet
     # Matrices as small as these take several times as long where two threads share one.
     with threadpool_limits(1):
@@ -250,7 +255,7 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
         given = to_features(whole, channels), of_all_joints(unsure, channels), seen_turned
         body = pose.parents, pose.order, pose.rate
         told, left = by_parents(*given, *body, beside, _LEFT * level)
-        told, left = (_columns(x, channels)[:, usable] for x in (told, left))
+        told, left = (columns_of(x, channels)[:, usable] for x in (told, left))
         return replace(filled, values=np.where(known, filled.values, told), variance=left)
 
     def settled(filled: Filled, rounds: int) -> tuple[FloatArray, Bones]:
@@ -265,7 +270,7 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     features, bones = settled(filled, int(not many) if looks else rounds)
     for look in range(1, looks + 1):
         tell(0.7 + 0.1 * look / (looks + 1), "Filling again")
-        near = replace(filled, values=_columns(features, channels)[:, usable])
+        near = replace(filled, values=columns_of(features, channels)[:, usable])
         compared = FEW_MOMENTS if look < looks else SOME_MOMENTS if many else MOMENTS
         filled = filled_by(values, noise=_LEFT * level, near=near, compared=compared)
         share = 1.0 if look == 1 else _AGAIN
@@ -277,7 +282,7 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
         tell(0.8, "Smoothing again")
         first = features
         for _ in range(1 if filled.lasting or known.all() else _ROUNDS_WHERE_BRIEF):
-            pilot = _columns(features, channels)[:, usable]
+            pilot = columns_of(features, channels)[:, usable]
             again = np.where(known, channels.values[:, usable], pilot)
             whole[:, usable] = smooth_again(again, pilot, noise[usable], pose.rate)
             features, bones = _agreed(whole, variance, channels, pose, seen_turned, level, 1)
@@ -291,11 +296,6 @@ def _variance(filled: Filled, known: BoolArray, noise: FloatArray) -> FloatArray
     """(frames, channels) of errors of what was filled, and of what noise is left."""
     unsure = np.where(known, 0.0, np.maximum(filled.variance, _SURE**2))
     return unsure + (_LEFT * noise) ** 2
-
-
-def _columns(features: FloatArray, channels: Channels) -> FloatArray:
-    """(frames, joints · 7) of all joints but the root."""
-    return features[:, channels.joints].reshape(len(features), -1)
 
 
 def _agreed(
@@ -336,7 +336,7 @@ def _in_time(features: FloatArray, channels: Channels, noise: FloatArray, pose: 
     """(frames, joints, 7) smoothed from what was measured in the coordinates of joints."""
     if pose.frames < _SETTLES or np.isnan(features).any():
         return features
-    pilot = _columns(features, channels)
+    pilot = columns_of(features, channels)
     measured = features.copy()
     values = np.where(channels.known, channels.values, pilot)
     measured[:, channels.joints] = values.reshape(pose.frames, -1, FEATURES)
