@@ -49,6 +49,10 @@ ODDITIES = (
     "The file is cut short; its last row was left out.",
     "{0} rows stand twice, line {1} for one; they were read once.",
     "The times in the file grow too fast for seconds; milliseconds were assumed.",
+    "The times in the file grow too fast for seconds; microseconds were assumed.",
+    "The times in the file grow too fast for seconds; nanoseconds were assumed.",
+    "Times in the file jump or stand still (after frame {0}, for one); the rate is that between "
+    "most poses.",
     "Frame numbers go from {0} to {1} in line {2}; poses were read one after the other.",
     "No number stands before {0} poses, in line {1} for one; they were read all the same.",
     "The header counts {0} frames; {1} were read.",
@@ -60,6 +64,7 @@ ODDITIES = (
 
 PROBLEMS = (
     "{0} is empty; look for another copy of it.",
+    "{0} is text in UTF-16, as PowerShell and Excel write it; save it as UTF-8.",
     "{0} is not a C3D file; its first bytes are not a C3D header.",
     "{0} is of an unknown kind; C3D, TRC, CSV, AMC, ASF and BVH can be read.",
     "{0} is damaged: its header puts the parameters at byte {1}, where there are none; look for "

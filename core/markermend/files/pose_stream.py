@@ -9,7 +9,7 @@ import numpy as np
 
 from markermend.arrays import FloatArray
 from markermend.errors import FileFormatError
-from markermend.files.pose_csv import parents_of, quoted, rows_of
+from markermend.files.pose_csv import parents_of, quoted, rows_of, too_short
 from markermend.files.pose_rows import (
     COLUMNS,
     NUMBERS,
@@ -57,23 +57,24 @@ def follow(
     FileFormatError
         when there is no header, or a row is damaged
     """
-    numbered = ((n, line.rstrip("\r\n")) for n, line in enumerate(lines, 1))
-    telling = ((n, line) for n, line in numbered if not says_nothing(line))
+    telling = ((n, line) for n, line in enumerate(lines, 1) if not says_nothing(line))
     number, first_line = next(telling, (0, ""))
     if not number:
         raise FileFormatError(f"{_STREAM} is empty; it should begin with a line of column names.")
-    header = header_of(first_line, _STREAM, number)
+    header = header_of(first_line.rstrip("\r\n"), _STREAM, number)
     if not header.unit_known:
         warn(UNKNOWN_UNIT)
     write(",".join(COLUMNS) + "\n")
     joints: tuple[str, ...] = ()
     live: Live | None = None
     parents: tuple[int, ...] = ()
-    count, time = 0, -1.0 / rate
+    count, time, fine = 0, -1.0 / rate, False
     for rows in _poses(telling, header, warn):
         if not joints:
             joints, parents = _body(rows, header)
         values = _values(rows, header, joints, parents)
+        # Metres that are not said to be go out as they came in.
+        fine = fine or (not count and too_short(values[None, :, :3], parents))
         places, turns, sure = values[:, :3], values[:, 3:7], values[:, 7]
         if live is None and (sure > 0).all():
             live = Live(Pose(places[None], turns[None], joints, parents, rate), prior)
@@ -84,13 +85,13 @@ def follow(
             sure = np.where(sure > 0, sure, INFERRED)
         number, row = rows[0]
         told = header.time(row)
-        time = told if isfinite(told) else time + 1.0 / rate
+        time = told * (header.second or 1.0) if isfinite(told) else time + 1.0 / rate
         names = [quoted(joint) for joint in joints]
         above = [names[parent] if parent >= 0 else "" for parent in parents]
         unturned = np.where((sure > 0)[:, None], 0.0, NO_TURN)
         turns = np.where(np.isnan(turns), unturned, turns)
         values = np.column_stack([places, turns, sure])
-        write("".join(rows_of(header.frame(row, number), time, names, above, values)))
+        write("".join(rows_of(header.frame(row, number), time, names, above, values, fine=fine)))
         count += 1
     if count and live is None:
         warn("No pose of the stream had every joint of its first one, so nothing was filled.")
@@ -119,10 +120,15 @@ def _poses(
     given: int | None = None
     now: int | None = None
     for number, line in lines:
-        row = header.cells(line, number)
+        text = line.rstrip("\r\n")
+        row = header.cells(text, number)
         if len(row) < header.width:
+            if not line.endswith("\n") and next(lines, None) is None:
+                # Whoever wrote it was stopped.
+                warn("The stream is cut short; its last row was left out.")
+                break
             raise FileFormatError(
-                f"{_STREAM} is damaged: line {number}, “{line[:40]}”, lacks cells."
+                f"{_STREAM} is damaged: line {number}, “{text[:40]}”, lacks cells."
             )
         frame, joint = header.frame(row, number), header.joint(row, number)
         if waiting and frame != now:
