@@ -38,6 +38,7 @@ ODDITIES = (
     "The file tells no unit of length; millimetres were assumed.",
     "The file tells no unit of length that is known; millimetres were assumed.",
     "The columns tell no unit of length that is known; millimetres were assumed.",
+    "No column tells how joints are turned, as qx, qy, qz and qw would.",
     "The file tells no unit; {0} were assumed.",
     "The table has no times; 100 Hz was assumed.",
     "The file does not tell its frame rate; its times were used.",

@@ -238,3 +238,20 @@ def test_two_bytes_a_letter_are_named(tmp_path, ending):
     path.write_bytes(table(tmp_path).read_text().encode("utf-16"))
     with pytest.raises(FileFormatError, match="is text in UTF-16, as PowerShell and Excel"):
         mm.read_pose(path)
+
+
+@pytest.mark.parametrize("names", ["rx,ry,rz,rw", "qx,qy,qz,qw", "Rot X,Rot Y,Rot Z,Rot W"])
+def test_rotations_are_read_under_the_names_that_papers_and_programs_give_them(tmp_path, names):
+    path = table(tmp_path, head="tx,ty,tz", more=(names, lambda n, joint: "0.6,0,0,0.8"))
+    pose = mm.read_pose(path)
+    np.testing.assert_allclose(places_of(pose)[1], KNEE, atol=1e-3)
+    np.testing.assert_allclose(pose.rotations[5], np.tile([0.6, 0.0, 0.0, 0.8], (3, 1)))
+    assert not pose.warnings
+
+
+def test_rotations_that_are_not_read_are_told(tmp_path):
+    angles = "pitch,yaw,roll", lambda n, joint: "10,20,30"
+    pose = mm.read_pose(table(tmp_path, more=angles))
+    assert "No column tells how joints are turned" in pose.warnings[0]
+    assert np.isnan(pose.rotations).all()
+    assert not mm.read_pose(table(tmp_path)).warnings

@@ -47,6 +47,7 @@ _SAME = 1e-9
 _FRAMES_A_REPORT = 256
 # Bones of bodies are longer, mm.
 _LEAST_BONE = 1.0
+_TURNLESS = "No column tells how joints are turned, as qx, qy, qz and qw would."
 _METRES = "The file tells no unit of length; by the size of things metres were assumed."
 
 
@@ -94,6 +95,8 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
     body, warnings = whole_rows(lines[1:], header)
     if not header.unit_known:
         warnings.append(UNKNOWN_UNIT)
+    if header.others and "qw" not in header.at:
+        warnings.append(_TURNLESS)
     names = [header.joint(row, number) for number, row in body]
     joints = tuple(dict.fromkeys(names))
     frame, first, count = _frames(body, header, len(joints))

@@ -31,6 +31,9 @@ _OTHER_NAMES = {
     "posx": "x",
     "posy": "y",
     "posz": "z",
+    # As Goncalves and others (2024) call them.
+    **{f"t{axis}": axis for axis in "xyz"},
+    **{f"r{axis}": f"q{axis}" for axis in "xyzw"},
     "rotationx": "qx",
     "rotationy": "qy",
     "rotationz": "qz",
