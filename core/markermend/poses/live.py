@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import deque
 
 import numpy as np
@@ -15,9 +16,9 @@ from markermend.poses.normal import FEATURES, bone_lengths, normalise
 from markermend.poses.nuitrack import MIRROR, mirrored
 from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior, fitting
-from markermend.poses.quaternion import NO_TURN, inverse, multiply, turn, unit
+from markermend.poses.quaternion import NO_TURN, by_left, by_right, matrices, multiply, unit
 from markermend.poses.sides import both_sides, both_sides_moved, mirror_signs, twin_columns
-from markermend.poses.solving import solved
+from markermend.poses.solving import Regression, average_in
 from markermend.poses.turnless import turned_as_parents, turnless
 
 # How long a movement is taken from the prior, how long one's own are, and how many they count for.
@@ -66,8 +67,10 @@ class Live:
         first = turned_as_parents(first)
         features, normal = normalise(first)
         self._parents, self._root = first.parents, normal.root
+        self._bones = [(j, p) for j, p in enumerate(first.parents) if p >= 0]
         self._scale, self._offset, self._rate = normal.scale, normal.offset, first.rate
         self._others = [j for j in range(len(first.joints)) if j != self._root]
+        self._aligning = by_right(self._offset[self._others])
         self._lengths = bone_lengths(first.positions, first.parents)
         self._values = features[0, self._others].ravel()
         self._root_pose = first.positions[0, self._root], first.rotations[0, self._root]
@@ -79,7 +82,7 @@ class Live:
             self._twins = twin_columns([first.joints[j] for j in self._others])
             self._signs = mirror_signs(self._values, self._twins)
             moved = others.within_s(_PRIOR_S)
-            self._covariance = both_sides(moved, self._twins, self._signs)
+            self._covariance = np.array(both_sides(moved, self._twins, self._signs), order="C")
             self._weight = others.weight
         at = {joint: n for n, joint in enumerate(self._others)}
         above = [at.get(first.parents[joint], -1) for joint in self._others]
@@ -87,7 +90,7 @@ class Live:
         self._levels = Levels(self._values, others, self._rate)
         self._speed, self._coasting = np.zeros(channels), np.zeros(channels)
         self._known = np.ones(channels, dtype=bool)
-        self._weights: FloatArray = np.empty((0, 0))
+        self._others_tell: Regression | None = None
         self._lags = sorted({max(round(lag * self._rate), 1) for lag in _LAGS_S})
         self._past: deque[FloatArray] = deque([self._values], maxlen=self._lags[-1])
 
@@ -116,6 +119,8 @@ class Live:
         if seen[self._root] and np.isfinite(positions[self._root]).all():
             place = positions[self._root]
         self._root_pose = place, turns[self._root] if told[self._root] else own
+        self._forth = multiply(self._root_pose[1], self._offset[self._root])
+        self._axes = matrices(self._forth[None])[0]
         values, known = self._relative(positions, turns, seen, told)
         # Matrices as small as these take twice as long where two threads share one.
         with self._threads.limit(limits=1):
@@ -141,18 +146,17 @@ class Live:
         self, positions: FloatArray, rotations: FloatArray, seen: BoolArray, told: BoolArray
     ) -> tuple[FloatArray, BoolArray]:
         """Columns of one pose, signs of rotations as before, and which are known."""
-        place, own = self._root_pose
-        back = inverse(multiply(own, self._offset[self._root]))
-        others = self._others
+        place, others = self._root_pose[0], self._others
         values = np.empty((len(others), FEATURES))
-        values[:, :3] = turn(back, positions[others] - place) / self._scale
-        values[:, 3:] = multiply(back, multiply(rotations[others], self._offset[others]))
+        values[:, :3] = (positions[others] - place) @ (self._axes / self._scale)
+        aligned = (self._aligning @ rotations[others, :, None])[:, :, 0]
+        # What matrices of quaternions turn, they turn back when they are transposed.
+        values[:, 3:] = aligned @ by_left(self._forth)
         before = self._values.reshape(-1, FEATURES)[:, 3:]
-        values[:, 3:] *= np.where(np.sum(values[:, 3:] * before, axis=1) < 0, -1.0, 1.0)[:, None]
+        away = np.einsum("jq,jq->j", values[:, 3:], before) < 0
+        values[away, 3:] *= -1.0
         turned = told.copy()
-        for joint, parent in enumerate(self._parents):
-            if parent >= 0 and not seen[joint]:
-                turned[parent] = False
+        turned[[parent for joint, parent in self._bones if not seen[joint]]] = False
         known = np.empty(values.shape, dtype=bool)
         known[:, :3], known[:, 3:] = seen[others, None], turned[others, None]
         # So far out no joint is a body's; NaN is not known either.
@@ -163,16 +167,14 @@ class Live:
         now = np.where(known, values, self._values)
         hidden, visible = np.flatnonzero(~known), np.flatnonzero(known)
         if len(hidden):
-            if not np.array_equal(known, self._known) or self._weights.shape[1] != len(hidden):
-                among = self._covariance[np.ix_(visible, visible)]
-                among[np.diag_indices(len(visible))] += _RIDGE + _FEW / (1.0 + self._weight)
-                across = self._covariance[np.ix_(visible, hidden)]
-                self._weights = solved(among, across)
-                left = self._speed[hidden] - self._speed[visible] @ self._weights
+            if self._others_tell is None or not np.array_equal(known, self._known):
+                more = _RIDGE + _FEW / (1.0 + self._weight)
+                self._others_tell = Regression(self._covariance, hidden, visible, more)
+                left = self._speed[hidden] - self._others_tell.tell(self._speed[visible])
                 self._levels.begin(hidden, visible, self._values)
                 gone = self._known[hidden]
                 self._coasting[hidden] = np.where(gone, left, self._coasting[hidden])
-            told = (now[visible] - self._values[visible]) @ self._weights
+            told = self._others_tell.tell(now[visible] - self._values[visible])
             now[hidden] += told + self._coasting[hidden]
             self._levels.draw(now)
             self._coasting *= np.exp(-1.0 / (_COASTS_S * self._rate))
@@ -190,42 +192,44 @@ class Live:
         """
         past = self._past
         lags = [n for n in self._lags if n <= len(past)]
-        usual_lag = _USUAL_S * self._rate
-        moved = np.empty((len(lags), len(values)))
-        for row, n in enumerate(lags):
-            moved[row] = (values - past[-n]) * np.sqrt(usual_lag / n)
+        # Movement grows with the root of time.
+        usual = np.sqrt(_USUAL_S * self._rate / np.array(lags))
+        before = np.array([past[-n] for n in lags]).reshape(len(lags), len(values))
+        moved = (values - before) * usual[:, None]
         if self._twins is not None:
             moved = both_sides_moved(moved, self._twins, self._signs)
         self._levels.learn(values)
         self._weight = min(self._weight + 1.0, _MEMORY)
-        self._covariance *= 1.0 - 1.0 / self._weight
-        self._covariance += moved.T @ moved / self._weight
+        average_in(self._covariance, moved, 1.0 / self._weight)
         past.append(values)
 
     def _absolute(self, values: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Positions (joints, 3) in mm and rotations (joints, 4), global."""
-        place, own = self._root_pose
-        forth = multiply(own, self._offset[self._root])
-        count = len(self._others) + 1
-        positions, rotations = np.tile(place, (count, 1)), np.tile(own, (count, 1))
-        columns = values.reshape(-1, FEATURES)
-        positions[self._others] += turn(forth, columns[:, :3] * self._scale)
-        back = inverse(self._offset[self._others])
-        rotations[self._others] = multiply(multiply(forth, columns[:, 3:]), back)
+        positions = np.empty((len(self._parents), 3))
+        rotations = np.empty((len(self._parents), 4))
+        positions[self._root], rotations[self._root] = self._root_pose
+        columns, others = values.reshape(-1, FEATURES), self._others
+        positions[others] = columns[:, :3] @ (self._axes.T * self._scale) + self._root_pose[0]
+        turned = (columns[:, 3:] @ by_left(self._forth).T)[:, :, None]
+        rotations[others] = (self._aligning.swapaxes(1, 2) @ turned)[:, :, 0]
         return positions, rotations
 
     def _with_bones(self, positions: FloatArray, seen: BoolArray) -> FloatArray:
         """Move joints that are not seen to where their bones reach."""
-        bones = [(j, p) for j, p in enumerate(self._parents) if p >= 0]
-        loose = [(j, p) for j, p in bones if not (seen[j] and seen[p])]
-        for _ in range(_ROUNDS if loose else 0):
-            for joint, parent in loose:
-                bone = positions[joint] - positions[parent]
-                far = float(np.sqrt(bone @ bone)) or 1.0
-                correction = (self._lengths[joint] / far - 1.0) * bone
-                half = 0.5 if not (seen[joint] or seen[parent]) else 1.0
-                if not seen[joint]:
-                    positions[joint] += half * correction
-                if not seen[parent]:
-                    positions[parent] -= half * correction
-        return positions
+        loose = [(j, p) for j, p in self._bones if not (seen[j] and seen[p])]
+        if not loose:
+            return positions
+        # Of so few numbers Python's own are faster.
+        places, lengths, shown = positions.tolist(), self._lengths.tolist(), seen.tolist()
+        for joint, parent in loose * _ROUNDS:
+            (x, y, z), (u, v, w) = places[joint], places[parent]
+            bone = (x - u, y - v, z - w)
+            share = lengths[joint] / (math.hypot(*bone) or 1.0) - 1.0
+            if not (shown[joint] or shown[parent]):
+                share *= 0.5
+            i, j, k = (share * way for way in bone)
+            if not shown[joint]:
+                places[joint] = (x + i, y + j, z + k)
+            if not shown[parent]:
+                places[parent] = (u - i, v - j, w - k)
+        return np.array(places)
