@@ -9,8 +9,10 @@ import markermend as mm
 from markermend.errors import DataError
 from markermend.poses import Pose
 from markermend.poses.following import Following
+from markermend.poses.joining import Kept, widened, widened_mean
 from markermend.poses.live import Live
 from markermend.poses.noise import Noise, corrupt_pose
+from markermend.poses.normal import normalise
 from markermend.poses.nuitrack import mirrored, to_nuitrack
 from markermend.poses.prior import fitting, shipped_prior
 
@@ -94,8 +96,8 @@ def test_a_prior_serves_without_the_legs(walk, seen):
     assert told < 0.9 * untold
 
 
-@pytest.mark.parametrize("prior", [None, shipped_prior()])
-def test_an_arm_that_comes_later_joins(walk, prior):
+@pytest.mark.parametrize(("prior", "most"), [(None, 250.0), (shipped_prior(), 150.0)])
+def test_an_arm_that_comes_later_joins(walk, prior, most):
     arm = at(walk, "left_shoulder", "left_elbow", "left_wrist")
     seen = np.ones(walk.positions.shape[:2], dtype=bool)
     seen[:60, arm] = seen[120:150, arm] = False
@@ -104,7 +106,7 @@ def test_an_arm_that_comes_later_joins(walk, prior):
     assert np.isnan(turns[:59, arm]).all()
     assert np.isfinite(places[59:]).all()
     np.testing.assert_array_equal(places[59:119], walk.positions[60:120])
-    assert 0.0 < off(places, walk)[119:149, arm].max() < 150.0
+    assert 0.0 < off(places, walk)[119:149, arm].max() < most
 
 
 def test_joints_join_one_by_one(walk):
@@ -176,3 +178,51 @@ def test_a_body_that_is_whole_at_first_is_filled_as_ever(walk, seen):
 def test_it_starts_from_one_pose(walk):
     with pytest.raises(DataError, match="one pose, not 343"):
         Live(walk)
+
+
+def test_what_was_learnt_is_gone_on_with(walk, seen, monkeypatch):
+    prior = shipped_prior()
+    legs, late = legs_of(walk), 170
+    seen = seen.copy()
+    seen[0], seen[:late, legs], seen[late, legs] = True, False, True
+    after = ~seen[1:]
+    after[:late] = False
+    kept = off(run(walk, seen, prior)[0], walk)[after].mean()
+    monkeypatch.setattr("markermend.poses.live.Following", lambda a, b, _: Following(a, b))
+    anew = off(run(walk, seen, prior)[0], walk)[after].mean()
+    assert kept < 0.95 * anew
+
+
+def test_those_that_join_go_with_the_others_as_is_usual():
+    random = np.random.default_rng(1)
+    half = random.normal(size=(6, 9))
+    usual, mean = half @ half.T, random.normal(size=6)
+    kept = Kept(np.array([0, 2, 5]), np.array([3, 1, 0]))
+    learnt, before = np.zeros((4, 4)), np.zeros(4)
+    before[kept.before] = mean[kept.now]
+    learnt[np.ix_(kept.before, kept.before)] = usual[np.ix_(kept.now, kept.now)]
+    # What is as usual stays so.
+    np.testing.assert_allclose(widened(learnt, usual, kept, 0.0), usual, atol=1e-9)
+    np.testing.assert_allclose(widened_mean(before, mean, usual, kept, 0.0), mean, atol=1e-9)
+    # Who moves twice as far takes those that join along, as does who is elsewhere.
+    wide = widened(4.0 * learnt, usual, kept, 0.1)
+    assert np.linalg.eigvalsh(wide).min() > 0.0
+    weights = np.linalg.solve(
+        usual[np.ix_(kept.now, kept.now)] + 0.1 * np.eye(3), usual[np.ix_(kept.now, [1, 3, 4])]
+    )
+    np.testing.assert_allclose(
+        wide[np.ix_(kept.now, [1, 3, 4])], 4.0 * usual[np.ix_(kept.now, kept.now)] @ weights
+    )
+    moved = widened_mean(before + 1.0, mean, usual, kept, 0.1)
+    np.testing.assert_allclose(moved[[1, 3, 4]], mean[[1, 3, 4]] + weights.sum(axis=0))
+    # Nothing is known of who joins: nothing is told.
+    alone = widened(learnt, np.zeros((6, 6)), kept, 0.1)
+    assert (alone[[1, 3, 4]] == 0).all()
+
+
+def test_a_limb_that_is_never_seen_leaves_the_root_its_axes(walk, seen):
+    whole = np.ones(walk.seen.shape)
+    _, normal = normalise(walk)
+    whole[:, legs_of(walk)] = 0.0
+    _, without = normalise(walk.with_samples(walk.positions, walk.rotations, whole))
+    np.testing.assert_array_equal(without.offset[0], normal.offset[0])

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
+from markermend.poses.joining import JOINING, Kept, widened
 from markermend.poses.normal import FEATURES
 from markermend.poses.quaternion import (
     NO_TURN,
@@ -81,6 +82,22 @@ class Articulation:
         self._gone, self._frame_s = np.zeros((joints, 2)), 1.0 / rate
         self._usual = first.reshape(-1, FEATURES).copy()
         self._variance = np.full(self._usual.shape, _TURN)
+
+    def go_on(self, before: Articulation, kept: Kept) -> None:
+        """Take over what was learnt of some joints, which hang where they did, all their columns.
+
+        Parameters
+        ----------
+        before : with rotations of the same signs
+        kept : columns of these joints
+        """
+        joints, theirs = kept.now[::FEATURES] // FEATURES, kept.before[::FEATURES] // FEATURES
+        self._mean[joints], self._usual[joints] = before._mean[theirs], before._usual[theirs]
+        self._variance[joints], self._gone[joints] = before._variance[theirs], before._gone[theirs]
+        usual = np.diag(self._at_first)
+        usual[kept.now, kept.now] = 0.0
+        self._covariance = widened(before._covariance, usual, kept, _RIDGE)
+        self._weight = min(before._weight, JOINING)
 
     def follow(self, values: FloatArray, known: BoolArray) -> FloatArray:
         """Let settle what is hidden in the next pose, and learn from what comes out.

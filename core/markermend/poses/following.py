@@ -12,6 +12,7 @@ from threadpoolctl import ThreadpoolController
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.poses.articulation import FAR, Articulation
 from markermend.poses.covariance import Moments
+from markermend.poses.joining import JOINING, Kept, widened
 from markermend.poses.levels import Levels
 from markermend.poses.normal import FEATURES, bone_lengths, normalise
 from markermend.poses.pose import Pose
@@ -53,13 +54,16 @@ class Following:
     first : one pose that shows the root and a bone; joints that it does not show, and never those
         alone, go through as they come. A joint may have no rotation.
     moments : of how others' bodies move, all joints but the root, in axes like these
+    before : with fewer joints, by such moments or none too; what it has learnt is gone on with
 
     Attributes
     ----------
     ever_turned : (joints,) bool, had a rotation so far
     """
 
-    def __init__(self, first: Pose, moments: Moments | None = None) -> None:
+    def __init__(
+        self, first: Pose, moments: Moments | None = None, before: Following | None = None
+    ) -> None:
         self._threads = ThreadpoolController()
         self._there: BoolArray = np.array(first.seen[0])
         # A joint that never had a rotation is given none.
@@ -81,10 +85,11 @@ class Following:
             features[..., :3] *= normal.scale / self._scale
             columns = np.flatnonzero(np.repeat(self._there[every], FEATURES))
             others = moments.of(columns)
-        self._aligning = by_right(self._offset[self._others])
         self._lengths = bone_lengths(first.positions, first.parents)
         self._values = features[0, self._others].ravel()
         self._root_pose = first.positions[0, self._root], first.rotations[0, self._root]
+        kept = None if before is None else self._measure_as(before, first)
+        self._aligning = by_right(self._offset[self._others])
         channels = len(self._values)
         self._twins: IntArray | None = None
         self._covariance, self._weight = np.zeros((channels, channels)), 0.0
@@ -96,7 +101,7 @@ class Following:
             self._covariance = np.array(both_sides(moved, self._twins, self._signs), order="C")
             self._weight = others.weight
         at = {joint: n for n, joint in enumerate(self._others)} | {self._root: -1, -1: -1}
-        above = [at[_nearest(joint, first.parents, self._there)] for joint in self._others]
+        above = [at[self._above(joint)] for joint in self._others]
         self._articulation = Articulation(self._values, above, self._rate, self._twins)
         self._levels = Levels(self._values, others, self._rate)
         self._speed, self._coasting = np.zeros(channels), np.zeros(channels)
@@ -104,6 +109,61 @@ class Following:
         self._others_tell: Regression | None = None
         self._lags = sorted({max(round(lag * self._rate), 1) for lag in _LAGS_S})
         self._past: deque[FloatArray] = deque([self._values], maxlen=self._lags[-1])
+        if before is not None and kept is not None:
+            self._go_on(before, kept)
+
+    def _measure_as(self, before: Following, first: Pose) -> Kept | None:
+        """Have columns in the same units, axes and signs; None where the root's axes are others."""
+        aligned = (before._offset != NO_TURN).any(axis=1)
+        offset = np.where(aligned[:, None], before._offset, self._offset)
+        same = (offset == before._offset).all(axis=1)
+        if not same[self._root]:
+            return None
+        self._scale, self._offset = before._scale, offset
+        self._lengths = np.where(np.isnan(before._lengths), self._lengths, before._lengths)
+        # How a joint is turned was guessed while what hangs on it was not known.
+        same[before._untold] = False
+        turned = np.arange(FEATURES) >= FEATURES - len(NO_TURN)
+        columns = before._there[:, None] & (same[:, None] | ~turned)
+        now, then = (np.flatnonzero(columns[joints]) for joints in (self._others, before._others))
+        kept = Kept(now, then)
+        self._aligning = by_right(self._offset[self._others])
+        self._look_from_root()
+        self._values = np.zeros(len(self._others) * FEATURES)
+        self._values[kept.now] = before._values[kept.before]
+        every = np.ones(len(self._parents), dtype=bool)
+        self._values, _ = self._relative(first.positions[0], first.rotations[0], every, every)
+        return kept
+
+    def _go_on(self, before: Following, kept: Kept) -> None:
+        """Take over what was learnt, and how joints were moving."""
+        self._covariance = widened(before._covariance, self._covariance, kept, _RIDGE)
+        self._weight = min(before._weight, max(self._weight, JOINING))
+        self._levels.go_on(before._levels, kept)
+        self._speed[kept.now] = before._speed[kept.before]
+        self._coasting[kept.now] = before._coasting[kept.before]
+        self._known[kept.now] = before._known[kept.before]
+        # What a joint hangs on is to be the same, and turned as it was.
+        hold = {j: before._above(j) for j in before._others if before._above(j) == self._above(j)}
+        whole = np.bincount(kept.now // FEATURES, minlength=len(self._others)) == FEATURES
+        whole_at = {joint for n, joint in enumerate(self._others) if whole[n]} | {self._root, -1}
+        own = [j for j, above in hold.items() if j in whole_at and above in whole_at]
+        places = (
+            np.flatnonzero(np.repeat(np.isin(f._others, own), FEATURES)) for f in (self, before)
+        )
+        self._articulation.go_on(before._articulation, Kept(*places))
+
+    def _above(self, joint: int) -> int:
+        """The nearest joint above that takes part, -1 where there is none."""
+        above = self._parents[joint]
+        while above >= 0 and not self._there[above]:
+            above = self._parents[above]
+        return above
+
+    def _look_from_root(self) -> None:
+        """Have the root's axes at hand."""
+        self._forth = multiply(self._root_pose[1], self._offset[self._root])
+        self._axes = matrices(self._forth[None])[0]
 
     def __call__(
         self, positions: FloatArray, rotations: FloatArray, seen: BoolArray
@@ -129,8 +189,7 @@ class Following:
         if seen[self._root] and np.isfinite(positions[self._root]).all():
             place = positions[self._root]
         self._root_pose = place, turns[self._root] if told[self._root] else own
-        self._forth = multiply(self._root_pose[1], self._offset[self._root])
-        self._axes = matrices(self._forth[None])[0]
+        self._look_from_root()
         values, known = self._relative(positions, turns, seen, told)
         # Matrices as small as these take twice as long where two threads share one.
         with self._threads.limit(limits=1):
@@ -244,14 +303,6 @@ class Following:
             if not shown[parent]:
                 places[parent] = (u - i, v - j, w - k)
         return np.array(places)
-
-
-def _nearest(joint: int, parents: Sequence[int], there: BoolArray) -> int:
-    """The nearest joint above that is there, -1 where there is none."""
-    above = parents[joint]
-    while above >= 0 and not there[above]:
-        above = parents[above]
-    return above
 
 
 def _longer(

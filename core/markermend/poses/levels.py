@@ -6,6 +6,7 @@ import numpy as np
 
 from markermend.arrays import FloatArray, IntArray
 from markermend.poses.covariance import Moments
+from markermend.poses.joining import JOINING, Kept, widened, widened_mean
 from markermend.poses.solving import Regression, average_in
 
 # Poses that others' recordings count for, and most that count at all.
@@ -39,6 +40,13 @@ class Levels:
         self._hidden: IntArray = np.empty(0, dtype=int)
         self._fading = np.exp(-1.0 / (_LASTS_S * rate))
         self._share = 1.0 - np.exp(-1.0 / (_DRAWN_S * rate))
+
+    def go_on(self, before: Levels, kept: Kept) -> None:
+        """Take over what was learnt of some columns."""
+        usual = self._covariance
+        self._mean = widened_mean(before._mean, self._mean, usual, kept, _RIDGE)
+        self._covariance = widened(before._covariance, usual, kept, _RIDGE)
+        self._weight = min(before._weight, max(self._weight, JOINING))
 
     def learn(self, values: FloatArray) -> None:
         """Add a pose."""

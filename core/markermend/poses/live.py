@@ -97,8 +97,10 @@ class Live:
         if not (joined[self._root] and bones.any()):
             return
         fit = fitting(pose, self._prior) if self._prior is not None else None
-        self.by_prior = fit is not None
-        self._left_handed = fit is not None and fit[1]
+        way = fit is not None, fit is not None and fit[1]
+        # What was learnt in other axes, or beside another prior, is not what is learnt now.
+        before = self._following if way == (self.by_prior, self._left_handed) else None
+        self.by_prior, self._left_handed = way
         pose = mirrored(pose) if self._left_handed else pose
-        self._following = Following(pose, None if fit is None else fit[0])
+        self._following = Following(pose, None if fit is None else fit[0], before)
         self.joined = joined
