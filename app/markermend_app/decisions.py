@@ -144,12 +144,28 @@ class Decisions(QObject):
         axes: str | None = None,
         start: int | None = None,
         stop: int | None = None,
+        others: Sequence[str] = (),
     ) -> None:
-        """Give an artifact another class, axes or edges."""
+        """Give an artifact, and the ``others`` of its event, another class, axes or edges."""
         self.adjust(
-            [artifact_id],
-            lambda s: s.change(artifact_id, kind=kind, axes=axes, start=start, stop=stop),
+            [artifact_id, *others],
+            lambda s: s.change(
+                artifact_id, kind=kind, axes=axes, start=start, stop=stop, others=others
+            ),
         )
+
+    def change_current(
+        self,
+        *,
+        kind: Kind | None = None,
+        axes: str | None = None,
+        start: int | None = None,
+        stop: int | None = None,
+    ) -> None:
+        """Give the current artifact, and the rest of its event, another class, axes or edges."""
+        if self._document.current is not None:
+            one, *others = self._document.together
+            self.change(one, kind=kind, axes=axes, start=start, stop=stop, others=others)
 
     def adjust(self, ids: Sequence[str], verb: Callable[[Session], Change]) -> bool:
         """Make something else of artifacts, and say so where that takes a repair back."""

@@ -64,6 +64,7 @@ class Document(Looking):
         self.mesh: Mesh | None = None
         self._rows = Rows()
         self._current: str | None = None
+        self._holding_back = False
         self.preview = Preview(self)
         self.preview.ready.connect(self._proposal_came)
         self.proposals = self.preview.proposals
@@ -94,7 +95,7 @@ class Document(Looking):
         if self.file is not None:
             self.file.close()
         self.file, self.mesh = file, mesh
-        self._rows, self._current = Rows(), None
+        self._rows, self._current, self._holding_back = Rows(), None, False
         self.going_back.forget()
         self._look_at_nothing(0 if file is None else file.session.original.frames)
         self.preview.reset()
@@ -104,11 +105,17 @@ class Document(Looking):
         for signal in (*first, *then, self.beside_changed):
             signal.emit()
 
-    def learn(self, mesh: Mesh) -> None:
-        """Take over the body's structure of the open take."""
-        self.mesh = mesh
+    def learn(self, mesh: Mesh, *, propose: bool = True) -> None:
+        """Take over the body's structure; repairs are proposed at once, or from :meth:`go_on`."""
+        self.mesh, self._holding_back = mesh, not propose
         self.mesh_changed.emit()
         self._propose()
+
+    def go_on(self) -> None:
+        """Propose repairs, if these were held back."""
+        if self._holding_back:
+            self._holding_back = False
+            self._propose()
 
     # What is under review
 
@@ -130,6 +137,10 @@ class Document(Looking):
             # What was decided together and is listed no more is reopened together.
             rows = Rows([[a.id for a in event] for event in events(self.session.listed)])
         return rows.together(current.id)
+
+    def decided_with(self, artifact_id: str) -> tuple[str, ...]:
+        """Ids of an artifact and of the rest of its event, as far as the queue lists it."""
+        return self._rows.together(artifact_id)
 
     @property
     def queue(self) -> tuple[str, ...]:
@@ -179,9 +190,11 @@ class Document(Looking):
         self._propose()
 
     def step(self, by: int) -> None:
-        """Go to the next (1) or previous (-1) artifact of the queue; with none, to any marker."""
+        """Go to the next (1) or previous (-1) artifact of the queue; with none, to what is seen."""
         if self.session is not None and not self.queue and not self.shown:
-            self.show(self.session.original.labels[:1])
+            take = self.session.original
+            seen = [m for i, m in enumerate(take.labels) if take.present[:, i].any()]
+            self.show((*seen, *take.labels)[:1])
         row = self._rows.beside(self._current, by)
         if row is not None:
             self.select(row)
@@ -226,7 +239,7 @@ class Document(Looking):
         """Ask for the current artifact's proposal and, ahead of time, those of the next ones."""
         self.proposal_changed.emit()
         artifact, session = self.current, self.session
-        if artifact is None or session is None or self.mesh is None:
+        if artifact is None or session is None or self.mesh is None or self._holding_back:
             return
         row = self._rows.row_of(artifact.id)
         ahead = [session.artifact(i) for i in open_after(session, self.queue, row)[:AHEAD]]

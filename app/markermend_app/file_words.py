@@ -38,6 +38,7 @@ ODDITIES = (
     "The file tells no unit of length; millimetres were assumed.",
     "The file tells no unit of length that is known; millimetres were assumed.",
     "The columns tell no unit of length that is known; millimetres were assumed.",
+    "No column tells how joints are turned, as qx, qy, qz and qw would.",
     "The file tells no unit; {0} were assumed.",
     "The table has no times; 100 Hz was assumed.",
     "The file does not tell its frame rate; its times were used.",
@@ -49,6 +50,10 @@ ODDITIES = (
     "The file is cut short; its last row was left out.",
     "{0} rows stand twice, line {1} for one; they were read once.",
     "The times in the file grow too fast for seconds; milliseconds were assumed.",
+    "The times in the file grow too fast for seconds; microseconds were assumed.",
+    "The times in the file grow too fast for seconds; nanoseconds were assumed.",
+    "Times in the file jump or stand still (after frame {0}, for one); the rate is that between "
+    "most poses.",
     "Frame numbers go from {0} to {1} in line {2}; poses were read one after the other.",
     "No number stands before {0} poses, in line {1} for one; they were read all the same.",
     "The header counts {0} frames; {1} were read.",
@@ -60,6 +65,7 @@ ODDITIES = (
 
 PROBLEMS = (
     "{0} is empty; look for another copy of it.",
+    "{0} is text in UTF-16, as PowerShell and Excel write it; save it as UTF-8.",
     "{0} is not a C3D file; its first bytes are not a C3D header.",
     "{0} is of an unknown kind; C3D, TRC, CSV, AMC, ASF and BVH can be read.",
     "{0} is damaged: its header puts the parameters at byte {1}, where there are none; look for "
@@ -155,6 +161,8 @@ REVIEWS = (
     "The take was exported over its original. What was not repaired of its review goes on here; "
     "the review so far stays in “{0}”.",
     "The take has changed since it was reviewed: what was decided on the {0} markers that are the "
+    "same was kept, on {1} it was not; the old review stays in “{2}”.",
+    "The take has changed since it was reviewed: what was decided on the {0} joints that are the "
     "same was kept, on {1} it was not; the old review stays in “{2}”.",
 )
 """What is said of a review that was there before."""

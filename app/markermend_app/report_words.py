@@ -34,6 +34,7 @@ FORMS = (
     "Nothing is damaged as far as can be seen.",
     # Columns.
     *("Class", "Found", "With", "Median expected error", "Worst", "Frames", "Seconds", "Marker"),
+    "Joint",
     *("Axes", "Method", "Expected error", "Note", "Sure", "Evidence", "Left because"),
     # What became of an artifact.
     "not measured",

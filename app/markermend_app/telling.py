@@ -52,6 +52,7 @@ _SAME = (
     "{0} artifacts",
     "{0} artifact",
     "{0} markers",
+    "{0} joints",
     "frames {0}–{1}",
     "all frames",
     # Reasons; what follows a semicolon first, since it stands behind any of them.
@@ -140,7 +141,7 @@ _SAME = (
     "That is repaired already; reopen it to undo the repair.",
     "This take is open in another window; close it there to edit here.",
     # Why a name is refused.
-    "A marker needs a name.",
+    "A name cannot be empty.",
     "There is a “{0}” already; choose another name.",
     "{0} frames ({1})",
     "{0} frame ({1})",

@@ -337,7 +337,7 @@ class Take:
         others = self.points.labels if self.points is not None else ()
         for new in names.values():
             if not new.strip():
-                raise DataError("A marker needs a name.")
+                raise DataError("A name cannot be empty.")
             if labels.count(new) + others.count(new) > 1:
                 raise DataError(f"There is a “{new}” already; choose another name.")
         view = object.__new__(type(self))

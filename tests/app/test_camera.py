@@ -111,6 +111,9 @@ def test_one_marker_is_seen_with_its_way():
     assert reach_of(Take(way, ("A",), 100.0), [0]) == pytest.approx(100, rel=0.02)
     assert reach_of(Take(20 * way, ("A",), 100.0), [0]) == 300
     assert reach_of(Take(0 * way, ("A",), 100.0), [0]) >= 10
+    # Beside others that are never seen, too.
+    with_unseen = Take(np.concatenate((np.full_like(way, np.nan), way), 1), ("B", "A"), 100.0)
+    assert reach_of(with_unseen, [0, 1]) == pytest.approx(100, rel=0.02)
 
 
 def test_stage_of_an_empty_take_stands():

@@ -48,6 +48,26 @@ def test_axes_that_were_not_edited_stay_as_measured(bench, qtbot):
     assert z.origin_at(step.marker, step.start) is Origin.MEASURED
 
 
+def test_what_was_before_a_repair_comes_into_view_with_it(open_plots, qtbot):
+    positions = np.random.default_rng(1).normal(0.0, 40.0, (200, 1, 3))
+    positions[100:120, 0, 2] += 600.0
+    wrong = Artifact("A", "z", 100, 120, Kind.STEP, 0.9)
+    bench = open_plots(Take(positions, ("A",), 100.0), [wrong], mesh=False)
+    document, view = bench.document, bench.panel.rows[2].view
+    document.select(wrong.id)
+    mended = Patch("A", "z", 100, 120, np.zeros((20, 1)))
+    document.decisions.repair_many([(wrong.id, Repair("test", (mended,)))], "")
+    bench.panel.framing.frame(100, 120)
+    qtbot.waitUntil(lambda: view.viewRange()[1][1] < 500)
+    bench.panel.set_before_after(True)
+    low, high = view.viewRange()[1]
+    assert low < -80
+    assert high > 600
+    # Back again nothing moves: one looks at both by turns.
+    bench.panel.set_before_after(False)
+    assert view.viewRange()[1] == [low, high]
+
+
 @pytest.mark.parametrize(
     "positions",
     [

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from markermend.artifact import Kind, Status
 from markermend.mesh import infer_mesh
 from markermend.review.file import open_session
+from markermend.take import Take
 from markermend_app.document import Document
 from markermend_app.rows import Rows
 
@@ -63,6 +65,17 @@ def test_selecting_shows_the_marker_and_asks_for_its_frames(document, qtbot):
     assert asked.args == [peak.start, peak.stop]
     assert document.shown == (peak.marker,)
     assert peak.start <= document.frame < peak.stop
+
+
+def test_where_nothing_is_listed_a_marker_that_is_seen_is_shown(document, damaged, tmp_path):
+    take = damaged[0]
+    positions = take.positions.copy()
+    positions[:, :2] = np.nan
+    unseen = Take(positions, take.labels, take.rate)
+    document.open(open_session(unseen, folder=tmp_path), None)
+    document.set_queue(Rows())
+    document.step(1)
+    assert document.shown == take.labels[2:3]
 
 
 def test_the_marker_under_review_is_foremost_among_those_shown(document):

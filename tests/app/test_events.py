@@ -150,12 +150,13 @@ def test_a_review_that_is_opened_again_is_restored_before_it_is_walked(
 ):
     decided(opened, qtbot, Qt.Key.Key_F)
     assert opened.commands.put_by()
-    asked = []
+    asked, lane = [], opened.document.proposals.lane
     monkeypatch.setattr(
         "markermend.repairs.skeleton.restored",
-        lambda pose, progress: asked.append((pose, opened.document.mesh)) or restored(pose),
+        lambda pose, progress: asked.append((pose, lane.busy)) or restored(pose),
     )
     opened.document.open(None, None)
     opened.commands.open_path(tmp_path / "walk.csv")
     qtbot.waitUntil(lambda: opened.document.proposal is not None, timeout=3 * WAIT)
-    assert asked == [(pose_of(opened.document.session.original), None)]
+    # Proposals rest on it: none was asked for as long as it was made.
+    assert asked == [(pose_of(opened.document.session.original), False)]

@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject
 
 from markermend.progress import quiet
 from markermend_app import detection
-from markermend_app.background.garbage import Collector, keep_what_is_loaded
+from markermend_app.background.garbage import MANY, PUT_OFF, Collector, keep_what_is_loaded
 
 
 class Ring(QObject):
@@ -46,6 +46,22 @@ def test_what_a_worker_does_destroys_no_objects_of_qt(collector, qtbot):
     assert not seen
     qtbot.waitUntil(lambda: bool(seen))
     assert seen == [threading.main_thread()]
+
+
+def test_the_window_does_not_walk_through_a_table_that_is_being_read(collector, monkeypatch):
+    collected = []
+    gc.collect()
+    monkeypatch.setattr(gc, "collect", collected.append)
+    table = [[number] for number in range(2 * MANY)]
+    collector._collect()
+    assert not collected
+    # Who keeps as much for long has it looked through once.
+    for _ in range(PUT_OFF):
+        collector._collect()
+    assert len(collected) == 1
+    del table
+    collector._collect()
+    assert len(collected) == 2
 
 
 def test_it_is_left_to_python_again_when_stopped(collector):

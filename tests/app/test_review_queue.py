@@ -96,6 +96,18 @@ def test_columns_fit_at_every_width_and_what_has_no_room_is_in_the_tooltip(queue
     qtbot.waitUntil(lambda: not queue.view.isColumnHidden(FRAMES))
 
 
+def test_frames_of_a_long_take_are_whole(qtbot, tmp_path):
+    take = Take(np.zeros((30_000, 1, 3)), ("A",), 100.0)
+    found = [Artifact("A", "xyz", 28_000, 29_999, Kind.NOISE, 0.9)]
+    document, queue = listed(qtbot, tmp_path, take, found)
+    queue.resize(1200, 300)
+    text = queue.model.index(0, FRAMES).data()
+    wide = queue.view.fontMetrics().horizontalAdvance(text)
+    assert queue.view.columnWidth(FRAMES) > wide + 8
+    document.open(None, None)
+    document.proposals.close()
+
+
 def test_a_second_click_on_the_row_brings_its_marker_back(qtbot, queue, document):
     click(qtbot, queue, 0)
     document.show(["T10"])

@@ -269,6 +269,22 @@ def test_values_follow_the_frames_in_view(qtbot):
     assert view.viewRange()[1][1] > 51
 
 
+@pytest.mark.parametrize("frames", [1, 3, 4])
+def test_a_take_of_a_few_frames_fits_the_plot(qtbot, frames):
+    pictures = SmoothPictures()
+    qtbot.addWidget(pictures)
+    while pictures.make_one():
+        pass
+    pictures.resize(600, 400)
+    pictures.set_clock(1, 100.0, frames)
+    pictures.show_way(np.arange(frames) * 10.0, None, "X", "mm", QColor("red"))
+    pictures.show_frames(0, frames - 1)
+    first, last = pictures.way.view.viewRange()[0]
+    assert first <= 0
+    assert last >= frames - 1
+    assert last - first <= frames + 1
+
+
 class Wheel:
     """A notch of the wheel over the middle of a view."""
 

@@ -92,6 +92,25 @@ def test_joints_at_the_ends_of_their_bones_are_written_where_these_begin(tmp_pat
     assert one[0] == two[0]
 
 
+def test_joints_that_slide_in_a_hierarchy_stay_who_they_are(tmp_path):
+    random = np.random.default_rng(5)
+    slides = "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n    End"
+    text = TEXT.replace("CHANNELS 3 Zrotation Xrotation Yrotation\n    End", slides)
+    head = text[: text.index("Frames")] + "Frames: 40\nFrame Time: 0.02\n"
+    # Its own axes stay where they are, those of what it hangs on do not.
+    hips = np.cumsum(random.normal(0.0, 9.0, (40, 6)), axis=0)
+    turns = Rotation.from_euler("ZXY", hips[:, 3:], degrees=True)
+    leg = np.hstack(
+        [turns.inv().apply([10.0, 0.0, 0.0]), turns.inv().as_euler("ZXY", degrees=True)]
+    )
+    rows = [" ".join(f"{value:.6f}" for value in row) for row in np.hstack([hips, leg])]
+    pose = mm.read_pose(written(tmp_path, head + "\n".join(rows) + "\n"))
+    mm.write_pose(pose, tmp_path / "back.bvh")
+    back = mm.read_pose(tmp_path / "back.bvh")
+    assert back.joints == pose.joints
+    np.testing.assert_allclose(back.positions, pose.positions, atol=1e-3)
+
+
 def test_a_rate_comes_back(tmp_path):
     pose = mm.read_pose(written(tmp_path, TEXT))
     for rate in (240.0, 119.88, 1000.0, 29.97):
@@ -187,6 +206,39 @@ def test_without_rotations_there_is_no_bvh(tmp_path):
 def test_damaged_files_get_one_sentence(tmp_path, change, said):
     with pytest.raises(FileFormatError, match=said):
         mm.read_pose(written(tmp_path, TEXT.replace(*change)))
+
+
+def test_a_joint_may_end_several_times(tmp_path):
+    toe = TEXT[TEXT.index("    End Site") : TEXT.index("  }\n}\nMOTION")]
+    three = TEXT.replace(toe, toe + toe.replace("0 -40 0", "5 -40 0") + toe.replace("-40", "-39"))
+    pose = mm.read_pose(written(tmp_path, three))
+    ends = [f"LeftLeg_end{n}" for n in ("", "2", "3")]
+    assert pose.joints == ("Hips", "LeftLeg", *ends)
+    mm.write_pose(pose, tmp_path / "back.bvh")
+    text = (tmp_path / "back.bvh").read_text()
+    assert (text.count("End Site"), text.count("CHANNELS")) == (3, 2)
+    back = mm.read_pose(tmp_path / "back.bvh")
+    assert back.joints == pose.joints
+    np.testing.assert_allclose(back.positions, pose.positions, atol=1e-4)
+    # A joint that is only called so has a name and angles of its own.
+    other = replace(pose, joints=("Hips", "LeftLeg", "LeftLeg_end2", "LeftLeg_end", "toes"))
+    mm.write_pose(other, tmp_path / "other.bvh")
+    assert set(other.joints) < set(mm.read_pose(tmp_path / "other.bvh").joints)
+
+
+@pytest.mark.parametrize(
+    ("line", "other"),
+    [
+        ("Frame Time: 0.0333333", "Frame time:\t.0333333"),
+        ("Frame Time: 0.0333333", "Frame Time:0.0333333"),
+        ("Frames: 2", "Frames:2"),
+        ("Frames: 2", "frames : 2\n\n"),
+        ("Frames: 2\nFrame Time: 0.0333333\n", "Frames: 2 Frame Time: 0.0333333 "),
+    ],
+)
+def test_the_head_of_a_movement_is_read_as_programs_write_it(tmp_path, line, other):
+    pose = mm.read_pose(written(tmp_path, TEXT.replace(line, other)))
+    assert (pose.frames, pose.rate) == (2, 30.0)
 
 
 def test_what_is_wrong_with_a_file_names_it(tmp_path):

@@ -362,6 +362,18 @@ def test_a_body_at_rest_is_not_frozen(walk):
     assert mend_faults(rest)[1] == ()
 
 
+@pytest.mark.parametrize("at", [0.0, 900.0])
+def test_a_root_that_others_are_measured_from_is_not_frozen(walk, at):
+    nothing = np.full(walk.rotations.shape, np.nan)
+    beside = walk.with_samples(walk.positions - walk.positions[:, :1] + at, nothing)
+    assert not restore(beside).faults
+    # One that goes on afterwards is.
+    places = walk.positions.copy()
+    places[20:60, 0] = places[20, 0]
+    (fault,) = restore(walk.with_samples(places, nothing)).faults
+    assert (fault.kind, fault.joint, fault.start, fault.stop) == (FROZEN, 0, 21, 60)
+
+
 def test_same_seed_same_faults(walk):
     one, other = (break_pose(walk, each=2, seed=5) for _ in range(2))
     assert (one[0].positions == other[0].positions).all()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from arms import arm, hide
@@ -23,6 +25,16 @@ def test_csv_keeps_what_it_is_given(tmp_path):
     assert_allclose(back.positions, pose.positions, atol=6e-4)
     assert_allclose(back.rotations, pose.rotations, atol=2e-6)
     assert path.read_text().splitlines()[0].startswith("frame,time,joint,parent,x,y,z,qx")
+
+
+@pytest.mark.parametrize("rate", [15.0, 30.0, 59.94, 120.0, 240.0])
+@pytest.mark.parametrize("frames", [2, 3, 40])
+def test_csv_tells_the_rate_it_was_written_with(tmp_path, rate, frames):
+    path = tmp_path / "joints.csv"
+    mm.write_pose(replace(arm(frames), rate=rate), path)
+    # What is no whole number is known as well as rounded times tell it.
+    off = 0.0 if rate == round(rate) else 1e-6 * rate**2 / (frames - 1)
+    assert abs(mm.read_pose(path).rate - rate) <= off
 
 
 def test_csv_of_others(tmp_path):

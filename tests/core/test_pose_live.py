@@ -9,7 +9,7 @@ import pytest
 
 import markermend as mm
 from markermend.cli import main
-from markermend.errors import DataError, FileFormatError
+from markermend.errors import FileFormatError
 from markermend.files.pose_stream import follow
 from markermend.poses import Pose
 from markermend.poses.levels import Levels
@@ -130,12 +130,6 @@ def test_a_body_is_known_by_one_pose_of_whatever_it_does(shared_data):
             fit = fitting(once, shipped_prior())
             assert fit is not None
             assert fit[1] == left_handed
-
-
-def test_it_starts_from_a_whole_pose(walk):
-    unseen = corrupt_pose(first_of(walk), Noise(occlusion=0.9), seed=0)
-    with pytest.raises(DataError, match="every joint"):
-        Live(unseen)
 
 
 def text_of(pose, tmp_path):

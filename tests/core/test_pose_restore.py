@@ -304,6 +304,20 @@ def test_joints_never_seen_and_positions_alone():
     assert np.isnan(clean.rotations).all()
 
 
+def test_what_a_joint_that_is_never_seen_hangs_on_keeps_the_rotations_it_was_given():
+    pose = arm()
+    told = restore(hide(hide(pose, slice(None), 4), slice(50, 60), 2))
+    there = np.r_[0:50, 60:400]
+    assert_allclose(told.pose.rotations[there, 3], pose.rotations[there, 3], atol=1e-9)
+    assert np.isnan(told.pose.rotations[:, 4]).all()
+
+
+def test_where_one_pose_was_seen_no_error_is_known_but_of_joints_beside_the_root():
+    told = restore(hide(arm(60), np.r_[0:30, 31:60], slice(None)))
+    assert np.isnan(told.error_mm[[0, -1], 0]).all()
+    assert np.isfinite(told.error_mm[:, 1:]).all()
+
+
 def test_noise_beside_a_joint_never_seen_is_taken_out():
     truth = arm()
     random = np.random.default_rng(5)
@@ -314,6 +328,25 @@ def test_noise_beside_a_joint_never_seen_is_taken_out():
     assert np.isnan(restored.positions[:, 4]).all()
     # The root stays as it was measured.
     assert far(restored, truth)[:, 1:4].mean() < 0.9 * far(noisy, truth)[:, 1:4].mean()
+
+
+def test_rotations_that_are_all_one_are_taken_for_none_and_come_back():
+    random = np.random.default_rng(2)
+    pose = arm(120)
+    noise = random.normal(0.0, 5.0, pose.positions.shape)
+    noisy = pose.with_samples(pose.positions + noise, pose.rotations)
+    noisy = hide(noisy, slice(40, 50), 4)
+    turned = np.broadcast_to([0.0, 0.0, 0.0, 1.0], noisy.rotations.shape) * random.choice(
+        [-1.0, 1.0], (120, 5, 1)
+    )
+    told = restore(noisy.with_samples(noisy.positions, turned, noisy.confidence))
+    assert 3.0 < np.median(told.noise_mm[1:]) < 7.0
+    none = np.full(noisy.rotations.shape, np.nan)
+    without = restore(noisy.with_samples(noisy.positions, none, noisy.confidence))
+    assert_allclose(told.pose.positions, without.pose.positions)
+    assert (told.pose.rotations[noisy.seen] == turned[noisy.seen]).all()
+    assert (np.abs(told.pose.rotations[..., 3]) == 1.0).all()
+    assert np.isnan(without.pose.rotations).all()
 
 
 def test_too_little_is_said():

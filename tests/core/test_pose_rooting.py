@@ -5,12 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from arms import arm, hide
+from scipy.spatial.transform import Rotation
 
 import markermend as mm
 from markermend.poses.channels import trusted_turns
 from markermend.poses.nuitrack import to_nuitrack
 from markermend.poses.prior import shipped_prior
-from markermend.poses.quaternion import lengths_of
+from markermend.poses.quaternion import lengths_of, multiply, turn
 from markermend.poses.restore import restore
 from markermend.poses.rooting import rooted
 
@@ -64,10 +65,58 @@ def test_where_nothing_that_hangs_on_it_was_seen_a_root_is_bridged(run):
     assert 0.3 < found.error_mm[60:70].mean() / off.mean() < 5.0
 
 
+def test_while_nobody_is_seen_a_root_goes_on_turning_as_it_did(run):
+    for about in (0.0, 100.0, 180.0):
+        away = Rotation.from_euler("y", about, degrees=True).as_quat()
+        turned = run.with_samples(turn(away, run.positions), multiply(away, run.rotations))
+        gone = hidden(turned, slice(60, 72), run.joints)
+        found = rooted(*seen_of(gone))
+        alike = np.abs(np.sum(found.rotation * turned.rotations[:, 0], axis=1))
+        assert np.degrees(2.0 * np.arccos(np.minimum(alike, 1.0))).max() < 6.0
+        told = restore(gone, prior=shipped_prior())
+        off = lengths_of(told.pose.positions - turned.positions)[60:72]
+        assert off.mean() < 25.0
+        # Others are as far off as the root that they hang on, and more.
+        expected = told.error_mm[60:72]
+        assert (expected[:, 1:] >= expected[:, :1]).all()
+        assert 0.5 < expected[:, 1:].mean() / off[:, 1:].mean() < 2.0
+
+
+def test_without_rotations_it_goes_on_turning_as_joints_stood_around_it(run):
+    away = Rotation.from_euler("y", 100.0, degrees=True).as_quat()
+    places = turn(away, run.positions)
+    unturned = run.with_samples(places, np.full(run.rotations.shape, np.nan))
+    told = restore(hidden(unturned, slice(60, 72), run.joints), prior=shipped_prior())
+    assert lengths_of(told.pose.positions - places)[60:72].mean() < 25.0
+
+
 def test_of_one_joint_only_the_way_beside_tells_how_a_root_turned():
     pose = arm()
     found = rooted(*seen_of(hide(pose, slice(100, 120), 0)))
     assert lengths_of(found.position - pose.positions[:, 0])[100:120].max() < 25.0
+
+
+@pytest.mark.parametrize("gone", [("left_hip", "right_hip"), ("torso",), ("right_hip",)])
+def test_those_of_its_joints_that_are_seen_are_held_against_themselves(run, gone):
+    away = Rotation.from_euler("y", 100.0, degrees=True).as_quat()
+    turned = run.with_samples(turn(away, run.positions), multiply(away, run.rotations))
+    found = rooted(*seen_of(hidden(turned, slice(60, 80), ("waist", *gone))))
+    off = lengths_of(found.position - turned.positions[:, 0])
+    assert off[60:80].max() < 15.0
+    assert not off[:60].any()
+    if gone != ("torso",):
+        assert 0.3 < found.error_mm[60:80].mean() / off[60:80].mean() < 5.0
+    alike = np.abs(np.sum(found.rotation * turned.rotations[:, 0], axis=1))[60:80]
+    assert np.degrees(2.0 * np.arccos(np.minimum(alike, 1.0))).max() < 6.0
+
+
+def test_of_very_many_sets_of_joints_the_rarest_are_taken_together(run, monkeypatch):
+    monkeypatch.setattr("markermend.poses.rooting._MOST_PARTS", 1)
+    some = hidden(hidden(run, slice(60, 80)), slice(60, 64), ("torso",))
+    some = hidden(hidden(some, slice(64, 66), ("left_hip",)), slice(66, 67), run.joints)
+    found = rooted(*seen_of(some))
+    assert lengths_of(found.position - run.positions[:, 0])[60:80].max() < 40.0
+    assert (found.error_mm[60:80] > 0).all()
 
 
 def test_a_restored_body_stands_on_its_root(run):

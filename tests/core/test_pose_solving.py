@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from markermend.poses.quaternion import rotation_vector
-from markermend.poses.solving import inverted, solved
+from markermend.poses.quaternion import by_left, by_right, multiply, rotation_vector
+from markermend.poses.solving import Regression, average_in, inverted, part_of, solved
 
 
 @pytest.mark.parametrize(("kind", "off"), [(np.float32, 1e-3), (np.float64, 1e-10)])
@@ -43,3 +43,33 @@ def test_an_inverse_is_whole_and_leaves_what_it_is_of():
 
 def test_nothing_known_tells_nothing():
     assert solved(np.empty((0, 0)), np.empty((0, 4))).shape == (0, 4)
+
+
+def test_matrices_multiply_as_quaternions_do():
+    a, b = np.random.default_rng(1).normal(size=(2, 5, 4))
+    assert_allclose((by_left(a) @ b[:, :, None])[:, :, 0], multiply(a, b), atol=1e-12)
+    assert_allclose((by_right(b) @ a[:, :, None])[:, :, 0], multiply(a, b), atol=1e-12)
+    assert_allclose(by_left(a[0]) @ b[0], multiply(a[0], b[0]), atol=1e-12)
+
+
+@pytest.mark.parametrize("count", [0, 1, 4])
+def test_a_mean_of_products_is_gone_on_with(count):
+    random = np.random.default_rng(1)
+    matrix, rows = np.eye(6), random.normal(size=(count, 6))
+    average_in(matrix, rows, 0.25)
+    assert_allclose(matrix, 0.75 * np.eye(6) + 0.25 * rows.T @ rows, atol=1e-12)
+
+
+def test_columns_tell_of_others_by_their_covariance():
+    random = np.random.default_rng(1).normal(size=(20, 30))
+    covariance = random @ random.T
+    told, telling = np.array([3, 7]), np.array([0, 4, 5, 9])
+    away = np.array([1.0, -2.0, 0.5, 3.0])
+    among = part_of(covariance, telling, telling) + 0.1 * np.eye(4)
+    weights = np.linalg.solve(among, covariance[np.ix_(telling, told)])
+    regression = Regression(covariance, told, telling, 0.1)
+    assert_allclose(regression.tell(away), away @ weights, atol=1e-9)
+    none = Regression(covariance, told, np.empty(0, dtype=int), 0.1)
+    assert_allclose(none.tell(np.empty(0)), 0.0)
+    with pytest.raises(np.linalg.LinAlgError, match="positive definite"):
+        Regression(-covariance, told, telling, 0.1)

@@ -212,7 +212,8 @@ def test_what_a_stream_leaves_out_is_said():
     unseen = [row[:-1] + "0" if ",b," in row else row for row in ROWS]
     _, said = streamed("\n".join([HEAD, *unseen]))
     assert said == [
-        "No pose of the stream had every joint of its first one, so nothing was filled."
+        "Never seen, and left so: b.",
+        "Nothing was filled: no pose of the stream showed the root joint and a bone.",
     ]
 
 

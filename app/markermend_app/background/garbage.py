@@ -9,6 +9,8 @@ from PySide6.QtCore import QObject, QTimer
 
 YOUNG, ALL = 1, 2
 EVERY_MS, ALL_EVERY = 1000, 60
+MANY, PUT_OFF = 50_000, 30
+"""So many new objects take some 30 ms; while there are as many, they wait for so many rounds."""
 
 
 class Collector(QObject):
@@ -21,7 +23,7 @@ class Collector(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._times = 0
+        self._times = self._put_off = 0
         self._timer = QTimer(self)
         self._timer.timeout.connect(self._collect)
         self._timer.start(EVERY_MS)
@@ -33,7 +35,15 @@ class Collector(QObject):
         gc.enable()
 
     def _collect(self) -> None:
-        """Collect what is young, and now and then everything."""
+        """Collect what is young, and now and then everything; not what a worker is amid of making.
+
+        The rows of a long table are hundreds of thousands of objects, all of them young. To walk
+        through them holds the window up, and once the table is read they are gone.
+        """
+        self._put_off = self._put_off + 1 if gc.get_count()[0] > MANY else 0
+        if 0 < self._put_off <= PUT_OFF:
+            return
+        self._put_off = 0
         self._times += 1
         gc.collect(ALL if self._times % ALL_EVERY == 0 else YOUNG)
 

@@ -177,12 +177,15 @@ class AlikeDialog(QDialog):
             return
         # One outside the region of interest that was asked for has its like everywhere.
         asked = session.listed if self._like in session.listed else session.artifacts
-        self._listed = alike(
+        found = alike(
             asked,
             self._like.kind,
             markers=scope.markers,
             min_confidence=self.least.value() / 100,
         )
+        # Joints that went wrong together stay together, as they are one row of the queue.
+        ids = {i for a in found for i in self._document.decided_with(a.id)}
+        self._listed = tuple(a for a in asked if a.id in ids)
         take = session.original
         with QSignalBlocker(self.table):
             self.table.setRowCount(len(self._listed))

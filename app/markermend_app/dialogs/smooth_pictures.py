@@ -182,7 +182,9 @@ class SmoothPictures(pg.GraphicsLayoutWidget):
     def set_clock(self, first_frame: int, rate: float, frames: int) -> None:
         """Say how the file counts frames, and how many there are."""
         self._time.set_clock(first_frame, rate, frames)
-        self.way.view.setLimits(xMin=-1, xMax=frames, minXRange=_FEWEST_FRAMES)
+        # A range that has no room within its own limits would be corrected without end.
+        fewest = min(_FEWEST_FRAMES, frames + 1)
+        self.way.view.setLimits(xMin=-1, xMax=frames, minXRange=fewest)
 
     def show_frames(self, start: int, stop: int) -> None:
         """Bring frames into view."""

@@ -55,6 +55,7 @@ class Commands(QObject):
         self._exporter = Exporter(document, lane, self._saver, window)
         self._exporter.said.connect(self.said)
         self._exporter.replaced.connect(self.open_path)
+        lane.finished.connect(self._go_on)
         document.failed.connect(self._tell_refused)
         document.proposals.failed.connect(self.show_problem)
 
@@ -154,19 +155,25 @@ class Commands(QObject):
         def work(progress: Progress) -> Any:
             from markermend.mesh import infer_mesh
             from markermend.repairs import REPAIRS
-            from markermend.repairs.skeleton import get_ready
 
             # The first look at them reads what all packages on this machine bring.
             len(REPAIRS)
-            if take.skeleton and file.session.begun:
-                # Detecting does that in a new one. Proposals rest on it, and are let go on walking.
-                get_ready(take, progress)
             return infer_mesh(take, progress=progress)
+
+        def get_ready(progress: Progress) -> None:
+            from markermend.repairs.skeleton import get_ready
+
+            get_ready(take, progress)
 
         def done(mesh: Mesh) -> None:
             if self._document.file is not file:
                 return
-            self._document.learn(mesh)
+            if take.skeleton and file.session.begun:
+                # Detecting does that in a new one. Proposals rest on it, and are let go on walking.
+                self._document.learn(mesh, propose=False)
+                self._lane.submit(label, get_ready, lambda _: None, self.show_problem)
+            else:
+                self._document.learn(mesh)
             new = not file.session.begun and not file.read_only
             if new and settings.flag("detect_on_open", True):
                 self._detecting.search(slow=False, by_itself=True)
@@ -175,6 +182,11 @@ class Commands(QObject):
 
         label = self.tr("Looking at the body")
         self._lane.submit(label, work, done, self.show_problem)
+
+    def _go_on(self) -> None:
+        """Let repairs be proposed that waited for a job, whether it was done or cancelled."""
+        if not self._lane.busy:
+            self._document.go_on()
 
     def close_take(self) -> None:
         """Close the take, after asking what becomes of unexported work."""
@@ -253,6 +265,10 @@ class Commands(QObject):
 
     def repair(self) -> None:
         """Repair the current artifact by the method shown."""
+        file = self._document.file
+        if file is not None and self._document.mesh is None and not self._lane.busy:
+            # Looking at the body was cancelled, and no repair comes without it.
+            self._learn_body(file)
         self._document.decisions.repair_current()
 
     def reopen(self) -> None:

@@ -201,33 +201,29 @@ class HandWork(QObject):
     # Artifacts
 
     def split_artifact(self) -> None:
-        """Make two of the current artifact, at the cursor."""
-        current = self._document.current
-        if current is not None:
-            at = self._document.frame
-            self._document.decisions.adjust([current.id], lambda s: hand.split(s, current.id, at))
+        """Make two of the current artifact, and of each of its event, at the cursor."""
+        ids, at = self._document.together, self._document.frame
+        if ids:
+            one, *others = ids
+            verb = partial(hand.split, artifact_id=one, at=at, others=others)
+            self._document.decisions.adjust(ids, verb)
 
     def join_artifacts(self) -> None:
         """Make one of the artifacts selected in the queue, else of the current and the next one."""
         session, current = self._document.session, self._document.current
         if session is None or current is None:
             return
-        ids = list(self._chosen())
-        if len(ids) < 2:
-            following = next(
-                (
-                    a.id
-                    for a in session.artifacts
-                    if a.marker == current.marker
-                    and a.start >= current.start
-                    and a.id != current.id
-                    and a.status is not Status.REJECTED
-                ),
-                None,
-            )
-            ids = [current.id] if following is None else [current.id, following]
-            if following is not None and self._far(current, session.artifact(following)):
+        ids, together = list(self._chosen()), self._document.together
+        if set(ids) <= set(together):
+            # One row alone, which may be an event of several joints.
+            ids = [current.id]
+            following = self._next_on_its_marker(session, current)
+            if following is not None and self._far(current, following):
                 return
+            for a in map(session.artifact, together):
+                following = self._next_on_its_marker(session, a)
+                if following is not None and self._near(session, a, following):
+                    ids = list(dict.fromkeys((*ids, a.id, following.id)))
         if (
             self._document.decisions.adjust(ids, lambda s: hand.join(s, ids))
             and self._document.current is None
@@ -236,24 +232,39 @@ class HandWork(QObject):
             self._document.select(left[0])
 
     def call(self, kind: Kind) -> None:
-        """Give the current artifact another class."""
-        if self._document.current is not None:
-            self._document.decisions.change(self._document.current.id, kind=kind)
+        """Give the current artifact, and the rest of its event, another class."""
+        self._document.decisions.change_current(kind=kind)
 
     def nudge(self, start: int, stop: int) -> None:
-        """Move an edge of the current artifact by frames; it stays at least one frame long."""
-        current = self._document.current
-        if current is not None:
-            self._document.decisions.adjust(
-                [current.id], lambda s: hand.nudge(s, current.id, start=start, stop=stop)
-            )
+        """Move an edge of the current artifact, and of its event; one frame at least is left."""
+        ids = self._document.together
+        if ids:
+            one, *others = ids
+            verb = partial(hand.nudge, artifact_id=one, start=start, stop=stop, others=others)
+            self._document.decisions.adjust(ids, verb)
 
     # Inner workings
 
+    def _next_on_its_marker(self, session: Session, one: Artifact) -> Artifact | None:
+        """The next artifact of a marker that was not rejected."""
+        later = (
+            a
+            for a in session.artifacts
+            if a.marker == one.marker
+            and a.start >= one.start
+            and a.id != one.id
+            and a.status is not Status.REJECTED
+        )
+        return next(later, None)
+
+    def _near(self, session: Session, one: Artifact, other: Artifact) -> bool:
+        """Whether two artifacts are so near that a key by itself joins them."""
+        return other.start - one.stop <= NEAR_S * session.original.rate
+
     def _far(self, one: Artifact, other: Artifact) -> bool:
-        """Say so where two artifacts are so far apart that a key by itself does not join them."""
+        """Say so where two artifacts are too far apart for that."""
         session = self._document.session
-        if session is None or other.start - one.stop <= NEAR_S * session.original.rate:
+        if session is None or self._near(session, one, other):
             return False
         text = self.tr(
             "The next artifact of {0} begins {1} frames later; select both in the queue to join "

@@ -202,7 +202,13 @@ def _add_smooth(p: argparse.ArgumentParser) -> None:
 
 
 def _add_denoise(p: argparse.ArgumentParser) -> None:
-    p.add_argument("pose", metavar="POSE", help="joints: .csv, .bvh, .amc, or “-” for a stream")
+    p.add_argument(
+        "pose",
+        metavar="POSE",
+        help="joints: .csv, .bvh, .amc, or “-” for a stream, with a row for every joint of every"
+        " pose, confidence 0 or empty numbers where it was not seen: where rows are left out, poses"
+        " may go out one pose late",
+    )
     p.add_argument(
         "-o",
         "--output",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -22,6 +23,9 @@ _TURNS = {"Xrotation": "X", "Yrotation": "Y", "Zrotation": "Z"}
 # Mean length of bones, in the file's own unit, below which it must be metres, or centimetres.
 _METRES, _CENTIMETRES = 1.0, 60.0
 _MOST_JOINTS = 10_000
+_HEAD = re.compile(r"\s*MOTION\s+Frames\s*:\s*(\S+)\s+Frame\s*Time\s*:\s*(\S+)", re.IGNORECASE)
+# Lines of a movement's head, blank ones among them.
+_MOST_HEAD = 20
 _MOST_DIGITS = 15
 # A name of more words is none.
 _MOST_WORDS = 10
@@ -31,7 +35,7 @@ class _Joint:
     """One joint while the hierarchy is read."""
 
     def __init__(self, name: str, parent: int) -> None:
-        self.name, self.parent = name, parent
+        self.name, self.parent, self.ends = name, parent, 0
         self.offset = np.zeros(3)
         self.channels: list[str] = []
 
@@ -91,6 +95,11 @@ def unit_of(hierarchy: str) -> tuple[float, str]:
     return _unit(_hierarchy(hierarchy.split()))
 
 
+def end_name(joint: str, before: int) -> str:
+    """Name of an end of a joint's bone, of which it has had some before."""
+    return joint + END + (str(before + 1) if before else "")
+
+
 def _hierarchy(words: list[str]) -> list[_Joint]:
     """Joints, parents first."""
     if not words or words[0] != "HIERARCHY":
@@ -108,7 +117,9 @@ def _hierarchy(words: list[str]) -> list[_Joint]:
                 stack.append(len(joints) - 1)
                 at += 2 + len(name)
             case "End":
-                joints.append(_Joint(joints[stack[-1]].name + END, stack[-1]))
+                above = joints[stack[-1]]
+                joints.append(_Joint(end_name(above.name, above.ends), stack[-1]))
+                above.ends += 1
                 stack.append(len(joints) - 1)
                 at += 3
             case "OFFSET":
@@ -173,20 +184,22 @@ def _movement(lines: list[str], first: int) -> tuple[int, float, list[tuple[int,
     """Frames, seconds between them, and number and words of each line that follows."""
     if first == len(lines):
         raise IndexError
-    head: list[str] = []
-    at = first
-    while len(head) < 6 and at < len(lines):
-        head += lines[at].split()
+    head, found, at = "", None, first
+    while found is None and at < min(len(lines), first + _MOST_HEAD):
+        head += lines[at] + " "
+        found = _HEAD.match(head)
         at += 1
-    if head[:2] != ["MOTION", "Frames:"] or head[3:5] != ["Frame", "Time:"]:
+    if found is None:
         raise ValueError("after its hierarchy no movement with frames and frame time follows")
-    if not _is_count(head[2]):
-        raise ValueError(f"“{head[2][:40]}” is no number of frames")
-    step = number(head[5])
+    frames, time = found.groups()
+    if not _is_count(frames):
+        raise ValueError(f"“{frames[:40]}” is no number of frames")
+    step = number(time)
     if not np.isfinite(step):
-        raise ValueError(f"“{head[5][:40]}” is no time between frames")
+        raise ValueError(f"“{time[:40]}” is no time between frames")
+    rest = head[found.end() :].split()
     body = [(n, line.split()) for n, line in enumerate(lines[at:], at + 1) if line.strip()]
-    return int(head[2]), step, [(at, head[6:]), *body] if head[6:] else body
+    return int(frames), step, [(at, rest), *body] if rest else body
 
 
 def _values(

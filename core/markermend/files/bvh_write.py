@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import ExportError
-from markermend.files.bvh_read import CM, END, MOVES, unit_of
+from markermend.files.bvh_read import CM, END, MOVES, end_name, unit_of
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import inverse, multiply, turn
 from markermend.poses.turnless import turned_as_parents, turnless
@@ -49,13 +49,14 @@ def write_bvh(
 
     A joint of a BVH stands where its bone begins and carries those below it. Where joints of a
     recording stand where their bone ends, as those of an AMC, they are written so, and the ends of
-    chains as its ends. A joint that others do not carry along, as a shoulder in the trunk, has
-    channels of position besides, so that it is where the recording has it.
+    chains as its ends; those that a hierarchy was read for, which has such ends, stay. A joint that
+    others do not carry along, as a shoulder in the trunk, has channels of position besides, so that
+    it is where the recording has it.
     """
     pose, told = _writable(pose, whole)
     offsets = _offsets(told, told.parents)
     by_own = _strays(_offsets(told, range(len(told.joints))))
-    if by_own.sum() + _RIGID_MM < _strays(offsets).sum():
+    if not _has_ends(told) and by_own.sum() + _RIGID_MM < _strays(offsets).sum():
         pose, told = _at_starts(pose), _at_starts(told)
         offsets = _offsets(told, told.parents)
     children: dict[int, list[int]] = {}
@@ -209,7 +210,7 @@ def _describe(
         lines += [f"{tab}{'ROOT' if parent < 0 else 'JOINT'} {name}"]
         lines += [tab + "{", f"{tab}  OFFSET {_three(offset)}"]
         lines.append(f"{tab}  CHANNELS {moves} Zrotation Xrotation Yrotation")
-        ends = [c for c in below if _is_end(c, pose, children) and carried[c]]
+        ends = _ends(below, pose, children, carried)
         tips = [offsets[end] for end in ends] or ([] if below else [np.zeros(3)])
         # What comes last is written first.
         waiting.append(tab + "}")
@@ -219,9 +220,22 @@ def _describe(
         waiting += [(child, depth + 1) for child in reversed(below) if child not in ends]
 
 
-def _is_end(joint: int, pose: Pose, children: dict[int, list[int]]) -> bool:
-    """Whether a joint is nothing but the end of its parent's bone."""
-    return joint not in children and pose.joints[joint] == pose.joints[pose.parents[joint]] + END
+def _has_ends(pose: Pose) -> bool:
+    """Whether joints are those of a hierarchy: chains end in one that is called so."""
+    above = zip(pose.joints, pose.parents, strict=True)
+    return any(p >= 0 and joint == end_name(pose.joints[p], 0) for joint, p in above)
+
+
+def _ends(
+    below: list[int], pose: Pose, children: dict[int, list[int]], carried: BoolArray
+) -> list[int]:
+    """Those below a joint that are nothing but ends of its bone, and are called so again."""
+    ends = list[int]()
+    for child in below:
+        name = end_name(pose.joints[pose.parents[child]], len(ends))
+        if child not in children and carried[child] and pose.joints[child] == name:
+            ends.append(child)
+    return ends
 
 
 def _three(values: FloatArray) -> str:

@@ -21,7 +21,8 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import FileFormatError
-from markermend.files.plausible import read_as_missing
+from markermend.files.plausible import FARTHEST, read_as_missing
+from markermend.files.pose_clock import Clock, by_times
 from markermend.files.pose_csv_patch import Part, patched
 from markermend.files.pose_rows import (
     COLUMNS,
@@ -35,19 +36,19 @@ from markermend.files.pose_rows import (
     wild,
 )
 from markermend.files.text import read_lines
-from markermend.poses.nuitrack import PARENT_OF, usual_name
+from markermend.poses.normal import bone_lengths
+from markermend.poses.nuitrack import usual_parents
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import NO_TURN
 from markermend.progress import Progress, quiet
 from markermend.rates import rate_of
 
-_SENSOR_RATE = 30.0
 _SAME = 1e-9
 _FRAMES_A_REPORT = 256
-# Nobody records joints so slowly: times that grow by more a pose are no seconds.
-_SLOWEST_S = 1.0
-_LARGEST_TIME = 1e15
-_MILLISECONDS = "The times in the file grow too fast for seconds; milliseconds were assumed."
+# Bones of bodies are longer, mm.
+_LEAST_BONE = 1.0
+_TURNLESS = "No column tells how joints are turned, as qx, qy, qz and qw would."
+_METRES = "The file tells no unit of length; by the size of things metres were assumed."
 
 
 @dataclass(frozen=True)
@@ -60,28 +61,14 @@ class Table:
     read : the same as the recording holds it, with rotations of length 1
     file : that they are from
     header : of that file
-    rate : poses per second by its times, or what is assumed without
+    clock : what its times tell, or what is assumed without
     """
 
     written: FloatArray
     read: FloatArray
     file: Path
     header: Header
-    rate: float
-
-
-@dataclass(frozen=True)
-class _Clock:
-    """Poses per second, seconds at the first of them, and a sentence where it was guessed."""
-
-    rate: float
-    begins: float = 0.0
-    guessed: tuple[str, ...] = ()
-
-
-_NO_CLOCK = _Clock(
-    _SENSOR_RATE, guessed=(f"The file tells no rate; {_SENSOR_RATE:g} Hz was assumed.",)
-)
+    clock: Clock
 
 
 def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None = None) -> Pose:
@@ -108,6 +95,8 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
     body, warnings = whole_rows(lines[1:], header)
     if not header.unit_known:
         warnings.append(UNKNOWN_UNIT)
+    if header.others and "qw" not in header.at:
+        warnings.append(_TURNLESS)
     names = [header.joint(row, number) for number, row in body]
     joints = tuple(dict.fromkeys(names))
     frame, first, count = _frames(body, header, len(joints))
@@ -118,15 +107,16 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
         if n % (_FRAMES_A_REPORT * len(joints)) == 0:
             report(n / len(body), "Reading poses")
         values[frame[n], place[names[n]]] = header.values(row, number)
+    parents = parents_of([row for _, row in body], header.at, joints, path.name)
+    if not header.unit_told and too_short(values[..., :3], parents):
+        header, values[..., :3] = header.in_metres(), 1e3 * values[..., :3]
+        warnings.append(_METRES)
     far = int(wild(values).sum())
     # What has no place is not seen, and is not written as seen either.
     values[~measured(values)] = np.nan
-    parents = parents_of([row for _, row in body], header.at, joints, path.name)
-    clock = _by_times([header.time(row) for _, row in body], frame) or _NO_CLOCK
-    told = clock.rate
-    if rate not in (None, told):
-        # Times that tell another rate are not believed.
-        clock = _Clock(rate)
+    told = by_times([header.time(row) for _, row in body], frame, first, header.second)
+    # Times that tell another rate are not believed.
+    clock = told if rate in (None, told.rate) else Clock(rate)
     hertz = rate_of(clock.rate, path.name)
     confidence = values[..., 7] if "confidence" in header.at else np.ones(values.shape[:2])
     zero = (values[..., :3] == 0).all(axis=2) & (np.asarray(parents) >= 0)
@@ -138,11 +128,18 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
         parents,
         hertz,
         confidence,
-        warnings=(*warnings, *clock.guessed, *read_as_missing(far)),
+        warnings=(*warnings, *clock.oddities, *read_as_missing(far)),
         first_frame=first,
         first_time=clock.begins,
     )
     return replace(pose, source=Table(values, _numbers_of(pose), path, header, told))
+
+
+def too_short(places: FloatArray, parents: tuple[int, ...]) -> bool:
+    """Whether bones between places (frames, joints, 3) are no body's in mm, as those in metres."""
+    there = (np.abs(places) <= FARTHEST).all(axis=2) & (places != 0).any(axis=2)
+    lengths = bone_lengths(np.where(there[..., None], places, np.nan), parents)
+    return bool((lengths > 0).any() and np.nanmean(lengths) < _LEAST_BONE)
 
 
 def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> tuple[str, ...]:
@@ -173,12 +170,14 @@ def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> tuple[str
             return ()
         written = np.where(same, table.written, np.nan)
         values = np.where(np.isfinite(written), written, values)
-    file.write((",".join(COLUMNS) + "\n").encode())
+    short = too_short(pose.positions, pose.parents)
+    head = [f"{name} (mm)" if short and name in ("x", "y", "z") else name for name in COLUMNS]
+    file.write((",".join(head) + "\n").encode())
     for frame in range(pose.frames):
         if frame % _FRAMES_A_REPORT == 0:
             progress(frame / pose.frames, "Writing poses")
         number, time = pose.first_frame + frame, pose.first_time + frame / pose.rate
-        lines = rows_of(number, time, names, above, values[frame])
+        lines = rows_of(number, time, names, above, values[frame], fine=short)
         for joint in np.flatnonzero(np.isfinite(written[frame]).any(axis=1)):
             lines[joint] = _exactly(lines[joint], written[frame, joint])
         file.write("".join(lines).encode())
@@ -189,19 +188,31 @@ def _over_its_file(
     pose: Pose, table: Table, values: FloatArray, changed: BoolArray, progress: Progress
 ) -> bytes | None:
     """What was read, with what is changed; None where that cannot be."""
+    header, mm = table.header, table.header.scales[0]
+    if not header.unit_told and too_short(pose.positions / mm, pose.parents) != (mm != 1.0):
+        # A body of such a size would be taken to be in another unit.
+        return None
     times = None
-    if pose.rate != table.rate:
+    if pose.rate != table.clock.rate:
         times = pose.first_time + np.arange(pose.frames) / pose.rate
+        times /= table.clock.second
     part = Part(pose.joints, pose.parents, pose.first_frame, table.written, values, changed, times)
-    return patched(table.file, table.header, part, progress)
+    return patched(table.file, header, part, progress)
 
 
 def rows_of(
-    frame: int, time: float, names: list[str], above: list[str], values: FloatArray
+    frame: int,
+    time: float,
+    names: list[str],
+    above: list[str],
+    values: FloatArray,
+    *,
+    fine: bool = False,
 ) -> list[str]:
-    """Lines of one pose, of (joints, 8) numbers."""
+    """Lines of one pose, of (joints, 8) numbers, to a nanometre where they shall be fine."""
+    digits = 6 if fine else 3
     return [
-        f"{frame},{time:.6f},{name},{parent},{x:.3f},{y:.3f},{z:.3f},"
+        f"{frame},{time:.6f},{name},{parent},{x:.{digits}f},{y:.{digits}f},{z:.{digits}f},"
         f"{a:.6f},{b:.6f},{c:.6f},{w:.6f},{sure:.3g}\n"
         for name, parent, (x, y, z, a, b, c, w, sure) in zip(
             names, above, values.tolist(), strict=True
@@ -297,34 +308,16 @@ def parents_of(
     if "parent" in at:
         above = {row[at["joint"]].strip(): row[at["parent"]].strip() for row in body}
     else:
-        usual = {usual_name(joint): joint for joint in joints}
-        unknown = [joint for joint in joints if usual_name(joint) not in PARENT_OF]
+        above = usual_parents(joints)
+        unknown = [joint for joint in joints if joint not in above]
         if unknown:
             raise FileFormatError(
                 f"{name} does not say what “{unknown[0]}” hangs on; add a column “parent”."
             )
-        above = {joint: usual.get(PARENT_OF[usual_name(joint)], "") for joint in joints}
     lost = [parent for parent in above.values() if parent and parent not in joints]
     if lost:
         raise FileFormatError(f"{name} is damaged: the parent “{lost[0]}” is no joint of it.")
     return tuple(joints.index(above[joint]) if above[joint] else -1 for joint in joints)
-
-
-def _by_times(told: list[float], frame: list[int]) -> _Clock | None:
-    """What times of rows tell; None where they do not grow."""
-    times, frames = np.array(told), np.array(frame)
-    known = np.abs(times) < _LARGEST_TIME
-    if np.unique(frames[known]).size < 2:
-        return None
-    slope = float(np.polyfit(frames[known], times[known], 1)[0])
-    if slope <= 0:
-        return None
-    unit = 1.0 if slope <= _SLOWEST_S else 1e-3
-    at = int(np.argmin(np.where(known, frames, frames.max() + 1)))
-    rate = float(np.round(1.0 / (unit * slope), 4))
-    return _Clock(
-        rate, unit * (told[at] - frame[at] * slope), () if unit == 1 else (_MILLISECONDS,)
-    )
 
 
 def quoted(name: str) -> str:

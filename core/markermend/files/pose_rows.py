@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import isfinite, nan
 
 import numpy as np
@@ -12,10 +12,12 @@ import numpy as np
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import FileFormatError
 from markermend.files.plausible import FARTHEST
-from markermend.files.units import unit_mm
+from markermend.files.units import unit_mm, unit_s
 
 COLUMNS = ("frame", "time", "joint", "parent", "x", "y", "z", "qx", "qy", "qz", "qw", "confidence")
 NUMBERS = COLUMNS[4:]
+_ROTATION = COLUMNS[7:11]
+_WITH_UNIT = ("time", "x", "y", "z")
 _DELIMITERS = ",;\t"
 _BLANKS = _DELIMITERS + " \r\n"
 _OTHER_NAMES = {
@@ -29,6 +31,9 @@ _OTHER_NAMES = {
     "posx": "x",
     "posy": "y",
     "posz": "z",
+    # As Goncalves and others (2024) call them.
+    **{f"t{axis}": axis for axis in "xyz"},
+    **{f"r{axis}": f"q{axis}" for axis in "xyzw"},
     "rotationx": "qx",
     "rotationy": "qy",
     "rotationz": "qz",
@@ -37,10 +42,22 @@ _OTHER_NAMES = {
     "quaty": "qy",
     "quatz": "qz",
     "quatw": "qw",
+    "rotx": "qx",
+    "roty": "qy",
+    "rotz": "qz",
+    "rotw": "qw",
+    "orientationx": "qx",
+    "orientationy": "qy",
+    "orientationz": "qz",
+    "orientationw": "qw",
+    "trackingstate": "confidence",
+    "confidencelevel": "confidence",
+    "visibility": "confidence",
 }
 _BLANK = ("", "na", "n/a", "null", "none", "-")
-# As the Kinect's own programs write it.
+# As the programs of Kinects write it, the Azure's behind ``K4ABT_JOINT_CONFIDENCE_``.
 _TRACKED = {"tracked": 1.0, "inferred": 0.5, "nottracked": 0.0}
+_TRACKED |= {"none": 0.0, "low": 0.5, "medium": 1.0, "high": 1.0}
 _MOST_FRAMES = 2.0**53
 _MILLIMETRES = (1.0, 1.0, 1.0)
 UNKNOWN_UNIT = "The columns tell no unit of length that is known; millimetres were assumed."
@@ -58,6 +75,8 @@ class Header:
     delimiter : between cells
     scales : mm in the units of x, y and z
     unit_known : those that the line tells are
+    unit_told : the line tells any
+    second : seconds in the unit of time, where the line tells
     others : names of columns that are not known
     """
 
@@ -67,7 +86,13 @@ class Header:
     delimiter: str
     scales: tuple[float, ...] = _MILLIMETRES
     unit_known: bool = True
+    unit_told: bool = True
+    second: float | None = None
     others: tuple[str, ...] = ()
+
+    def in_metres(self) -> Header:
+        """The same in metres, where a line tells no unit."""
+        return replace(self, scales=(1000.0,) * 3)
 
     def cells(self, line: str, number: int) -> list[str]:
         """Cells of a line; fewer than there are columns where it is cut short.
@@ -137,7 +162,7 @@ class Header:
                 found[i] = plain(cell, self.delimiter)
                 if found[i] == found[i] or cell.strip().lower() in _BLANK:
                     continue
-                word = re.sub(r"[^a-z]", "", cell.lower())
+                word = _letters(cell).removeprefix("kabtjointconfidence")
                 if column != "confidence" or word not in _TRACKED:
                     raise FileFormatError(
                         f"{self.name} is damaged: line {number} says “{cell[:40]}” where {column}"
@@ -187,25 +212,53 @@ def header_of(line: str, name: str, number: int = 1) -> Header:
     """
     delimiter = max(_DELIMITERS, key=line.count)
     head = cells_of(line, delimiter, name, number)
-    plain = [re.sub(r"[^a-z]", "", re.sub(r"[\[(].*", "", cell.lower())) for cell in head]
-    at = {_OTHER_NAMES.get(cell, cell): i for i, cell in enumerate(plain)}
+    told = [_column(cell) for cell in head]
+    at: dict[str, int] = {}
+    for i, (column, _) in enumerate(told):
+        known = _OTHER_NAMES.get(column, column)
+        if known == column or known not in at:
+            at[known] = i
+    if any(part not in at for part in _ROTATION):
+        # Without all four they are no quaternion, as angles are not.
+        at = {column: i for column, i in at.items() if column not in _ROTATION}
     missing = [column for column in ("frame", "joint", "x", "y", "z") if column not in at]
     if missing:
         raise FileFormatError(
             f"{name} is no table of joints: it lacks the column “{missing[0]}”; it should have"
             f" {', '.join(COLUMNS)}."
         )
-    units = [_unit(head[at[axis]]) for axis in "xyz"]
-    scales = tuple(1.0 if mm is None else mm for mm in units)
-    known = {at[column] for column in COLUMNS if column in at}
-    others = tuple(cell.strip() for i, cell in enumerate(head) if i not in known)
-    return Header(name, at, len(head), delimiter, scales, None not in units, others)
+    units = [told[at[axis]][1] for axis in "xyz"]
+    scales = [unit_mm(unit) if unit else 1.0 for unit in units]
+    places = {at[column] for column in COLUMNS if column in at}
+    return Header(
+        name,
+        at,
+        len(head),
+        delimiter,
+        tuple(1.0 if mm is None else mm for mm in scales),
+        None not in scales,
+        any(units),
+        unit_s(told[at["time"]][1]) if "time" in at else None,
+        tuple(cell.strip() for i, cell in enumerate(head) if i not in places),
+    )
 
 
-def _unit(name: str) -> float | None:
-    """Millimetres in the unit that a column's name has in brackets, or none; None if unknown."""
-    unit = re.search(r"[\[(]\s*(\w+)", name)
-    return 1.0 if unit is None else unit_mm(unit[1])
+def _column(cell: str) -> tuple[str, str]:
+    """Letters of a column's name, and the unit behind it: ``x (m)``, ``time [ms]``, ``time_us``."""
+    bracket = re.search(r"[\[(]\s*(\w*)", cell)
+    if bracket:
+        return _letters(cell[: bracket.start()]), bracket[1]
+    front, _, unit = cell.strip().rpartition("_")
+    column = _letters(front)
+    known = unit_s if _OTHER_NAMES.get(column, column) == "time" else unit_mm
+    if _OTHER_NAMES.get(column, column) in _WITH_UNIT and known(unit) is not None:
+        return column, unit
+    return _letters(cell), ""
+
+
+def _letters(name: str) -> str:
+    """The letters of a name, small."""
+    return re.sub(r"[^a-z]", "", name.lower())
 
 
 def whole_rows(
@@ -242,8 +295,8 @@ def whole_rows(
 
 
 def says_nothing(line: str) -> bool:
-    """Whether a line is blank, has blank cells only, or is a comment."""
-    return not line.strip(_BLANKS) or line.startswith("#")
+    """Whether a line is blank, has blank cells only, is a comment, or tells Excel the delimiter."""
+    return not line.strip(_BLANKS) or line.startswith(("#", "sep="))
 
 
 def measured(values: FloatArray) -> BoolArray:

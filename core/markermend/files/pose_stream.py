@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from math import isfinite
 
 import numpy as np
 
-from markermend.arrays import FloatArray
+from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import FileFormatError
-from markermend.files.pose_csv import parents_of, quoted, rows_of
+from markermend.files.pose_csv import parents_of, quoted, rows_of, too_short
 from markermend.files.pose_rows import (
     COLUMNS,
     NUMBERS,
@@ -19,14 +19,17 @@ from markermend.files.pose_rows import (
     measured,
     says_nothing,
 )
+from markermend.files.pose_stream_whole import STREAM, Row, WholePoses
 from markermend.poses.live import Live
 from markermend.poses.pose import Pose
 from markermend.poses.prior import NOT_FITTING, Prior, shipped_prior
 from markermend.poses.quaternion import NO_TURN
 from markermend.poses.restore import INFERRED
 
-_STREAM = "The stream"
-_Row = tuple[int, list[str]]
+# When a joint was not seen for so long from the beginning, it is said.
+_SAID_S = 3.0
+_BEGUN = "They are filled once they were seen."
+_NOT_BEGUN = "Nothing is filled before the root joint and a bone are seen."
 
 
 def follow(
@@ -42,11 +45,13 @@ def follow(
     Parameters
     ----------
     lines : a header, then one row a frame and joint, the joints of a frame together
-    write : called with the header, then with the rows of each pose, once its last joint has come;
-        which joints there are, the first frame tells, so the first pose waits for the second
+    write : called with the header, then with the rows of each pose, once its last joint has come
+        (:class:`markermend.files.pose_stream_whole.WholePoses`); which joints there are, the first
+        frame tells, so the first pose waits for the second
     rate : poses per second
     prior : how bodies move
-    warn : told, in a sentence, what is not used of the stream or of the prior
+    warn : told, in a sentence, what is not used of the stream or of the prior, and which joints
+        were not seen in the first 3 s
 
     Returns
     -------
@@ -57,100 +62,78 @@ def follow(
     FileFormatError
         when there is no header, or a row is damaged
     """
-    numbered = ((n, line.rstrip("\r\n")) for n, line in enumerate(lines, 1))
-    telling = ((n, line) for n, line in numbered if not says_nothing(line))
+    telling = ((n, line) for n, line in enumerate(lines, 1) if not says_nothing(line))
     number, first_line = next(telling, (0, ""))
     if not number:
-        raise FileFormatError(f"{_STREAM} is empty; it should begin with a line of column names.")
-    header = header_of(first_line, _STREAM, number)
+        raise FileFormatError(f"{STREAM} is empty; it should begin with a line of column names.")
+    header = header_of(first_line.rstrip("\r\n"), STREAM, number)
     if not header.unit_known:
         warn(UNKNOWN_UNIT)
     write(",".join(COLUMNS) + "\n")
     joints: tuple[str, ...] = ()
     live: Live | None = None
+    told_fit = prior is None or prior is shipped_prior()
     parents: tuple[int, ...] = ()
-    count, time = 0, -1.0 / rate
-    for rows in _poses(telling, header, warn):
+    ever, fine = np.zeros(0, dtype=bool), False
+    count, time, soon = 0, -1.0 / rate, max(round(_SAID_S * rate), 1)
+    for rows in WholePoses(header, rate, warn).of(telling):
         if not joints:
             joints, parents = _body(rows, header)
+            ever = np.zeros(len(joints), dtype=bool)
         values = _values(rows, header, joints, parents)
+        # Metres that are not said to be go out as they came in.
+        fine = fine or (not count and too_short(values[None, :, :3], parents))
         places, turns, sure = values[:, :3], values[:, 3:7], values[:, 7]
-        if live is None and (sure > 0).all():
-            live = Live(Pose(places[None], turns[None], joints, parents, rate), prior)
-            if prior is not None and prior is not shipped_prior() and not live.by_prior:
+        seen = sure > 0
+        if live is None:
+            sole = Pose(places[None], turns[None], joints, parents, rate, sure[None])
+            live = Live(sole, prior)
+        places, turns = live(places, turns, seen)
+        sure = np.where(seen | ~live.joined, sure, INFERRED)
+        if live.begun and not told_fit:
+            told_fit = True
+            if not live.by_prior:
                 warn(NOT_FITTING)
-        if live is not None:
-            places, turns = live(places, turns, sure > 0)
-            sure = np.where(sure > 0, sure, INFERRED)
         number, row = rows[0]
         told = header.time(row)
-        time = told if isfinite(told) else time + 1.0 / rate
+        time = told * (header.second or 1.0) if isfinite(told) else time + 1.0 / rate
         names = [quoted(joint) for joint in joints]
         above = [names[parent] if parent >= 0 else "" for parent in parents]
         unturned = np.where((sure > 0)[:, None], 0.0, NO_TURN)
         turns = np.where(np.isnan(turns), unturned, turns)
         values = np.column_stack([places, turns, sure])
-        write("".join(rows_of(header.frame(row, number), time, names, above, values)))
-        count += 1
-    if count and live is None:
-        warn("No pose of the stream had every joint of its first one, so nothing was filled.")
+        write("".join(rows_of(header.frame(row, number), time, names, above, values, fine=fine)))
+        count, ever = count + 1, ever | seen
+        if count == soon and not ever.all():
+            then = _BEGUN if live.begun else _NOT_BEGUN
+            warn(f"Not seen in the first {_SAID_S:g} s: {_names(joints, ~ever)}. {then}")
+    if 0 < count < soon and not ever.all():
+        warn(f"Never seen, and left so: {_names(joints, ~ever)}.")
+    if live is not None and not live.begun:
+        warn("Nothing was filled: no pose of the stream showed the root joint and a bone.")
     return count
 
 
-def _body(rows: list[_Row], header: Header) -> tuple[tuple[str, ...], tuple[int, ...]]:
+def _names(joints: tuple[str, ...], those: BoolArray) -> str:
+    """Some of the joints, in words."""
+    return ", ".join(joint for joint, one in zip(joints, those, strict=True) if one)
+
+
+def _body(rows: list[Row], header: Header) -> tuple[tuple[str, ...], tuple[int, ...]]:
     """Joints and parents as the first pose tells them."""
     joints = tuple(dict.fromkeys(header.joint(row, number) for number, row in rows))
     for number, row in rows:
         parent = row[header.at["parent"]].strip() if "parent" in header.at else ""
         if parent and parent not in joints:
             raise FileFormatError(
-                f"{_STREAM} is damaged: line {number} hangs “{header.joint(row, number)}” on"
+                f"{STREAM} is damaged: line {number} hangs “{header.joint(row, number)}” on"
                 f" “{parent}”, which its first pose does not have; that must name every joint."
             )
-    return joints, parents_of([row for _, row in rows], header.at, joints, _STREAM)
-
-
-def _poses(
-    lines: Iterator[tuple[int, str]], header: Header, warn: Callable[[str], None]
-) -> Iterator[list[_Row]]:
-    """Rows of one frame at a time, as soon as it has every joint of the first one."""
-    waiting: dict[str, _Row] = {}
-    joints, strangers = frozenset[str](), set[str]()
-    given: int | None = None
-    now: int | None = None
-    for number, line in lines:
-        row = header.cells(line, number)
-        if len(row) < header.width:
-            raise FileFormatError(
-                f"{_STREAM} is damaged: line {number}, “{line[:40]}”, lacks cells."
-            )
-        frame, joint = header.frame(row, number), header.joint(row, number)
-        if waiting and frame != now:
-            joints = joints or frozenset(waiting)
-            yield list(waiting.values())
-            waiting = {}
-        if joints and joint not in joints:
-            if joint not in strangers:
-                warn(f"The stream's first pose has no joint “{joint}”; its rows are left out.")
-            strangers.add(joint)
-            continue
-        if frame == given:
-            continue
-        now = frame
-        if waiting.setdefault(joint, (number, row))[1] != row:
-            raise FileFormatError(
-                f"{_STREAM} is damaged: lines {waiting[joint][0]} and {number} both tell of"
-                f" “{joint}” in one frame, and differ."
-            )
-        if len(waiting) == len(joints):
-            yield list(waiting.values())
-            waiting, given = {}, frame
-    if waiting:
-        yield list(waiting.values())
+    return joints, parents_of([row for _, row in rows], header.at, joints, STREAM)
 
 
 def _values(
-    rows: list[_Row], header: Header, joints: tuple[str, ...], parents: tuple[int, ...]
+    rows: list[Row], header: Header, joints: tuple[str, ...], parents: tuple[int, ...]
 ) -> FloatArray:
     """(joints, 8) of one pose: position, rotation, confidence 0 where it was not seen.
 

@@ -33,8 +33,12 @@ def lines_of(raw: bytes, name: str) -> list[str]:
     Raises
     ------
     FileFormatError
-        when they are not text
+        when they are not text, or in an encoding of two bytes a letter
     """
+    if raw.startswith((b"\xff\xfe", b"\xfe\xff")):
+        raise FileFormatError(
+            f"{name} is text in UTF-16, as PowerShell and Excel write it; save it as UTF-8."
+        )
     if b"\0" in raw:
         raise FileFormatError(f"{name} is not a text file.")
     try:

@@ -1,4 +1,4 @@
-"""Lengths as files name them, in millimetres."""
+"""Lengths and times as files name them, in millimetres and seconds."""
 
 from __future__ import annotations
 
@@ -23,6 +23,22 @@ MILLIMETRES = {
     "foot": 304.8,
 }
 
+SECONDS = {
+    "s": 1.0,
+    "sec": 1.0,
+    "second": 1.0,
+    "ms": 1e-3,
+    "msec": 1e-3,
+    "millisecond": 1e-3,
+    "us": 1e-6,
+    "µs": 1e-6,
+    "usec": 1e-6,
+    "microsecond": 1e-6,
+    "ns": 1e-9,
+    "nsec": 1e-9,
+    "nanosecond": 1e-9,
+}
+
 
 def unit_mm(name: str) -> float | None:
     """Millimetres of a unit of length by its name, whole or cut short; None if unknown."""
@@ -31,3 +47,9 @@ def unit_mm(name: str) -> float | None:
         if known in MILLIMETRES:
             return MILLIMETRES[known]
     return None
+
+
+def unit_s(name: str) -> float | None:
+    """Seconds of a unit of time by its name; None if unknown."""
+    word = name.strip().lower().replace("μ", "µ")
+    return SECONDS.get(word, SECONDS.get(word.rstrip("s")))

@@ -3,22 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
+from markermend.poses.joining import JOINING, Kept, widened
 from markermend.poses.normal import FEATURES
 from markermend.poses.quaternion import (
+    NO_TURN,
+    by_left,
     by_turning,
     cross_matrices,
     inverse,
     matrices,
-    multiply,
-    turn,
     unit,
 )
 from markermend.poses.sides import both_sides, mirror_signs
-from markermend.poses.solving import inverted, solved
+from markermend.poses.solving import add_to_diagonal, average_in, inverted, solved
 
 FAR = 1e3
 """Mean bone lengths; no joint of a body is further from another."""
@@ -38,6 +40,9 @@ _STRAYS = 0.003
 # A small turn changes a quaternion by half of it.
 _HALF = 0.5
 _PLACE, _MOVES = 3, 6
+_ROOT = np.array([(0.0, 0.0, 0.0, *NO_TURN)])
+# Means over the features of a place, and over those of a turn.
+_MEANS = np.repeat([[1.0 / 3.0, 0.0], [0.0, 0.25]], [_PLACE, FEATURES - _PLACE], axis=0)
 
 
 class Articulation:
@@ -67,7 +72,7 @@ class Articulation:
         self._parents: IntArray = np.array(parents)
         joints = len(parents)
         self._mean = np.zeros((joints, FEATURES))
-        self._mean[:] = self._local(first)
+        self._mean[:] = self._hung(first.reshape(-1, FEATURES)).local
         self._weight = 1.0
         self._covariance = np.zeros((joints * FEATURES, joints * FEATURES))
         self._at_first = np.tile(np.where(np.arange(FEATURES) < _PLACE, _BONE, _TURN), joints)
@@ -77,6 +82,22 @@ class Articulation:
         self._gone, self._frame_s = np.zeros((joints, 2)), 1.0 / rate
         self._usual = first.reshape(-1, FEATURES).copy()
         self._variance = np.full(self._usual.shape, _TURN)
+
+    def go_on(self, before: Articulation, kept: Kept) -> None:
+        """Take over what was learnt of some joints, which hang where they did, all their columns.
+
+        Parameters
+        ----------
+        before : with rotations of the same signs
+        kept : columns of these joints
+        """
+        joints, theirs = kept.now[::FEATURES] // FEATURES, kept.before[::FEATURES] // FEATURES
+        self._mean[joints], self._usual[joints] = before._mean[theirs], before._usual[theirs]
+        self._variance[joints], self._gone[joints] = before._variance[theirs], before._gone[theirs]
+        usual = np.diag(self._at_first)
+        usual[kept.now, kept.now] = 0.0
+        self._covariance = widened(before._covariance, usual, kept, _RIDGE)
+        self._weight = min(before._weight, JOINING)
 
     def follow(self, values: FloatArray, known: BoolArray) -> FloatArray:
         """Let settle what is hidden in the next pose, and learn from what comes out.
@@ -91,70 +112,64 @@ class Articulation:
         (joints · 7,) known features as they were; all of them, and nothing is learnt, where bones
         are :data:`FAR` longer than a body's
         """
-        local = self._local(values)
+        hung = self._hung(values.reshape(-1, FEATURES))
         hidden = ~known.reshape(-1, FEATURES)[:, [0, _PLACE]]
         # Whoever fills has more to do where other joints are hidden than before.
         busy = bool((hidden != (self._gone > 0)).any())
         self._gone = np.where(hidden, self._gone + self._frame_s, 0.0)
-        if not (np.abs(local) < FAR).all():
+        if not (np.abs(hung.local) < FAR).all():
             return values
         if hidden.any():
             if self._age >= (2 * _KEPT if busy else _KEPT):
                 self._precision, self._age = self._inverse_covariance(), 0
-            settled = self._settled(values.reshape(-1, FEATURES), local, hidden)
+            settled = self._settled(values.reshape(-1, FEATURES), hung, hidden)
             values = np.where(known, values, settled.ravel())
-            local = self._local(values)
-        self._learn(values, local)
+            hung = self._hung(values.reshape(-1, FEATURES))
+        self._learn(values, hung.local)
         return values
 
-    def _local(self, values: FloatArray) -> FloatArray:
-        """(joints, 7) places and rotations in parents' axes, signs as in the mean."""
-        own, above = self._with_parents(values.reshape(-1, FEATURES))
-        back = inverse(above[:, _PLACE:])
-        bones = own[:, :_PLACE] - above[:, :_PLACE]
-        turned = multiply(back, own[:, _PLACE:])
-        other = np.sum(turned * self._mean[:, _PLACE:], axis=1) < 0
-        turned[other] *= -1.0
-        return np.hstack([turn(back, bones), turned])
-
-    def _with_parents(self, poses: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Poses, and those of their parents; the root is at 0 and not turned."""
-        root = np.zeros(FEATURES)
-        root[-1] = 1.0
-        return poses, np.vstack([poses, root])[self._parents]
+    def _hung(self, poses: FloatArray) -> _Hung:
+        """How joints (joints, 7) hang on their parents; the root is at 0 and not turned."""
+        above = np.concatenate([poses, _ROOT]).take(self._parents, axis=0)
+        down = inverse(above[:, _PLACE:])
+        back, bones = matrices(down), poses[:, :_PLACE] - above[:, :_PLACE]
+        local = np.empty(poses.shape)
+        local[:, :_PLACE] = (back @ bones[:, :, None])[:, :, 0]
+        turned = (by_left(down) @ poses[:, _PLACE:, None])[:, :, 0]
+        other = np.einsum("jq,jq->j", turned, self._mean[:, _PLACE:]) < 0
+        local[:, _PLACE:] = np.where(other[:, None], -turned, turned)
+        return _Hung(back, bones, local)
 
     def _learn(self, values: FloatArray, local: FloatArray) -> None:
         """Add a pose to means, covariance and how far features stray."""
         self._weight = min(self._weight + 1.0, _MEMORY)
         away = local - self._mean
         self._mean += away / self._weight
-        self._covariance *= 1.0 - 1.0 / self._weight
-        self._covariance += np.outer(away.ravel(), away.ravel() / self._weight)
+        average_in(self._covariance, away.reshape(1, -1), 1.0 / self._weight)
         strays = values.reshape(-1, FEATURES) - self._usual
         self._usual += strays / self._weight
         self._variance += (strays**2 - self._variance) / (_FIRST + self._weight)
         self._age += 1
 
-    def _settled(self, poses: FloatArray, local: FloatArray, hidden: BoolArray) -> FloatArray:
+    def _settled(self, poses: FloatArray, hung: _Hung, hidden: BoolArray) -> FloatArray:
         """(joints, 7) poses after one step."""
-        free = np.repeat(np.vstack([hidden, [False, False]]), _PLACE, axis=1)
-        rows, slopes = self._slopes(poses, local, free)
-        weighed = self._precision[:, rows] @ slopes
-        among = slopes.T @ weighed[rows]
-        sure = np.repeat(self._off() ** -2.0, _PLACE, axis=1)
-        among[np.diag_indices(len(among))] += sure[free[:-1]]
+        free = np.repeat(hidden, _PLACE, axis=1)
+        rows, slopes = self._slopes(hung, free)
+        weighed = slopes.T @ self._precision.take(rows, axis=0)
+        among = weighed.take(rows, axis=1) @ slopes
+        add_to_diagonal(among, np.repeat(self._off() ** -2.0, _PLACE, axis=1)[free])
         step = np.zeros(free.shape)
-        step[free] = solved(among, weighed.T @ (self._mean - local).ravel()[:, None])[:, 0]
-        turned = np.hstack([_HALF * step[:-1, _PLACE:], np.ones((len(poses), 1))])
-        places = poses[:, :_PLACE] + step[:-1, :_PLACE]
-        return np.hstack([places, multiply(unit(turned), poses[:, _PLACE:])])
+        step[free] = solved(among, (weighed @ (self._mean - hung.local).ravel())[:, None])[:, 0]
+        turned = np.ones((len(poses), FEATURES - _PLACE))
+        turned[:, :_PLACE] = _HALF * step[:, _PLACE:]
+        settled = np.empty(poses.shape)
+        settled[:, :_PLACE] = poses[:, :_PLACE] + step[:, :_PLACE]
+        settled[:, _PLACE:] = (by_left(unit(turned)) @ poses[:, _PLACE:, None])[:, :, 0]
+        return settled
 
     def _off(self) -> FloatArray:
         """(joints, 2) how far off filled places and turns are expected to be."""
-        strays = np.stack(
-            [self._variance[:, :_PLACE].mean(axis=1), self._variance[:, _PLACE:].mean(axis=1)],
-            axis=1,
-        )
+        strays = self._variance @ _MEANS
         share = np.minimum(_AT_FIRST + _MORE_IN_1_S * self._gone, _MOST)
         return np.asarray(share * np.maximum(np.sqrt(strays), _STRAYS) * [1.0, 1.0 / _HALF])
 
@@ -165,32 +180,50 @@ class Articulation:
             signs = mirror_signs(self._mean.ravel(), self._twins)
             learnt = both_sides(learnt, self._twins, signs)
         covariance = (1.0 - share) * learnt
-        covariance[np.diag_indices(len(covariance))] += share * self._at_first + _RIDGE
+        add_to_diagonal(covariance, share * self._at_first + _RIDGE)
         return inverted(covariance)
 
-    def _slopes(
-        self, poses: FloatArray, local: FloatArray, free: BoolArray
-    ) -> tuple[IntArray, FloatArray]:
+    def _slopes(self, hung: _Hung, free: BoolArray) -> tuple[IntArray, FloatArray]:
         """How local features change as free joints move and turn, and which features do.
 
         Parameters
         ----------
-        poses, local : (joints, 7)
-        free : (joints + 1, 6) bool; of each joint three directions to move in and three to turn
-            about, in the root's axes; the root last
+        hung : the pose
+        free : (joints, 6) bool; of each joint three directions to move in and three to turn about,
+            in the root's axes
         """
-        moved: BoolArray = np.any(free, axis=1)
-        some = np.flatnonzero(moved[:-1] | moved[self._parents])
-        parents, n = self._parents[some], np.arange(len(some))
-        own, above = (p[some] for p in self._with_parents(poses))
-        back = matrices(inverse(above[:, _PLACE:]))
-        slopes = np.zeros((len(some), FEATURES, len(free), _MOVES))
-        slopes[n, :_PLACE, some, :_PLACE] = back
-        slopes[n, :_PLACE, parents, :_PLACE] = -back
-        across = cross_matrices(own[:, :_PLACE] - above[:, :_PLACE])
-        slopes[n, :_PLACE, parents, _PLACE:] = back @ across
-        turns = by_turning(local[some, _PLACE:]) @ back
-        slopes[n, _PLACE:, some, _PLACE:] = turns
-        slopes[n, _PLACE:, parents, _PLACE:] = -turns
+        moves = np.flatnonzero(free[:, 0] | free[:, _PLACE])
+        # What does not move, the root among it, shares the last place.
+        place = np.full(len(free) + 1, len(moves))
+        place[moves] = np.arange(len(moves))
+        own, above = place[:-1], place[self._parents]
+        some = np.flatnonzero(np.minimum(own, above) < len(moves))
+        own, above, n = own[some], above[some], np.arange(len(some))
+        back, bones, local = hung.back[some], hung.bones[some], hung.local[some]
+        moving, carried = np.zeros((2, len(some), FEATURES, _MOVES))
+        moving[:, :_PLACE, :_PLACE] = back
+        moving[:, _PLACE:, _PLACE:] = by_turning(local[:, _PLACE:]) @ back
+        np.negative(moving, out=carried)
+        carried[:, :_PLACE, _PLACE:] = back @ cross_matrices(bones)
+        slopes = np.zeros((len(some), FEATURES, len(moves) + 1, _MOVES))
+        slopes[n, :, own] = moving
+        slopes[n, :, above] = carried
         rows: IntArray = (some[:, None] * FEATURES + np.arange(FEATURES)).ravel()
-        return rows, slopes.reshape(len(rows), -1)[:, free.ravel()]
+        columns = np.flatnonzero(free[moves])
+        return rows, slopes.reshape(len(rows), -1).take(columns, axis=1)
+
+
+@dataclass(frozen=True, eq=False)
+class _Hung:
+    """How the joints of a pose hang on their parents.
+
+    Attributes
+    ----------
+    back : (joints, 3, 3) from the root's axes to those of each joint's parent
+    bones : (joints, 3) from parents, in the root's axes
+    local : (joints, 7) places and rotations in parents' axes, signs as in the mean
+    """
+
+    back: FloatArray
+    bones: FloatArray
+    local: FloatArray

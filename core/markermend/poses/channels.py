@@ -117,6 +117,18 @@ def to_features(values: FloatArray, channels: Channels) -> FloatArray:
     return features
 
 
+def columns_of(features: FloatArray, channels: Channels) -> FloatArray:
+    """(frames, joints · 7) of all joints but the root."""
+    return features[:, channels.joints].reshape(len(features), -1)
+
+
+def of_all_joints(columns: FloatArray, channels: Channels) -> FloatArray:
+    """(frames, joints, 7) of columns; 0 for the root."""
+    whole = np.zeros((len(columns), len(channels.joints) + 1, FEATURES))
+    whole[:, channels.joints] = columns.reshape(len(columns), -1, FEATURES)
+    return whole
+
+
 def trusted_turns(pose: Pose) -> BoolArray:
     """(frames, joints) bool: rotations that can be trusted.
 
@@ -129,3 +141,11 @@ def trusted_turns(pose: Pose) -> BoolArray:
     blank = np.abs(np.abs(own) - NO_TURN).max(axis=2) < _UNTURNED
     turned[:, roots] = ~np.isnan(own[..., 3]) & ~(blank & ~turned[:, roots])
     return turned
+
+
+def known_joints(channels: Channels, pose: Pose) -> tuple[BoolArray, BoolArray]:
+    """(frames, joints) bool each: positions and rotations that are known, the root's always."""
+    seen, turned = np.ones((2, pose.frames, len(pose.joints)), dtype=bool)
+    seen[:, channels.joints] = channels.known[:, ::FEATURES]
+    turned[:, channels.joints] = channels.known[:, FEATURES - 1 :: FEATURES]
+    return seen, turned

@@ -71,7 +71,10 @@ def with_root_errors(
             carried[fault.start : fault.stop, fault.joint] = True
     error = error_mm.copy()
     if unseen.any():
-        error[unseen, root] = rooted(pose, trusted_turns(pose)).error_mm[unseen]
+        # What was filled beside it was worked out from it.
+        off = np.where(unseen, rooted(pose, trusted_turns(pose)).error_mm, 0.0)
+        error = np.where(filled, np.hypot(error, np.nan_to_num(off)[:, None]), error)
+        error[unseen, root] = off[unseen]
     if carried.any():
         off = bridging_error(restored.positions[:, root], ~(unseen | carried.any(axis=1)))
         error = np.where(carried, np.hypot(error, off[:, None]), error)

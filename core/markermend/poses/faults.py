@@ -121,7 +121,11 @@ def _frozen(pose: Pose) -> BoolArray:
     turns = np.nan_to_num(np.abs(np.diff(pose.rotations, axis=0)).max(axis=2))
     still = (steps < _SAME_MM) & (turns < _SAME_MM)
     body = np.nan_to_num(np.nanmedian(np.where(np.isnan(steps), 0.0, steps), axis=1))
-    for joint in range(len(pose.joints)):
+    for joint, parent in enumerate(pose.parents):
+        own = pose.positions[pose.seen[:, joint], joint]
+        if parent < 0 and len(own) and np.ptp(own, axis=0).max() < _SAME_MM:
+            # It does not stand still, but is where others are measured from.
+            continue
         for start, stop in runs(still[:, joint]).tolist():
             if stop - start >= _FROZEN_FRAMES - 1 and body[start:stop].sum() > _MOVED_MM:
                 # The first of equal frames is still true.

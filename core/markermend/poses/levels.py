@@ -6,7 +6,8 @@ import numpy as np
 
 from markermend.arrays import FloatArray, IntArray
 from markermend.poses.covariance import Moments
-from markermend.poses.solving import solved
+from markermend.poses.joining import JOINING, Kept, widened, widened_mean
+from markermend.poses.solving import Regression, average_in
 
 # Poses that others' recordings count for, and most that count at all.
 _OTHERS, _MEMORY = 100.0, 3000.0
@@ -35,18 +36,24 @@ class Levels:
         self._covariance = np.zeros((columns, columns))
         if others is not None:
             self._mean, self._weight = others.mean.copy(), _OTHERS
-            self._covariance = others.whole.copy()
+            self._covariance = np.array(others.whole, order="C")
         self._hidden: IntArray = np.empty(0, dtype=int)
         self._fading = np.exp(-1.0 / (_LASTS_S * rate))
         self._share = 1.0 - np.exp(-1.0 / (_DRAWN_S * rate))
+
+    def go_on(self, before: Levels, kept: Kept) -> None:
+        """Take over what was learnt of some columns."""
+        usual = self._covariance
+        self._mean = widened_mean(before._mean, self._mean, usual, kept, _RIDGE)
+        self._covariance = widened(before._covariance, usual, kept, _RIDGE)
+        self._weight = min(before._weight, max(self._weight, JOINING))
 
     def learn(self, values: FloatArray) -> None:
         """Add a pose."""
         self._weight = min(self._weight + 1.0, _MEMORY)
         away = values - self._mean
         self._mean += away / self._weight
-        self._covariance *= 1.0 - 1.0 / self._weight
-        self._covariance += np.outer(away, away / self._weight)
+        average_in(self._covariance, away[None], 1.0 / self._weight)
 
     def begin(self, hidden: IntArray, visible: IntArray, before: FloatArray) -> None:
         """Say which columns are hidden from now on.
@@ -57,9 +64,7 @@ class Levels:
         before : (columns,) the last pose until then
         """
         self._hidden, self._visible = hidden, visible
-        among = self._covariance[np.ix_(visible, visible)]
-        among[np.diag_indices(len(visible))] += _RIDGE
-        self._weights = solved(among, self._covariance[np.ix_(visible, hidden)])
+        self._others_tell = Regression(self._covariance, hidden, visible, _RIDGE)
         self._away = before[hidden] - self._expected(before)
 
     def draw(self, values: FloatArray) -> None:
@@ -70,5 +75,5 @@ class Levels:
 
     def _expected(self, values: FloatArray) -> FloatArray:
         """(hidden,) what the visible columns tell."""
-        told = (values[self._visible] - self._mean[self._visible]) @ self._weights
+        told = self._others_tell.tell(values[self._visible] - self._mean[self._visible])
         return np.asarray(self._mean[self._hidden] + told)

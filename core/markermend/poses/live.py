@@ -2,94 +2,52 @@
 
 from __future__ import annotations
 
-from collections import deque
-
 import numpy as np
-from threadpoolctl import ThreadpoolController
 
-from markermend.arrays import BoolArray, FloatArray, IntArray
+from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import DataError
-from markermend.poses.articulation import FAR, Articulation
-from markermend.poses.levels import Levels
-from markermend.poses.normal import FEATURES, bone_lengths, normalise
+from markermend.poses.following import Following
+from markermend.poses.normal import bone_lengths
 from markermend.poses.nuitrack import MIRROR, mirrored
 from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior, fitting
-from markermend.poses.quaternion import NO_TURN, inverse, multiply, turn, unit
-from markermend.poses.sides import both_sides, both_sides_moved, mirror_signs, twin_columns
-from markermend.poses.solving import solved
-from markermend.poses.turnless import turned_as_parents, turnless
-
-# How long a movement is taken from the prior, how long one's own are, and how many they count for.
-_PRIOR_S, _LAGS_S, _MEMORY = 1.0, (0.008, 0.03, 0.125, 0.5, 2.0), 3000.0
-# Movement grows with the root of time; that within this time counts as it is.
-_USUAL_S = 0.125
-# Added to variances, the second over the poses learnt from: of few, less is made.
-_RIDGE, _FEW = 1e-4, 0.1
-# A joint that goes keeps a speed of its own for about this long; speeds are averaged over this.
-_COASTS_S, _AVERAGED_S = 0.042, 0.024
-# In this time what was filled follows what it settles to.
-_SETTLES_S = 0.08
-_ROUNDS = 2
 
 
 class Live:
-    """Fills joints that are not seen, from those that are and from how bodies move.
+    """Fills joints that are not seen, each from the first pose in which it was.
 
-    A joint that goes follows what the visible ones do from then on, as they have moved together so
-    far, in this body and in others; it settles where this body can have it, and bones keep their
-    length. What is seen goes through as it is.
+    It begins with the first pose that shows the root and a bone. A joint that was never seen is
+    passed on as it comes; once it is seen, it joins in.
 
     Parameters
     ----------
-    first : one pose in which every joint is seen; a joint may have no rotation
+    first : one pose, of which anything may be unseen; a joint may have no rotation
     prior : how bodies move; used where its joints are these, which ``by_prior`` tells
+
+    Attributes
+    ----------
+    joined : (joints,) bool, that are filled when they are not seen
+    by_prior : the prior is used
 
     Raises
     ------
     DataError
-        when a joint of the first pose is not seen
+        when there is not one pose
     """
 
     def __init__(self, first: Pose, prior: Prior | None = None) -> None:
-        if first.frames != 1 or not first.seen.all():
-            raise DataError("Live filling starts from one pose in which every joint is seen.")
-        self._threads = ThreadpoolController()
-        fit = fitting(first, prior) if prior is not None else None
-        self.by_prior = fit is not None
-        # Priors are of right-handed axes, many sensors are not.
-        self._left_handed = fit is not None and fit[1]
-        if self._left_handed:
-            first = mirrored(first)
-        # A joint that never had a rotation is given none.
-        self._ever_turned = ~turnless(first)
-        first = turned_as_parents(first)
-        features, normal = normalise(first)
-        self._parents, self._root = first.parents, normal.root
-        self._scale, self._offset, self._rate = normal.scale, normal.offset, first.rate
-        self._others = [j for j in range(len(first.joints)) if j != self._root]
-        self._lengths = bone_lengths(first.positions, first.parents)
-        self._values = features[0, self._others].ravel()
-        self._root_pose = first.positions[0, self._root], first.rotations[0, self._root]
-        channels = len(self._values)
-        others = None if fit is None else fit[0].signed_like(self._values)
-        self._twins: IntArray | None = None
-        self._covariance, self._weight = np.zeros((channels, channels)), 0.0
-        if others is not None:
-            self._twins = twin_columns([first.joints[j] for j in self._others])
-            self._signs = mirror_signs(self._values, self._twins)
-            moved = others.within_s(_PRIOR_S)
-            self._covariance = both_sides(moved, self._twins, self._signs)
-            self._weight = others.weight
-        at = {joint: n for n, joint in enumerate(self._others)}
-        above = [at.get(first.parents[joint], -1) for joint in self._others]
-        self._articulation = Articulation(self._values, above, self._rate, self._twins)
-        self._levels = Levels(self._values, others, self._rate)
-        self._speed, self._coasting = np.zeros(channels), np.zeros(channels)
-        self._known = np.ones(channels, dtype=bool)
-        self._weights: FloatArray = np.empty((0, 0))
-        self._lags = sorted({max(round(lag * self._rate), 1) for lag in _LAGS_S})
-        self._past: deque[FloatArray] = deque([self._values], maxlen=self._lags[-1])
+        if first.frames != 1:
+            raise DataError(f"Live filling starts from one pose, not {first.frames}.")
+        self._body, self._prior, self._root = first, prior, first.order[0]
+        self._following: Following | None = None
+        self.joined: BoolArray = np.zeros(len(first.joints), dtype=bool)
+        self.by_prior = self._left_handed = False
+        self._join(first.positions[0], first.rotations[0], first.seen[0])
+
+    @property
+    def begun(self) -> bool:
+        """Whether a pose has shown the root and a bone."""
+        return self._following is not None
 
     def __call__(
         self, positions: FloatArray, rotations: FloatArray, seen: BoolArray
@@ -104,128 +62,45 @@ class Live:
 
         Returns
         -------
-        positions and rotations, whole; of a joint that never had a rotation as it came
+        positions and rotations, whole but for what never joined, which is as it came; so are
+        rotations of a joint that never had one, or on which one hangs that never joined
         """
-        if self._left_handed:
-            positions, rotations = positions * MIRROR[:3], rotations * MIRROR[3:]
-        # Streams round them, and what is not of unit length would count as movement.
-        told = seen & np.isfinite(rotations).all(axis=1) & (rotations != 0).any(axis=1)
-        self._ever_turned = self._ever_turned | told
-        turns = unit(np.where(told[:, None], rotations, NO_TURN))
-        place, own = self._root_pose
-        if seen[self._root] and np.isfinite(positions[self._root]).all():
-            place = positions[self._root]
-        self._root_pose = place, turns[self._root] if told[self._root] else own
-        values, known = self._relative(positions, turns, seen, told)
-        # Matrices as small as these take twice as long where two threads share one.
-        with self._threads.limit(limits=1):
-            filled = self._filled(values, known)
-            values = self._articulation.follow(filled, known)
-            # As whole steps each, they would draw a joint to its mean.
-            share = 1.0 - np.exp(-1.0 / (_SETTLES_S * self._rate))
-            self._values = filled + share * (values - filled)
-            self._learn(self._values)
-        where, turned = self._absolute(values)
-        where = self._with_bones(where, seen)
-        free = np.ones(len(seen), dtype=bool)
-        free[self._others] = known[FEATURES - 1 :: FEATURES]
-        free[self._root] = told[self._root]
-        free |= ~self._ever_turned
-        out_rotations = np.where(free[:, None], rotations, turned)
-        out = np.where(seen[:, None], positions, where)
-        if self._left_handed:
-            return out * MIRROR[:3], out_rotations * MIRROR[3:]
-        return out, out_rotations
+        places, turns = self._filled(positions, rotations, seen)
+        if not self.joined.all():
+            new = seen & ~self.joined & np.isfinite(positions).all(axis=1)
+            if new.any():
+                self._join(places, turns, new)
+        return places, turns
 
-    def _relative(
-        self, positions: FloatArray, rotations: FloatArray, seen: BoolArray, told: BoolArray
-    ) -> tuple[FloatArray, BoolArray]:
-        """Columns of one pose, signs of rotations as before, and which are known."""
-        place, own = self._root_pose
-        back = inverse(multiply(own, self._offset[self._root]))
-        others = self._others
-        values = np.empty((len(others), FEATURES))
-        values[:, :3] = turn(back, positions[others] - place) / self._scale
-        values[:, 3:] = multiply(back, multiply(rotations[others], self._offset[others]))
-        before = self._values.reshape(-1, FEATURES)[:, 3:]
-        values[:, 3:] *= np.where(np.sum(values[:, 3:] * before, axis=1) < 0, -1.0, 1.0)[:, None]
-        turned = told.copy()
-        for joint, parent in enumerate(self._parents):
-            if parent >= 0 and not seen[joint]:
-                turned[parent] = False
-        known = np.empty(values.shape, dtype=bool)
-        known[:, :3], known[:, 3:] = seen[others, None], turned[others, None]
-        # So far out no joint is a body's; NaN is not known either.
-        return values.ravel(), known.ravel() & (np.abs(values.ravel()) < FAR)
+    def _filled(
+        self, positions: FloatArray, rotations: FloatArray, seen: BoolArray
+    ) -> tuple[FloatArray, FloatArray]:
+        """One pose, with the joints that joined so far filled."""
+        if self._following is None:
+            return positions, rotations
+        if not self._left_handed:
+            return self._following(positions, rotations, seen)
+        # Priors are of right-handed axes, many sensors are not.
+        places, turns = self._following(positions * MIRROR[:3], rotations * MIRROR[3:], seen)
+        return places * MIRROR[:3], turns * MIRROR[3:]
 
-    def _filled(self, values: FloatArray, known: BoolArray) -> FloatArray:
-        """What is not known moves and is where what is known tells, and coasts a little."""
-        now = np.where(known, values, self._values)
-        hidden, visible = np.flatnonzero(~known), np.flatnonzero(known)
-        if len(hidden):
-            if not np.array_equal(known, self._known) or self._weights.shape[1] != len(hidden):
-                among = self._covariance[np.ix_(visible, visible)]
-                among[np.diag_indices(len(visible))] += _RIDGE + _FEW / (1.0 + self._weight)
-                across = self._covariance[np.ix_(visible, hidden)]
-                self._weights = solved(among, across)
-                left = self._speed[hidden] - self._speed[visible] @ self._weights
-                self._levels.begin(hidden, visible, self._values)
-                gone = self._known[hidden]
-                self._coasting[hidden] = np.where(gone, left, self._coasting[hidden])
-            told = (now[visible] - self._values[visible]) @ self._weights
-            now[hidden] += told + self._coasting[hidden]
-            self._levels.draw(now)
-            self._coasting *= np.exp(-1.0 / (_COASTS_S * self._rate))
-        share = 1.0 - np.exp(-1.0 / (_AVERAGED_S * self._rate))
-        self._speed += share * (now - self._values - self._speed)
-        now.reshape(-1, FEATURES)[:, 3:] = unit(now.reshape(-1, FEATURES)[:, 3:])
-        self._known = known
-        return now
-
-    def _learn(self, values: FloatArray) -> None:
-        """Add how far the pose is from those of some moments ago to the covariance.
-
-        Slow movement tells how far limbs go together, quick one how they set out; a left limb
-        moves much like a right one that is mirrored.
-        """
-        past = self._past
-        lags = [n for n in self._lags if n <= len(past)]
-        usual_lag = _USUAL_S * self._rate
-        moved = np.empty((len(lags), len(values)))
-        for row, n in enumerate(lags):
-            moved[row] = (values - past[-n]) * np.sqrt(usual_lag / n)
-        if self._twins is not None:
-            moved = both_sides_moved(moved, self._twins, self._signs)
-        self._levels.learn(values)
-        self._weight = min(self._weight + 1.0, _MEMORY)
-        self._covariance *= 1.0 - 1.0 / self._weight
-        self._covariance += moved.T @ moved / self._weight
-        past.append(values)
-
-    def _absolute(self, values: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Positions (joints, 3) in mm and rotations (joints, 4), global."""
-        place, own = self._root_pose
-        forth = multiply(own, self._offset[self._root])
-        count = len(self._others) + 1
-        positions, rotations = np.tile(place, (count, 1)), np.tile(own, (count, 1))
-        columns = values.reshape(-1, FEATURES)
-        positions[self._others] += turn(forth, columns[:, :3] * self._scale)
-        back = inverse(self._offset[self._others])
-        rotations[self._others] = multiply(multiply(forth, columns[:, 3:]), back)
-        return positions, rotations
-
-    def _with_bones(self, positions: FloatArray, seen: BoolArray) -> FloatArray:
-        """Move joints that are not seen to where their bones reach."""
-        bones = [(j, p) for j, p in enumerate(self._parents) if p >= 0]
-        loose = [(j, p) for j, p in bones if not (seen[j] and seen[p])]
-        for _ in range(_ROUNDS if loose else 0):
-            for joint, parent in loose:
-                bone = positions[joint] - positions[parent]
-                far = float(np.sqrt(bone @ bone)) or 1.0
-                correction = (self._lengths[joint] / far - 1.0) * bone
-                half = 0.5 if not (seen[joint] or seen[parent]) else 1.0
-                if not seen[joint]:
-                    positions[joint] += half * correction
-                if not seen[parent]:
-                    positions[parent] -= half * correction
-        return positions
+    def _join(self, positions: FloatArray, rotations: FloatArray, new: BoolArray) -> None:
+        """Go on with some joints more, from a pose in which all that join have their place."""
+        joined = self.joined | new
+        told = new if self._following is None else new | self._following.ever_turned
+        pose = self._body.with_samples(
+            positions[None],
+            np.where(told[:, None], rotations, np.nan)[None],
+            joined[None].astype(np.float64),
+        )
+        bones = np.nan_to_num(bone_lengths(pose.positions, pose.parents))
+        if not (joined[self._root] and bones.any()):
+            return
+        fit = fitting(pose, self._prior) if self._prior is not None else None
+        way = fit is not None, fit is not None and fit[1]
+        # What was learnt in other axes, or beside another prior, is not what is learnt now.
+        before = self._following if way == (self.by_prior, self._left_handed) else None
+        self.by_prior, self._left_handed = way
+        pose = mirrored(pose) if self._left_handed else pose
+        self._following = Following(pose, None if fit is None else fit[0], before)
+        self.joined = joined

@@ -116,7 +116,9 @@ def _offsets(pose: Pose) -> FloatArray:
         if child is None or name not in JOINTS:
             continue
         bone = pose.positions[:, child] - pose.positions[:, joint]
-        local = turn(inverse(pose.rotations[:, joint]), bone)[pose.turned[:, joint]]
+        local, trusted = turn(inverse(pose.rotations[:, joint]), bone), pose.turned[:, joint]
+        # A limb beside it that is never seen makes no other axis of it.
+        local = local[trusted] if trusted.any() else local
         local = local[~np.isnan(local[:, 0])]
         if len(local):
             offsets[joint] = _onto_axis(np.median(local, axis=0), *aligned_axis(name))

@@ -90,10 +90,28 @@ _OTHER_NAMES = {
     "spine": "torso",
     "spinemid": "torso",
     "spinenaval": "torso",
+    "spinenavel": "torso",
     "chest": "collar",
     "spinechest": "collar",
     "spineshoulder": "collar",
+    "hipcenter": WAIST,
+    "midhip": WAIST,
+    "shouldercenter": "collar",
 }
+# What sensors tell besides, and what it hangs on.
+_FURTHER = MappingProxyType(
+    {
+        "clavicle": "collar",
+        "hand": "wrist",
+        "handtip": "hand",
+        "fingertip": "hand",
+        "thumb": "hand",
+        "foot": "ankle",
+        "nose": "head",
+        "eye": "head",
+        "ear": "head",
+    }
+)
 
 
 def side_of(name: str) -> tuple[str, str]:
@@ -127,6 +145,45 @@ def usual_name(name: str) -> str:
     plain = _OTHER_NAMES.get(plain, plain)
     found = f"{side}_{plain}" if side else plain
     return found if found in PARENT_OF else name
+
+
+def usual_parents(joints: Sequence[str]) -> dict[str, str]:
+    """Parent of each joint whose name is usual: the next one that is there, nothing for a root.
+
+    Parameters
+    ----------
+    joints : names as any system writes them, hands, feet and faces among them
+    """
+    parts = {joint: _part(joint) for joint in joints}
+    named = {part: joint for joint, part in parts.items()}
+    found = {}
+    for joint, part in parts.items():
+        above = _above(part)
+        while above and above not in named:
+            above = _above(above)
+        if above is not None:
+            found[joint] = named.get(above, "")
+    return found
+
+
+def _part(name: str) -> str:
+    """A part of the body, with its side in front."""
+    side, plain = side_of(name)
+    plain = _OTHER_NAMES.get(plain, plain)
+    if side and plain == "collar":
+        plain = "clavicle"
+    return f"{side}_{plain}" if side else plain
+
+
+def _above(part: str) -> str | None:
+    """What a part hangs on, nothing for the waist; None of what is no part."""
+    side, _, plain = part.rpartition("_")
+    if side and plain == "shoulder":
+        return f"{side}_clavicle"
+    if plain not in _FURTHER:
+        return PARENT_OF.get(part)
+    above = _FURTHER[plain]
+    return f"{side}_{above}" if side and above not in PARENT_OF else above
 
 
 def twins(joints: Sequence[str]) -> list[int]:

@@ -19,6 +19,7 @@ from markermend.poses.covariance import LENGTHS_S, Moments, averaged, learn
 from markermend.poses.normal import FEATURES, bone_lengths
 from markermend.poses.nuitrack import mirrored, to_nuitrack, usual_name
 from markermend.poses.pose import Pose
+from markermend.poses.quaternion import lengths_of
 from markermend.poses.turnless import turnless
 from markermend.progress import Progress, quiet
 
@@ -139,22 +140,39 @@ def fitting(pose: Pose, prior: Prior) -> tuple[Moments, bool] | None:
     columns: IntArray = (order[:, None] * FEATURES + np.arange(FEATURES)).ravel()
     moments = prior.moments.of(columns)
     if len(shared) < len(names):
-        moments = _of_shared(moments, np.repeat(order >= 0, FEATURES), _size(pose, shared))
+        if np.isnan(bone_lengths(pose.positions, pose.parents)[shared]).all():
+            return None
+        moments = _of_shared(
+            moments, np.repeat(order >= 0, FEATURES), _size(pose, shared, moments.mean)
+        )
     some = _some(pose)
     apart = [_apart(body, moments) for body in (some, mirrored(some))]
     limit = _ALIKE if pose.frames > 1 else _ALIKE_ONCE
     return (moments, apart[1] < apart[0]) if min(apart) < limit else None
 
 
-def _size(pose: Pose, shared: Sequence[int]) -> float:
-    """Mean bone between some joints, over that of all: in fingers and faces bones are short."""
+def _size(pose: Pose, shared: Sequence[int], mean: FloatArray) -> float:
+    """Mean bone of the shared joints over that of all: in fingers and faces bones are short.
+
+    What was never seen is as long beside the others as in the bodies that were learnt from, whose
+    mean pose is given for all joints but the root.
+    """
     parents = list(pose.parents)
     for joint in pose.order:
         while parents[joint] >= 0 and parents[joint] not in shared:
             parents[joint] = parents[parents[joint]]
-    some = bone_lengths(pose.positions, tuple(parents))
-    ends = [joint for joint in shared if parents[joint] >= 0]
-    return float(np.nanmean(some[ends]) / np.nanmean(bone_lengths(pose.positions, pose.parents)))
+    own = bone_lengths(pose.positions, tuple(parents))
+    places = np.zeros((len(parents), 3))
+    places[[j for j in range(len(parents)) if j != pose.order[0]]] = mean.reshape(-1, FEATURES)[
+        :, :3
+    ]
+    bones = [j for j in shared if parents[j] >= 0]
+    theirs = lengths_of(places[bones] - places[[parents[j] for j in bones]])
+    known = ~np.isnan(own[bones])
+    longer = float(np.mean(theirs) / np.mean(theirs[known]))
+    return longer * float(
+        np.mean(own[bones][known]) / np.nanmean(bone_lengths(pose.positions, pose.parents))
+    )
 
 
 def _of_shared(moments: Moments, told: BoolArray, size: float) -> Moments:

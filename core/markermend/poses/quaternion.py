@@ -9,6 +9,22 @@ from markermend.arrays import BoolArray, FloatArray
 NO_TURN = (0.0, 0.0, 0.0, 1.0)
 """The rotation that changes nothing."""
 
+_BACK = np.array([-1.0, -1.0, -1.0, 1.0])
+# Matrices of quaternions are their numbers, some of them negative: taken at once, several times as
+# fast as stacked one by one. Of x, y, z, w, row by row.
+_LEFT = np.array([3, 2, 1, 0, 2, 3, 0, 1, 1, 0, 3, 2, 0, 1, 2, 3])
+_LEFT_SIGNS = np.array([1, -1, 1, 1, 1, 1, -1, 1, -1, 1, 1, 1, -1, -1, -1, 1], dtype=np.float64)
+_RIGHT_SIGNS = np.array([1, 1, -1, 1, -1, 1, 1, 1, 1, -1, 1, 1, -1, -1, -1, 1], dtype=np.float64)
+_TURNING = np.array([3, 2, 1, 2, 3, 0, 1, 0, 3, 0, 1, 2])
+_TURNING_SIGNS = 0.5 * np.array([1, 1, -1, -1, 1, 1, 1, -1, 1, -1, -1, -1])
+# Nine numbers of a rotation's matrix from the products xx, xy, … ww.
+_UNTURNED = np.eye(3).ravel()
+_ROTATING = np.zeros((16, 9))
+_ROTATING[[5, 10, 0, 10, 0, 5], [0, 0, 4, 4, 8, 8]] = -2.0
+_ROTATING[[1, 13, 2, 1, 6, 12, 2, 6], [1, 2, 2, 3, 5, 7, 6, 7]] = 2.0
+_ROTATING[[14, 12, 13], [1, 5, 6]] = -2.0
+_ROTATING[14, 3] = 2.0
+
 
 def multiply(a: FloatArray, b: FloatArray) -> FloatArray:
     """Return the rotation that applies b first, then a."""
@@ -26,7 +42,7 @@ def multiply(a: FloatArray, b: FloatArray) -> FloatArray:
 
 def inverse(q: FloatArray) -> FloatArray:
     """Turn back."""
-    return np.asarray(q * [-1.0, -1.0, -1.0, 1.0])
+    return np.asarray(q * _BACK)
 
 
 def turn(q: FloatArray, vectors: FloatArray) -> FloatArray:
@@ -50,22 +66,31 @@ def cross(a: FloatArray, b: FloatArray) -> FloatArray:
 
 def cross_matrices(v: FloatArray) -> FloatArray:
     """(n, 3, 3) matrices that multiply as the cross product of vectors ``(n, 3)`` does."""
-    x, y, z = v.T
-    zero = np.zeros_like(x)
-    return np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=1).reshape(-1, 3, 3)
+    out = np.zeros((len(v), 3, 3), dtype=v.dtype)
+    out[:, 2, 1], out[:, 0, 2], out[:, 1, 0] = v.T
+    out[:, 1, 2], out[:, 2, 0], out[:, 0, 1] = -v.T
+    return out
 
 
 def matrices(q: FloatArray) -> FloatArray:
     """(n, 3, 3) matrices that rotate as unit quaternions ``(n, 4)`` do."""
-    across = cross_matrices(q[:, :3])
-    return np.asarray(np.eye(3) + 2.0 * (q[:, 3, None, None] * across + across @ across))
+    products = (q[:, :, None] * q[:, None, :]).reshape(-1, 16)
+    return np.asarray((_UNTURNED + products @ _ROTATING).reshape(-1, 3, 3))
+
+
+def by_left(q: FloatArray) -> FloatArray:
+    """(…, 4, 4) matrices that multiply as :func:`multiply` by quaternions from the left does."""
+    return np.asarray((q.take(_LEFT, axis=-1) * _LEFT_SIGNS).reshape(*q.shape, 4))
+
+
+def by_right(q: FloatArray) -> FloatArray:
+    """(…, 4, 4) matrices that multiply as :func:`multiply` by quaternions from the right does."""
+    return np.asarray((q.take(_LEFT, axis=-1) * _RIGHT_SIGNS).reshape(*q.shape, 4))
 
 
 def by_turning(q: FloatArray) -> FloatArray:
     """(n, 4, 3) how quaternions ``(n, 4)`` change as they are turned about x, y and z."""
-    x, y, z, w = q.T
-    rows = [w, z, -y, -z, w, x, y, -x, w, -x, -y, -z]
-    return 0.5 * np.stack(rows, axis=1).reshape(-1, 4, 3)
+    return np.asarray((q.take(_TURNING, axis=1) * _TURNING_SIGNS).reshape(-1, 4, 3))
 
 
 def upright(q: FloatArray) -> FloatArray:

@@ -11,7 +11,16 @@ from threadpoolctl import threadpool_limits
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import DataError
 from markermend.poses.bones import Bones, find_bones, fuse, keep_lengths, swing, wobble
-from markermend.poses.channels import Channels, steadied, to_channels, to_features, trusted_turns
+from markermend.poses.channels import (
+    Channels,
+    columns_of,
+    known_joints,
+    of_all_joints,
+    steadied,
+    to_channels,
+    to_features,
+    trusted_turns,
+)
 from markermend.poses.covariance import Moments
 from markermend.poses.expecting import left_of_noise, limbs_doubted, with_root_errors
 from markermend.poses.faults import Fault, mend_faults
@@ -19,6 +28,7 @@ from markermend.poses.filling import BRIEF_S, Filled, fill
 from markermend.poses.hanging import by_parents
 from markermend.poses.likeness import FEW_MOMENTS, MOMENTS, SOME_MOMENTS
 from markermend.poses.linking import linked_channels
+from markermend.poses.loose_root import with_loose_root, without_loose_root
 from markermend.poses.normal import FEATURES, denormalise
 from markermend.poses.nuitrack import mirrored
 from markermend.poses.pose import Pose
@@ -29,6 +39,7 @@ from markermend.poses.sides import mirror_of
 from markermend.poses.smoothing import LEAST_NOISE, noise_level, smooth, smooth_again
 from markermend.poses.stance import IN_MIRROR, stance
 from markermend.poses.trials import enough_around, hidden_in, trials_of
+from markermend.poses.turnless import with_one_turn, without_one_turn
 from markermend.progress import Progress, part, quiet
 
 INFERRED = 0.5
@@ -123,10 +134,14 @@ def restore(
         raise DataError(
             f"The recording is too short: it takes {_LEAST_FRAMES} poses, and has {pose.frames}."
         )
+    body = without_loose_root(pose)
+    if body is not None:
+        return with_loose_root(restore(body, prior=prior, progress=progress), pose)
     tell = progress or quiet
     # Matrices as small as these take several times as long where two threads share one.
     with threadpool_limits(1):
-        pose, faults = mend_faults(pose)
+        mended, faults = mend_faults(pose)
+        pose = without_one_turn(mended)
         fit = fitting(pose, prior) if prior is not None else None
         moments, left_handed = fit or (None, False)
         restored = _restore(mirrored(pose) if left_handed else pose, moments, tell)
@@ -134,6 +149,8 @@ def restore(
             restored = _tried(restored, moments, part(tell, 0.9, 1.0))
     if left_handed:
         restored = replace(restored, pose=mirrored(restored.pose))
+    if pose is not mended:
+        restored = replace(restored, pose=with_one_turn(restored.pose, mended))
     error = with_root_errors(restored.error_mm, restored.filled, restored.pose, faults, pose)
     return replace(restored, error_mm=error, faults=faults)
 
@@ -176,7 +193,7 @@ def _untold(moments: Moments | None, pose: Pose) -> BoolArray:
 def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     """Restore with moments of the recording's own channels."""
     channels = steadied(to_channels(pose), pose.rate)
-    channels, off_mm = linked_channels(channels, _known_joints(channels, pose), pose.parents)
+    channels, off_mm = linked_channels(channels, known_joints(channels, pose), pose.parents)
     usable = np.asarray(channels.known.any(axis=0))
     values, known = channels.values[:, usable], channels.known[:, usable]
     mirror = None
@@ -202,9 +219,9 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     rough = begun.values
     whole = np.zeros(channels.values.shape)
     whole[:, usable] = rough
-    known_joints = _known_joints(channels, pose)
+    seen_turned = known_joints(channels, pose)
     shown = to_features(channels.values, channels)[..., :3]
-    shake = wobble(shown, known_joints[0], pose.parents, channels.normal.root)
+    shake = wobble(shown, seen_turned[0], pose.parents, channels.normal.root)
     noise = noise_level(whole, channels.known)
     level = float(np.median(noise[usable]))
     if level < _WORTH or (level < _FAINT and shake < _WORTH):
@@ -224,10 +241,10 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
         whole[:, usable] = filled.values
         unsure = np.full(whole.shape, np.nan)
         unsure[:, usable] = filled.variance
-        given = to_features(whole, channels), _of_all(unsure, channels), known_joints
+        given = to_features(whole, channels), of_all_joints(unsure, channels), seen_turned
         body = pose.parents, pose.order, pose.rate
         told, doubt = by_parents(*given, *body, beside, left * level)
-        told, doubt = (_columns(x, channels)[:, usable] for x in (told, doubt))
+        told, doubt = (columns_of(x, channels)[:, usable] for x in (told, doubt))
         kept = known if prior is None or prior.told is None else known | prior.told
         doubt = np.where(kept, filled.variance, doubt)
         return replace(filled, values=np.where(kept, filled.values, told), variance=doubt)
@@ -235,7 +252,7 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     def settled(filled: Filled, rounds: int) -> tuple[FloatArray, Bones]:
         whole[:, usable] = filled.values
         variance[:, usable] = _variance(filled, known, left * noise[usable])
-        return _agreed(whole, variance, channels, pose, known_joints, level, rounds)
+        return _agreed(whole, variance, channels, pose, seen_turned, level, rounds)
 
     tell(0.7, "Keeping bones")
     many, rounds = filled.lasting >= _MANY, 1 if level > _NOISY else _ROUNDS
@@ -244,7 +261,7 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     features, bones = settled(filled, int(not many) if looks else rounds)
     for look in range(1, looks + 1):
         tell(0.7 + 0.1 * look / (looks + 1), "Filling again")
-        near = replace(filled, values=_columns(features, channels)[:, usable])
+        near = replace(filled, values=columns_of(features, channels)[:, usable])
         compared = FEW_MOMENTS if look < looks else SOME_MOMENTS if many else MOMENTS
         filled = filled_by(values, noise=left * level, near=near, compared=compared)
         share = 1.0 if look == 1 else _AGAIN
@@ -256,13 +273,13 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
         tell(0.8, "Smoothing again")
         first = features
         for _ in range(1 if filled.lasting or known.all() else _ROUNDS_WHERE_BRIEF):
-            pilot = _columns(features, channels)[:, usable]
+            pilot = columns_of(features, channels)[:, usable]
             again = np.where(known, channels.values[:, usable], pilot)
             whole[:, usable] = smooth_again(again, pilot, noise[usable], pose.rate)
-            features, bones = _agreed(whole, variance, channels, pose, known_joints, level, 1)
+            features, bones = _agreed(whole, variance, channels, pose, seen_turned, level, 1)
             last = _in_time(features, channels, noise, pose)
-            features = _between(last, features, first, known_joints)
-    features = _with_bones(features, known_joints, bones)
+            features = _between(last, features, first, seen_turned)
+    features = _with_bones(features, seen_turned, bones)
     variance[:, usable] *= limbs_doubted(known.shape, filled.gaps, BRIEF_S * pose.rate)
     return _finished(pose, features, channels, noise, variance, off_mm)
 
@@ -271,26 +288,6 @@ def _variance(filled: Filled, known: BoolArray, left: FloatArray) -> FloatArray:
     """(frames, channels) of errors of what was filled, and of the noise that is left."""
     unsure = np.where(known, 0.0, np.maximum(filled.variance, _SURE**2))
     return unsure + left**2
-
-
-def _columns(features: FloatArray, channels: Channels) -> FloatArray:
-    """(frames, joints · 7) of all joints but the root."""
-    return features[:, channels.joints].reshape(len(features), -1)
-
-
-def _of_all(columns: FloatArray, channels: Channels) -> FloatArray:
-    """(frames, joints, 7) of columns; 0 for the root."""
-    whole = np.zeros((len(columns), len(channels.joints) + 1, FEATURES))
-    whole[:, channels.joints] = columns.reshape(len(columns), -1, FEATURES)
-    return whole
-
-
-def _known_joints(channels: Channels, pose: Pose) -> tuple[BoolArray, BoolArray]:
-    """(frames, joints) bool each: positions and rotations that are known, the root's always."""
-    seen, turned = np.ones((2, pose.frames, len(pose.joints)), dtype=bool)
-    seen[:, channels.joints] = channels.known[:, ::FEATURES]
-    turned[:, channels.joints] = channels.known[:, FEATURES - 1 :: FEATURES]
-    return seen, turned
 
 
 def _agreed(
@@ -331,7 +328,7 @@ def _in_time(features: FloatArray, channels: Channels, noise: FloatArray, pose: 
     """(frames, joints, 7) smoothed from what was measured in the coordinates of joints."""
     if pose.frames < _SETTLES or np.isnan(features).any():
         return features
-    pilot = _columns(features, channels)
+    pilot = columns_of(features, channels)
     measured = features.copy()
     values = np.where(channels.known, channels.values, pilot)
     measured[:, channels.joints] = values.reshape(pose.frames, -1, FEATURES)
@@ -379,6 +376,8 @@ def _finished(
     # A root that was never seen is where poses are looked at from.
     positions[:, ~pose.seen.any(axis=0)] = np.nan
     rotations = signed_like(rotations, pose.rotations, trusted_turns(pose))
+    # Of what could never be trusted nothing better is known.
+    rotations = np.where(np.isnan(rotations), pose.rotations, rotations)
     there = ~np.isnan(positions[..., 0])
     rotations[:, np.isnan(pose.rotations).all(axis=(0, 2))] = np.nan
     filled = there & ~pose.seen

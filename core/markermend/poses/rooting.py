@@ -8,7 +8,7 @@ import numpy as np
 from scipy.ndimage import gaussian_filter1d
 from scipy.spatial.transform import Rotation
 
-from markermend.arrays import BoolArray, FloatArray
+from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.poses.bridging import bridged, bridging_error
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import NO_TURN, inverse, lengths_of, multiply, turn, unit, unrolled
@@ -20,6 +20,8 @@ _BESIDE = 0.001
 # How joints stand around a root changes slowly: what changes by this share of its squared change
 # over such a time from one frame to the next is noise.
 _CALM_S, _SHAKES = 0.1, 0.3
+# So many sets of joints that were seen together are asked one by one.
+_MOST_PARTS = 32
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +54,7 @@ def rooted(pose: Pose, turned: BoolArray) -> Rooted:
     The joints that hang on a root hardly move in its axes. Laid over where they were seen
     (Kabsch 1976), each counting by how still it is, they tell how the root turned and where it
     was; what that leaves in the frames in which the root was seen is bridged in time. Where none of
-    them was seen, the root itself is bridged.
+    them was seen, the root itself is bridged, and how it turned where one alone was.
     """
     root = pose.order[0]
     seen, known = pose.seen[:, root], turned[:, root]
@@ -65,41 +67,90 @@ def rooted(pose: Pose, turned: BoolArray) -> Rooted:
     hanging = [j for j, p in enumerate(pose.parents) if p == root and pose.seen[both, j].any()]
     if both.all() or not hanging:
         return Rooted(path, rotation, error)
-    around, shown = pose.positions[:, hanging], pose.seen[:, hanging]
-    local = turn(inverse(rotation[both])[:, None], around[both] - path[both][:, None])
-    place, spread = np.nanmedian(local, axis=0), np.nanvar(local, axis=0).sum(axis=1)
-    counts, told = shown / (spread + _STILL_MM**2), shown.any(axis=1)
-    counts[told] /= counts[told].sum(axis=1, keepdims=True)
-    around = np.where(shown[..., None], around, 0.0)
-    middle, centre = np.einsum("tj,tjx->tx", counts, around), counts @ place
+    # What some of them leave is not what all of them do, so it is bridged with the same ones.
+    parts = [
+        (frames, _beside(pose, np.array(hanging)[some], both, path, rotation))
+        for frames, some in _parts(pose.seen[:, hanging], ~both)
+    ]
     askew = np.zeros(pose.frames)
     if not known.all():
-        rotation, askew = _turned(
-            rotation, known, counts, around - middle[:, None], place - centre[:, None], pose.rate
-        )
-    found = middle - turn(rotation, centre)
-    left, shake = _calmed(path - found, seen & told, pose.rate)
-    unseen = ~seen & told
-    off = np.hypot(bridging_error(left, seen & told), askew * lengths_of(centre))
-    off = np.hypot(off, shake)
-    path = np.where(unseen[:, None], found + _bridged(left, seen & told, (0.0, 0.0, 0.0)), path)
-    return Rooted(path, rotation, np.where(unseen, off, error))
+        told, turns = known.copy(), rotation.copy()
+        for frames, beside in parts:
+            found, off, there = _turned(rotation, known, beside, pose.rate)
+            there &= frames & ~known
+            told[there], turns[there], askew[there] = True, found[there], off[there]
+        between = unrolled(np.where(told[:, None], turns, np.nan)[:, None])[:, 0]
+        rotation = np.where(told[:, None], turns, unit(_bridged(between, told, NO_TURN)))
+    place = path.copy()
+    for frames, beside in parts:
+        there, unseen = seen & beside.shown, ~seen & frames
+        found = beside.middle - turn(rotation, beside.centre)
+        left, shake = _calmed(path - found, there, pose.rate)
+        off = np.hypot(bridging_error(left, there), askew * lengths_of(beside.centre))
+        place[unseen] = (found + _bridged(left, there, (0.0, 0.0, 0.0)))[unseen]
+        error[unseen] = np.hypot(off, shake)[unseen]
+    return Rooted(place, rotation, error)
+
+
+def _parts(shown: BoolArray, asked: BoolArray) -> list[tuple[BoolArray, BoolArray]]:
+    """Frames (frames,) that are asked about, together where the same joints were seen, and these.
+
+    Of very many such sets the rarest are taken together, and all joints for them. Frames in which
+    none was seen are left out.
+    """
+    sets, own, times = np.unique(shown[asked], axis=0, return_inverse=True, return_counts=True)
+    of = np.full(len(shown), -1)
+    of[asked] = own.ravel()
+    usual = np.argsort(-times, kind="stable")[:_MOST_PARTS]
+    parts = [(np.asarray(of == n), sets[n]) for n in usual.tolist() if sets[n].any()]
+    rest = asked & shown.any(axis=1) & ~np.isin(of, usual)
+    return [*parts, (rest, np.ones(shown.shape[1], dtype=bool))] if rest.any() else parts
+
+
+@dataclass(frozen=True, eq=False)
+class _Beside:
+    """Joints around a root, each counting by how still it is in the root's axes.
+
+    Attributes
+    ----------
+    counts : (frames, joints) shares, 0 where a joint was not seen
+    shown : (frames,) bool, any was seen
+    middle : (frames, 3) mm, of those that were seen
+    centre : (frames, 3) mm, the same in the root's axes, where they usually are
+    around, usual : (frames, joints, 3) mm, joints from these two
+    """
+
+    counts: FloatArray
+    shown: BoolArray
+    middle: FloatArray
+    centre: FloatArray
+    around: FloatArray
+    usual: FloatArray
+
+
+def _beside(
+    pose: Pose, joints: IntArray, both: BoolArray, path: FloatArray, rotation: FloatArray
+) -> _Beside:
+    """Joints around a root whose position and rotation are known in some frames (frames,)."""
+    around, seen = pose.positions[:, joints], pose.seen[:, joints]
+    local = turn(inverse(rotation[both])[:, None], around[both] - path[both][:, None])
+    place, spread = np.nanmedian(local, axis=0), np.nanvar(local, axis=0).sum(axis=1)
+    counts, shown = seen / (spread + _STILL_MM**2), np.asarray(seen.any(axis=1))
+    counts[shown] /= counts[shown].sum(axis=1, keepdims=True)
+    around = np.where(seen[..., None], around, 0.0)
+    middle, centre = np.einsum("tj,tjx->tx", counts, around), counts @ place
+    return _Beside(counts, shown, middle, centre, around - middle[:, None], place - centre[:, None])
 
 
 def _turned(
-    rotation: FloatArray,
-    known: BoolArray,
-    counts: FloatArray,
-    around: FloatArray,
-    place: FloatArray,
-    rate: float,
-) -> tuple[FloatArray, FloatArray]:
+    rotation: FloatArray, known: BoolArray, beside: _Beside, rate: float
+) -> tuple[FloatArray, FloatArray, BoolArray]:
     """(frames, 4) rotations, which are bridged where not known, by how joints stand around it.
 
-    And (frames,) by how much they may be off, in radians.
+    And (frames,) by how much they may be off, in radians, and bool, where joints tell any.
     """
-    laid = np.einsum("tj,tjx,tjy->txy", counts, around, place)
-    size = np.einsum("tj,tjx->t", counts, place**2)
+    laid = np.einsum("tj,tjx,tjy->txy", beside.counts, beside.around, beside.usual)
+    size = np.einsum("tj,tjx->t", beside.counts, beside.usual**2)
     laid += (_BESIDE * size)[:, None, None] * Rotation.from_quat(rotation).as_matrix()
     laid += np.finfo(float).tiny * np.eye(3)
     left, _, right = np.linalg.svd(laid)
@@ -111,7 +162,8 @@ def _turned(
     # A rotation's numbers are off by half of a small angle.
     error = 2.0 * np.hypot(bridging_error(off, known), shake)
     turns = multiply(found, unit(_bridged(off, known, NO_TURN)))
-    return np.where(known[:, None], rotation, unit(turns)), error
+    # Where none was seen, or one alone, there is nothing to lay over.
+    return unit(turns), error, size > 0
 
 
 def _calmed(values: FloatArray, known: BoolArray, rate: float) -> tuple[FloatArray, float]:

@@ -10,6 +10,7 @@ import numpy as np
 from markermend.arrays import Float32Array, FloatArray, IntArray
 from markermend.poses.normal import FEATURES
 from markermend.poses.nuitrack import MIRROR, twins
+from markermend.poses.solving import part_of
 
 OTHER_SIDE = 0.2
 """How much a side's movement counts for the other side; the rest is its own."""
@@ -84,7 +85,7 @@ def both_sides(covariance: FloatArray, twins: IntArray, signs: FloatArray) -> Fl
     covariance : (joints · 7, joints · 7)
     twins, signs : (joints · 7,), the latter of :func:`mirror_signs`
     """
-    mirrored = signs[:, None] * covariance[np.ix_(twins, twins)] * signs
+    mirrored = signs[:, None] * part_of(covariance, twins, twins) * signs
     return np.asarray((1.0 - OTHER_SIDE) * covariance + OTHER_SIDE * mirrored)
 
 

@@ -1,4 +1,7 @@
-"""Joints that never have a rotation of their own, as depth sensors give the ends of chains."""
+"""Joints that never have a rotation of their own, as depth sensors give the ends of chains.
+
+Sensors that know no rotation at all leave it out, or write that nothing is ever turned.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +10,9 @@ import numpy as np
 from markermend.arrays import BoolArray
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import NO_TURN
+
+# How far from 1 the product of rotations may be that are one, for the digits they are written with.
+_SAME = 1e-9
 
 
 def turnless(pose: Pose) -> BoolArray:
@@ -31,4 +37,28 @@ def turned_as_parents(pose: Pose, without: BoolArray | None = None) -> Pose:
         if without[joint]:
             parent = pose.parents[joint]
             rotations[:, joint] = rotations[:, parent] if parent >= 0 else NO_TURN
+    return pose.with_samples(pose.positions, rotations, pose.confidence)
+
+
+def without_one_turn(pose: Pose) -> Pose:
+    """The same without rotations, if those of all joints in all frames are one, which tells none.
+
+    Taken for measured they would be noiseless, and positions beside them no noisier.
+    """
+    known = pose.rotations[~np.isnan(pose.rotations[..., 3])]
+    if not len(known) or (np.abs(np.abs(known @ known[0]) - 1.0) > _SAME).any():
+        return pose
+    return pose.with_samples(pose.positions, np.full(pose.rotations.shape, np.nan), pose.confidence)
+
+
+def with_one_turn(pose: Pose, turned: Pose) -> Pose:
+    """The same with the rotations of a recording whose rotations are all one.
+
+    Parameters
+    ----------
+    pose : without rotations
+    turned : of the same frames and joints
+    """
+    known = ~np.isnan(turned.rotations[..., 3])
+    rotations = np.where(known[..., None], turned.rotations, turned.rotations[known][0])
     return pose.with_samples(pose.positions, rotations, pose.confidence)

@@ -176,7 +176,7 @@ def _repaired(take: Take, done: Sequence[Outcome]) -> list[str]:
     mended = worst(done, len(done))
     if not mended:
         return []
-    columns = [*_WHERE, ("Method", ""), ("Expected error", "n"), ("Note", "")]
+    columns = [*_places(take), ("Method", ""), ("Expected error", "n"), ("Note", "")]
     rows = [
         [*_where(take, o), escape(o.method_label), *_error_and_note(o)] for o in mended[:_MOST_ROWS]
     ]
@@ -192,7 +192,7 @@ def _left(take: Take, done: Sequence[Outcome]) -> list[str]:
     left = [o for o in done if o.method is None]
     if not left:
         return []
-    columns = [*_WHERE, ("Sure", "n"), ("Evidence", ""), ("Left because", "why")]
+    columns = [*_places(take), ("Sure", "n"), ("Evidence", ""), ("Left because", "why")]
     rows = [
         [
             *_where(take, o),
@@ -206,11 +206,16 @@ def _left(take: Take, done: Sequence[Outcome]) -> list[str]:
 
 
 _UNMEASURED = "not measured"
-_WHERE = (("Frames", "n"), ("Seconds", "n"), ("Marker", ""), ("Axes", ""), ("Class", ""))
+
+
+def _places(take: Take) -> tuple[tuple[str, str], ...]:
+    """Columns that say where an artifact is and what it is."""
+    who = "Joint" if take.skeleton else "Marker"
+    return ("Frames", "n"), ("Seconds", "n"), (who, ""), ("Axes", ""), ("Class", "")
 
 
 def _where(take: Take, o: Outcome) -> list[str]:
-    """Cells that say where an artifact is and what it is."""
+    """Their cells."""
     a = o.artifact
     first, last = take.frame_number(a.start), take.frame_number(a.stop - 1)
     frames = f"{first}" if first == last else f"{first}–{last}"

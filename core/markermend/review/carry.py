@@ -56,8 +56,9 @@ def carry_over(session: Session, document: Mapping[str, Any], path: Path) -> str
         if kept is not None:
             session.perform(label, kept, by_itself=by_itself)
     changed = len(now) - len(same)
+    them = "joints" if session.original.skeleton else "markers"
     return (
-        f"The take has changed since it was reviewed: what was decided on the {len(same)} markers "
+        f"The take has changed since it was reviewed: what was decided on the {len(same)} {them} "
         f"that are the same was kept, on {changed} it was not; the old review stays in "
         f"“{path.name}.old”."
     )

@@ -27,7 +27,7 @@ from markermend.review.edits import (
     SetSamples,
     merged,
 )
-from markermend.review.repairing import by_hand, describe, repairing
+from markermend.review.repairing import as_one, by_hand, describe, repairing
 from markermend.review.restoring import overwritten, taking_back
 from markermend.review.session import Session
 from markermend.review.step import artifacts_of
@@ -160,7 +160,8 @@ def replace_samples(
         Patch(marker, AXES, start, stop, positions[:, i].copy(), origin[:, i].copy())
         for i, marker in enumerate(markers)
     ]
-    what = markers[0] if len(markers) == 1 else f"{len(markers)} markers"
+    many = "joints" if session.original.skeleton else "markers"
+    what = markers[0] if len(markers) == 1 else f"{len(markers)} {many}"
     label = f"{label} {what} in {_frames(session, start, stop)}"
     return _perform(session, label, patches, keep_artifacts=True)
 
@@ -190,7 +191,7 @@ def rename(session: Session, names: Mapping[str, str]) -> Change:
     return session.perform(label, Group((SetNames(names), SetArtifacts(changes))))
 
 
-def split(session: Session, artifact_id: str, at: int) -> Change:
+def split(session: Session, artifact_id: str, at: int, *, others: Sequence[str] = ()) -> Change:
     """Make two artifacts of one; a repaired one reopens.
 
     Parameters
@@ -198,52 +199,50 @@ def split(session: Session, artifact_id: str, at: int) -> Change:
     session : the review
     artifact_id : which
     at : first frame of the second one
+    others : the rest of its event, split in the same step
 
     Raises
     ------
     DataError
         when the frame is not inside
     """
-    old = session.artifact(artifact_id)
-    if not old.start < at < old.stop:
+    chosen = [session.artifact(i) for i in (artifact_id, *others)]
+    if any(not old.start < at < old.stop for old in chosen):
         raise DataError("Put the cursor inside the artifact, to split it there.")
-    status = Status.PENDING if old.status is Status.REPAIRED else old.status
-    first = replace(old, stop=at, status=status)
-    second = replace(old, start=at, status=status, id="")
-    second = replace(second, id=session.free_id(second.id))
-    rate = session.original.rate
-    changes = SetArtifacts({a.id: by_hand(old, a, rate) for a in (first, second)})
-    edits = (*taking_back(session.state, [old]), changes)
-    return session.perform(f"Split {describe([old])}", Group(edits))
+    halves: dict[str, Artifact | None] = {}
+    for old in chosen:
+        status = Status.PENDING if old.status is Status.REPAIRED else old.status
+        first = replace(old, stop=at, status=status)
+        second = replace(old, start=at, status=status, id="")
+        second = replace(second, id=session.free_id(second.id))
+        halves |= {a.id: by_hand(old, a, session.original.rate) for a in (first, second)}
+    edits = (*taking_back(session.state, chosen), SetArtifacts(halves))
+    return session.perform(f"Split {describe(chosen)}", Group(edits))
 
 
 def join(session: Session, ids: Sequence[str]) -> Change:
     """Make one artifact of several on one marker, from the first frame to the last.
 
-    It keeps the class of the one we are surest of, and is open again if any was repaired.
+    It keeps the class of the one we are surest of, and is open again if any was repaired. In a
+    skeleton recording whole events are joined: those on each joint, where there are several.
 
     Raises
     ------
     DataError
         when there are fewer than two, or they are on different markers
     """
-    chosen = [session.artifact(i) for i in ids]
-    if len(chosen) < 2 or len({a.marker for a in chosen}) > 1:
+    on: dict[str, list[Artifact]] = {}
+    for artifact in map(session.artifact, ids):
+        on.setdefault(artifact.marker, []).append(artifact)
+    several = [alike for alike in on.values() if len(alike) > 1]
+    if not several or (len(on) > 1 and not session.original.skeleton):
         raise DataError("Choose two or more artifacts of one name, to join them.")
-    best = max(chosen, key=lambda a: (a.confidence, a.length))
-    statuses = {a.status for a in chosen}
-    joined = replace(
-        best,
-        start=min(a.start for a in chosen),
-        stop=max(a.stop for a in chosen),
-        axes="".join(x for x in AXES if any(x in a.axes for a in chosen)),
-        note="\n".join(dict.fromkeys(a.note for a in chosen if a.note)),
-        status=statuses.pop() if statuses == {Status.ACCEPTED} else Status.PENDING,
-    )
-    changes: dict[str, Artifact | None] = dict.fromkeys(ids)
-    changes[joined.id] = by_hand(best, joined, session.original.rate)
+    chosen = [a for alike in several for a in alike]
+    joined = [as_one(alike, session.original.rate) for alike in several]
+    changes = {a.id: None for a in chosen} | {a.id: a for a in joined}
     edits = (*taking_back(session.state, chosen), SetArtifacts(changes))
-    return session.perform(f"Join {describe(chosen)} on {best.marker}", Group(edits))
+    more = f" +{len(joined) - 1}" if len(joined) > 1 else ""
+    return session.perform(f"Join {describe(chosen)} on {joined[0].marker}{more}", Group(edits))
 
 
 def without_emptied(take: Take, original: Take) -> Take:
@@ -264,7 +263,9 @@ def without_emptied(take: Take, original: Take) -> Take:
     return drop(take, empty) if empty else take
 
 
-def nudge(session: Session, artifact_id: str, *, start: int = 0, stop: int = 0) -> Change:
+def nudge(
+    session: Session, artifact_id: str, *, start: int = 0, stop: int = 0, others: Sequence[str] = ()
+) -> Change:
     """Move one edge of an artifact by frames; one nudge after the other is one step.
 
     Parameters
@@ -273,28 +274,31 @@ def nudge(session: Session, artifact_id: str, *, start: int = 0, stop: int = 0) 
     artifact_id : whose edge
     start, stop : frames by which the beginning or the end moves; the artifact stays within the
         take and at least one frame long
+    others : the rest of its event, which is given the same edges
 
     Raises
     ------
     DataError
         when there is no such artifact
     """
-    old = session.artifact(artifact_id)
+    chosen = [session.artifact(i) for i in (artifact_id, *others)]
+    old = chosen[0]
     first = max(0, old.start + start)
     last = min(session.original.frames, old.stop + stop)
     if first >= last or (first, last) == (old.start, old.stop):
         return Change()
-    label = f"Nudge the {'beginning' if start else 'end'} of {describe([old])}"
+    label = f"Nudge the {'beginning' if start else 'end'} of {describe(chosen)}"
     done = session.steps[0]
     # What was exported stays a step of its own, so that the history still knows it.
     goes_on = (
         bool(done)
         and done[-1].label == label
-        and artifacts_of(done[-1]) == (artifact_id,)
+        and artifacts_of(done[-1]) == tuple(a.id for a in chosen)
         and session.exported_at != len(done)
     )
     back = [session.undo()] if goes_on else []
-    return merged([*back, session.change(artifact_id, start=first, stop=last, label=label)])
+    edges = session.change(artifact_id, start=first, stop=last, others=others, label=label)
+    return merged([*back, edges])
 
 
 def _perform(

@@ -11,6 +11,7 @@ from markermend.artifact_json import rounded
 from markermend.errors import DataError
 from markermend.review.edits import Edit, RepairNote, SetArtifacts, SetNotes, SetSamples
 from markermend.review.events import events
+from markermend.take import AXES
 
 if TYPE_CHECKING:
     # The repair methods bring SciPy along; a review can be opened without it.
@@ -54,6 +55,35 @@ def repairing(
     )
 
 
+def altered(
+    old: Artifact,
+    kind: Kind | None,
+    axes: str | None,
+    start: int | None,
+    stop: int | None,
+    frames: int,
+    rate: float,
+) -> Artifact:
+    """An artifact with what is given of class, axes and edges; a repaired one is open again.
+
+    Parameters
+    ----------
+    old : before; it is the answer where nothing is another
+    kind, axes, start, stop : None to leave them
+    frames, rate : of the take; edges stay within it
+    """
+    new = replace(
+        old,
+        kind=old.kind if kind is None else kind,
+        axes=old.axes if axes is None else axes,
+        start=old.start if start is None else max(0, start),
+        stop=old.stop if stop is None else min(stop, frames),
+    )
+    if new != old and old.status is Status.REPAIRED:
+        new = new.with_status(Status.PENDING)
+    return by_hand(old, new, rate)
+
+
 def by_hand(old: Artifact, new: Artifact, rate: float) -> Artifact:
     """An artifact whose frames or class were changed by hand, with a reason that is still true.
 
@@ -71,6 +101,27 @@ def by_hand(old: Artifact, new: Artifact, rate: float) -> Artifact:
     if new.kind is not old.kind:
         return replace(new, why=f"called {new.kind.value} by hand")
     return replace(new, why="its frames were set by hand")
+
+
+def as_one(alike: Sequence[Artifact], rate: float) -> Artifact:
+    """Join artifacts of one marker; of the class of the one we are surest of.
+
+    Parameters
+    ----------
+    alike : one or more; what is made of them is open again if any was repaired
+    rate : frames per second
+    """
+    best = max(alike, key=lambda a: (a.confidence, a.length))
+    statuses = {a.status for a in alike}
+    joined = replace(
+        best,
+        start=min(a.start for a in alike),
+        stop=max(a.stop for a in alike),
+        axes="".join(x for x in AXES if any(x in a.axes for a in alike)),
+        note="\n".join(dict.fromkeys(a.note for a in alike if a.note)),
+        status=statuses.pop() if statuses == {Status.ACCEPTED} else Status.PENDING,
+    )
+    return by_hand(best, joined, rate)
 
 
 def describe(artifacts: Sequence[Artifact], method: str | None = None) -> str:

@@ -30,7 +30,7 @@ from markermend.review.edits import (
 )
 from markermend.review.left_at import LeftAt
 from markermend.review.pace import Pace, Stopwatch, pace_of
-from markermend.review.repairing import by_hand, describe, repairing
+from markermend.review.repairing import altered, describe, repairing
 from markermend.review.restoring import taking_back
 from markermend.review.step import Step, decides, parts, touched_by_hand
 from markermend.take import Take
@@ -304,25 +304,24 @@ class Session:
         axes: str | None = None,
         start: int | None = None,
         stop: int | None = None,
+        others: Sequence[str] = (),
         label: str = "",
     ) -> Change:
-        """Give an artifact another class, other axes or other edges; a repaired one reopens."""
-        old = self.artifact(artifact_id)
-        new = replace(
-            old,
-            kind=old.kind if kind is None else kind,
-            axes=old.axes if axes is None else axes,
-            start=old.start if start is None else max(0, start),
-            stop=old.stop if stop is None else min(stop, self.original.frames),
-        )
-        if new == old:
+        """Give an artifact another class, other axes or other edges; a repaired one reopens.
+
+        The ``others`` of its event are given the same in the same step.
+        """
+        frames, rate = self.original.frames, self.original.rate
+        given = (kind, axes, start, stop)
+        before = [self.artifact(i) for i in (artifact_id, *others)]
+        changes = {a.id: new for a in before if (new := altered(a, *given, frames, rate)) != a}
+        before = [a for a in before if a.id in changes]
+        if not changes:
             return Change()
-        if old.status is Status.REPAIRED:
-            new = new.with_status(Status.PENDING)
-        new = by_hand(old, new, self.original.rate)
-        edits = (*taking_back(self._state, [old]), SetArtifacts({old.id: new}))
-        what = f"Call {describe([old])} {new.kind}" if new.kind != old.kind else ""
-        return self.perform(label or what or f"Adjust {describe([old])}", Group(edits))
+        edits = (*taking_back(self._state, before), SetArtifacts(changes))
+        called = any(a.kind is not changes[a.id].kind for a in before)
+        what = f"Call {describe(before)} {kind}" if called else f"Adjust {describe(before)}"
+        return self.perform(label or what, Group(edits))
 
     def set_region(self, region: tuple[int, int] | None) -> Change:
         """Choose the frames that matter: what lies outside them is not asked about.

@@ -62,14 +62,14 @@ def stretch(step: Step) -> tuple[int, int] | None:
     Where an artifact's edges are moved these are its frames afterwards.
     """
     several = len(artifacts_of(step)) > 1
-    one_place = step.label.startswith(("Split ", "Join ")) or len(_places(step)) == 1
-    if not decides(step) or parts(step.edit, SetNames) or (several and not one_place):
+    after = _places(step.edit)
+    if not decides(step) or parts(step.edit, SetNames):
         return None
-    if not (several or parts(step.edit, SetSamples)):
-        for moved in parts(step.edit, SetArtifacts):
-            for a in moved.changes.values() if isinstance(moved, SetArtifacts) else ():
-                if a is not None:
-                    return a.start, a.stop
+    if len(after) == 1 and not parts(step.edit, SetSamples):
+        return after.pop()
+    one_place = len(after | _places(step.inverse)) == 1
+    if several and not (one_place or step.label.startswith(("Split ", "Join "))):
+        return None
     found: list[Artifact | Patch] = []
     for edit in (step.inverse, step.edit):
         for part in parts(edit, SetArtifacts, SetSamples):
@@ -82,11 +82,10 @@ def stretch(step: Step) -> tuple[int, int] | None:
     return min(x.start for x in found), max(x.stop for x in found)
 
 
-def _places(step: Step) -> set[tuple[int, int]]:
-    """Intervals of the artifacts that a step leaves, or takes away."""
+def _places(edit: Edit) -> set[tuple[int, int]]:
+    """Intervals of the artifacts that an edit leaves."""
     return {
         (a.start, a.stop)
-        for edit in (step.edit, step.inverse)
         for part in parts(edit, SetArtifacts)
         if isinstance(part, SetArtifacts)
         for a in part.changes.values()

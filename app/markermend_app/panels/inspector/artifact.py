@@ -200,14 +200,13 @@ class ArtifactPage(QWidget):
         }[a.status]
 
     def _kind_chosen(self, place: int) -> None:
-        if self._document.current is not None:
-            self._document.decisions.change(self._document.current.id, kind=list(Kind)[place])
+        self._document.decisions.change_current(kind=list(Kind)[place])
 
     def _axes_chosen(self) -> None:
         """Change the axes; the last one stays."""
         axes = "".join(axis for axis, button in self.axes.items() if button.isChecked())
-        if self._document.current is not None and axes:
-            self._document.decisions.change(self._document.current.id, axes=axes)
+        if axes:
+            self._document.decisions.change_current(axes=axes)
         self._refresh()
 
     def _edges_chosen(self) -> None:
@@ -215,7 +214,7 @@ class ArtifactPage(QWidget):
         if a is not None and session is not None:
             first = session.original.first_frame
             start, stop = self.first.value() - first, self.last.value() - first + 1
-            self._document.decisions.change(a.id, start=start, stop=stop)
+            self._document.decisions.change_current(start=start, stop=stop)
 
     def _recolour(self) -> None:
         t = theme.current()

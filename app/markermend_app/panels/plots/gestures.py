@@ -124,7 +124,7 @@ class Gestures:
         edges = row.edges.frames
         start, stop = self._whole(current.markers, *edges, take.frames, besides=current)
         if (start, stop) != (current.start, current.stop):
-            self._document.decisions.change(current.id, start=start, stop=stop)
+            self._document.decisions.change_current(start=start, stop=stop)
         self._panel.show_current()
 
     def _whole(

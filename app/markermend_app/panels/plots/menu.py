@@ -22,8 +22,9 @@ def artifact_menu(
     """Decide about the current artifact and its like, change it, or take it off the list."""
     menu = QMenu(parent)
     name = theme.kind_name(artifact.kind)
-    _title(menu, f"{name} · {PAIRED.join(artifact.markers)}")
-    status, ids = artifact.status, [artifact.id]
+    status, ids = artifact.status, document.together
+    more = f" +{len(ids) - 1}" if len(ids) > 1 else ""
+    _title(menu, f"{name} · {PAIRED.join(artifact.markers)}{more}")
     for verb, decide, done in (
         ("accept", lambda: document.decisions.accept(ids), Status.ACCEPTED),
         ("reject", lambda: document.decisions.reject(ids), Status.REJECTED),
@@ -37,9 +38,7 @@ def artifact_menu(
         action = classes.addAction(theme.icon(kind), theme.kind_name(kind))
         action.setCheckable(True)
         action.setChecked(kind is artifact.kind)
-        action.triggered.connect(
-            lambda _=False, k=kind: document.decisions.change(artifact.id, kind=k)
-        )
+        action.triggered.connect(lambda _=False, k=kind: document.decisions.change_current(kind=k))
     axes = menu.addMenu(theme.icon("curves"), _tr("Damaged axes"))
     for axis in "xyz":
         action = axes.addAction(axis.upper())
@@ -47,8 +46,8 @@ def artifact_menu(
         action.setChecked(axis in artifact.axes)
         action.setEnabled(artifact.axes != axis)
         action.triggered.connect(
-            lambda _=False, a=axis: document.decisions.change(
-                artifact.id, axes=_toggled(artifact.axes, a)
+            lambda _=False, a=axis: document.decisions.change_current(
+                axes=_toggled(artifact.axes, a)
             )
         )
     menu.addSeparator()

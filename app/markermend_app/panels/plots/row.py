@@ -203,6 +203,9 @@ class PlotRow(PlotFrame):
         self._before = before
         for trace in self._pool:
             trace.style(self._before)
+        if before:
+            # Back again the view stays: who looks at both by turns wants nothing else to change.
+            self.set_view(*self._seen)
 
     def set_title(self, title: str) -> None:
         """Call what is shown something else."""
@@ -348,6 +351,9 @@ class PlotRow(PlotFrame):
                 trusted += [values[:a], values[b:]]
             else:
                 trusted.append(values)
+            source = self._source_of.get(name)
+            if self._before and source is not None and source.values is not whole:
+                special.append(source.values[low:high])
         for curve in self.proposed:
             if curve.frames is not None and curve.values is not None:
                 within = slice(*np.searchsorted(curve.frames, (low, high)))

@@ -43,7 +43,7 @@ class QueueColumns(QObject):
         super().__init__(view)
         self._view, self._model = view, model
         self._fitting = False
-        self._names_wide = 0
+        self._names_wide, self._frames_wide = 0, _WIDTHS[FRAMES]
         self._widths = list(_WIDTHS)
         for column, width in enumerate(_WIDTHS):
             view.setColumnWidth(column, width)
@@ -54,13 +54,21 @@ class QueueColumns(QObject):
         view.setColumnWidth(AXES, self._widths[AXES])
         view.horizontalHeader().sectionResized.connect(self._remember)
 
-    def measure_names(self) -> bool:
-        """Note how wide the widest name is; whether that is another width than before."""
+    def measure(self) -> bool:
+        """Note how wide names and frame numbers are; whether that is otherwise than before."""
         each = {a.markers: a for a in self._model.rows}
         metrics = self._view.fontMetrics()
         wide = [metrics.horizontalAdvance(self._model.text(a, MARKER)) for a in each.values()]
-        before, self._names_wide = self._names_wide, max(wide, default=0) + _PADDING
-        return self._names_wide != before
+        before = self._names_wide, self._frames_wide
+        self._names_wide = max(wide, default=0) + _PADDING
+        last = max((a.stop - 1 for a in self._model.rows), default=0) + self._model.first_frame
+        frames = metrics.horizontalAdvance(f"{last}–{last}") + _PADDING
+        self._frames_wide = max(_WIDTHS[FRAMES], frames)
+        # A width that a hand has chosen stays.
+        if self._widths[FRAMES] == before[1]:
+            self._widths[FRAMES] = self._frames_wide
+            self._view.setColumnWidth(FRAMES, self._frames_wide)
+        return (self._names_wide, self._frames_wide) != before
 
     def fit(self, width: int, statuses: Collection[Status]) -> None:
         """Leave room for the reasons; repairs are listed only where something repaired can be.

@@ -205,7 +205,7 @@ class ReviewQueue(QWidget):
         self._follow_current(scroll=False)
         self.filters.count(() if session is None else session.listed)
         self.filters.fit(self.width())
-        if self._columns.measure_names():
+        if self._columns.measure():
             self._fit_columns()
         self._explain()
 

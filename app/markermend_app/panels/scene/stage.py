@@ -115,11 +115,12 @@ def floor_lines(stage: Stage) -> tuple[FloatArray, FloatArray]:
 def reach_of(take: Take, body: Sequence[int]) -> float:
     """How far some markers are from their :func:`centre_at`, mm; at least what is to be seen.
 
-    One marker by itself has no extent, but goes somewhere.
+    One marker by itself, or one of which alone anything is seen, has no extent, but goes somewhere.
     """
     points = _sample(take.positions)[:, body]
-    if len(body) == 1:
-        way = _extent(points[:, 0][None])
+    seen = ~np.isnan(points[..., 0])
+    if seen.sum(axis=1).max(initial=0) == 1:
+        way = _extent(points[seen][None])
         return min(max(way / 2, LEAST_RADIUS_MM), LONE_RADIUS_MM)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RuntimeWarning)

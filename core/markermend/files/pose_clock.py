@@ -1,0 +1,102 @@
+"""How many poses a second a table of joints has, by the times of its rows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from markermend.arrays import FloatArray
+
+_SENSOR_RATE = 30.0
+# Nobody records joints so slowly: times that grow by as much a pose are in a smaller unit.
+_SLOWEST_S, _ROUNDED = 1.0, 1e-6
+_SMALLER = ((1e-3, "milliseconds"), (1e-6, "microseconds"), (1e-9, "nanoseconds"))
+# As far apart two times can be by being rounded to microseconds, as they are written here.
+_WRITTEN_S = 1.01e-6
+# Beyond it, nanoseconds of centuries, a number is no time.
+_LARGEST = 1e19
+# Slopes over so many poses tell the usual one; the line through all does where it is about that.
+_POSES, _UNEVEN = 30, 0.1
+
+
+@dataclass(frozen=True)
+class Clock:
+    """Times of a table.
+
+    Attributes
+    ----------
+    rate : poses per second
+    begins : seconds at the first of them
+    second : seconds in the file's unit of time
+    oddities : sentences about what was guessed
+    """
+
+    rate: float
+    begins: float = 0.0
+    second: float = 1.0
+    oddities: tuple[str, ...] = ()
+
+
+NO_CLOCK = Clock(
+    _SENSOR_RATE, oddities=(f"The file tells no rate; {_SENSOR_RATE:g} Hz was assumed.",)
+)
+
+
+def by_times(told: list[float], frame: list[int], first: int, second: float | None) -> Clock:
+    """What times of rows tell.
+
+    Parameters
+    ----------
+    told : of each row; NaN where it has none
+    frame : of each row, from 0
+    first : the file's number of frame 0
+    second : seconds in their unit, where the file tells
+
+    Returns
+    -------
+    Clock
+        :data:`NO_CLOCK` where times do not grow
+    """
+    times, frames = np.array(told), np.array(frame)
+    known = np.abs(times) < _LARGEST
+    if np.unique(frames[known]).size < 2:
+        return NO_CLOCK
+    at = int(np.argmin(np.where(known, frames, frames.max() + 1)))
+    # From the first on, since of those of the calendar no digits would be left.
+    since = times[known] - times[at]
+    slope = float(np.polyfit(frames[known], since, 1)[0])
+    oddities: tuple[str, ...] = ()
+    usual, odd = _usual_slope(frames[known], since)
+    if abs(slope - usual) > _UNEVEN * usual > 0:
+        slope = usual
+        oddities = (
+            f"Times in the file jump or stand still (after frame {first + odd}, for one); the rate"
+            " is that between most poses.",
+        )
+    if slope <= 0:
+        return NO_CLOCK
+    if second is None:
+        second, unit = 1.0, ""
+        for smaller, name in _SMALLER:
+            if second * slope >= _SLOWEST_S * (1.0 - _ROUNDED):
+                second, unit = smaller, name
+        if unit:
+            guess = f"The times in the file grow too fast for seconds; {unit} were assumed."
+            oddities = (*oddities, guess)
+    rate = float(np.round(1.0 / (second * slope), 4))
+    whole = float(max(round(rate), 1))
+    if np.ptp(second * since - frames[known] / whole) <= _WRITTEN_S:
+        # A few times, rounded as they are written, tell a rate that is a little off.
+        rate, slope = whole, 1.0 / (second * whole)
+    return Clock(rate, second * (times[at] - frame[at] * slope), second, oddities)
+
+
+def _usual_slope(frames: FloatArray, times: FloatArray) -> tuple[float, int]:
+    """How times (rows,) mostly grow a frame, and the frame after which they stray most from it."""
+    order, rows = np.unique(frames, return_index=True)
+    there = times[rows]
+    lag = max(min(_POSES, len(order) // 4), 1)
+    usual = float(np.median((there[lag:] - there[:-lag]) / (order[lag:] - order[:-lag])))
+    strays = np.abs(np.diff(there) - usual * np.diff(order))
+    return usual, int(order[np.argmax(strays)])
