@@ -11,7 +11,7 @@ from scipy.interpolate import CubicSpline
 import markermend as mm
 from markermend.bench.poses import Case, recorded
 from markermend.errors import DataError
-from markermend.poses.breaking import KINDS, break_pose
+from markermend.poses.breaking import HOLDS, KINDS, break_pose
 from markermend.poses.faults import (
     CARRIED,
     CROSSED,
@@ -371,9 +371,11 @@ def test_a_body_at_rest_is_not_frozen(walk):
 
 
 def test_same_seed_same_faults(walk):
-    one, other = (break_pose(walk, each=2, seed=5) for _ in range(2))
-    assert (one[0].positions == other[0].positions).all()
-    assert one[1] == other[1]
+    for what in (KINDS, HOLDS):
+        one, other = (break_pose(walk, each=2, seed=5, what=what) for _ in range(2))
+        assert (one[0].positions == other[0].positions).all()
+        assert one[1] == other[1]
+        assert {broken.kind for broken in one[1]} == set(what)
 
 
 def test_too_short_a_recording_is_not_broken(walk):

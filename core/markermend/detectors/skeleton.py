@@ -56,9 +56,9 @@ def detect_joints(take: Take, progress: Progress | None = None) -> list[Artifact
     Returns
     -------
     Gaps where a joint was not seen; peaks, noise and steps where it stands where its bones cannot
-    reach, freezes while the body moves or with all of it, is carried off with it, or is swapped with that of the
-    other side (said once, of the left one). A recording of which nothing can be made, such as a
-    single pose, has none but gaps.
+    reach, freezes while the body moves or with all of it, is carried off with it, or is swapped
+    with that of the other side (said once, of the left one). A recording of which nothing can be
+    made, such as a single pose, has none but gaps.
     """
     pose = pose_of(take)
     found = list(_unseen(take, pose))
