@@ -24,7 +24,7 @@ _AGAIN_MM = 0.1
 
 
 def stiff(pose: Pose) -> BoolArray:
-    """Find limbs that stay as they are bent, to the last digit, while others move.
+    """Find limbs that stay as they are bent while others move, or that then go on elsewhere.
 
     Parameters
     ----------
