@@ -82,11 +82,12 @@ def goes_on_elsewhere(steps: FloatArray, start: int, stop: int) -> bool:
     """
     if start < 2 or stop + 1 >= len(steps):
         return False
-    before, after = (np.nansum(steps[n : n + 2], axis=1) for n in (start - 2, stop + 1))
-    far = np.nan_to_num(steps[stop])
-    usual = max(before.max(), after.max())
-    stops_dead = before[1] > _SLOWS * before[0]
-    return bool(stops_dead and after.any() and far.max() > _FAR_MM and far.sum() > _LONGER * usual)
+    ways = np.nansum(steps, axis=1)
+    far, before, after = ways[stop], ways[max(start - 3, 0) : start], ways[stop + 1 : stop + 3]
+    # The least of two steps, since just before it may have been held, and have caught up.
+    stops_dead = before[-1] > _SLOWS * before[:-1].min()
+    apart = np.nan_to_num(steps[stop]).max() > _FAR_MM
+    return bool(stops_dead and after.any() and apart and far > _LONGER * max(before[-1], after[0]))
 
 
 def _trembles(
