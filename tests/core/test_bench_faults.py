@@ -32,10 +32,15 @@ def test_faults_are_found_and_mended_and_little_else_is_touched(clips):
         if row.kind in (SOUND, BESIDE):
             assert row.named / row.faults < 0.001
             assert restored <= max(broken, 0.1)
+        elif row.kind in HOLDS:
+            assert row.found == row.faults == 1
+            assert told < broken
         else:
             assert row.found == row.named == row.faults == 1
             assert restored < 0.25 * broken
             assert told < 0.2 * broken
+    held = [row for row in rows if row.kind in HOLDS]
+    assert sum(row.named for row in held) >= 0.9 * len(held)
     undone = [r.off_mm[1] for r in rows if (r.kind, r.case) == ("swapped", cases[0].name)]
     np.testing.assert_allclose(undone, 0.0, atol=0.01)
     assert find_faults(clips, cases=cases[:1]) == [r for r in rows if r.case == cases[0].name]
