@@ -123,6 +123,8 @@ def _frozen(pose: Pose) -> BoolArray:
     if pose.frames <= _FROZEN_FRAMES:
         return frozen
     steps = lengths_of(np.diff(pose.positions, axis=0))
+    if not (steps < _SAME_MM).any():
+        return frozen
     turns = np.nan_to_num(np.abs(np.diff(pose.rotations, axis=0)).max(axis=2))
     still = (steps < _SAME_MM) & (turns < _SAME_MM)
     body = np.nan_to_num(np.nanmedian(np.where(np.isnan(steps), 0.0, steps), axis=1))
