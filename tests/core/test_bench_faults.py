@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import markermend as mm
-from markermend.bench.faults import CASES, SOUND, faults_csv, faults_table, find_faults
+from markermend.bench.faults import BESIDE, CASES, SOUND, faults_csv, faults_table, find_faults
 from markermend.errors import DataError
-from markermend.poses.breaking import KINDS
+from markermend.poses.breaking import HOLDS, KINDS
 from markermend.poses.nuitrack import to_nuitrack
 
 
@@ -22,17 +22,25 @@ def test_faults_are_found_and_mended_and_little_else_is_touched(clips):
     cases = [CASES[1], CASES[3]]
     rows = find_faults(clips, cases=cases)
     assert [(r.clip, r.case, r.kind) for r in rows] == [
-        (clip, case.name, kind) for clip in clips for case in cases for kind in (*KINDS, SOUND)
+        (clip, case.name, kind)
+        for clip in clips
+        for case in cases
+        for kind in (*KINDS, SOUND, *HOLDS, BESIDE)
     ]
     for row in rows:
         broken, restored, told = row.off_mm
-        if row.kind == SOUND:
+        if row.kind in (SOUND, BESIDE):
             assert row.named / row.faults < 0.001
             assert restored <= max(broken, 0.1)
+        elif row.kind in HOLDS:
+            assert row.found == row.faults == 1
+            assert told < broken
         else:
             assert row.found == row.named == row.faults == 1
             assert restored < 0.25 * broken
             assert told < 0.2 * broken
+    held = [row for row in rows if row.kind in HOLDS]
+    assert sum(row.named for row in held) >= 0.9 * len(held)
     undone = [r.off_mm[1] for r in rows if (r.kind, r.case) == ("swapped", cases[0].name)]
     np.testing.assert_allclose(undone, 0.0, atol=0.01)
     assert find_faults(clips, cases=cases[:1]) == [r for r in rows if r.case == cases[0].name]

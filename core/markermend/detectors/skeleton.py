@@ -15,6 +15,7 @@ from markermend.poses.faults import (
     CROSSED,
     FROZEN,
     MISPLACED,
+    REPEATED,
     SWAPPED,
     VANISHED,
     Fault,
@@ -28,10 +29,11 @@ from markermend.take import AXES, Take
 
 # Share of such flags that are real, (right + 1) / (all + 2): of 40, 36, 228 and 365 flags on five
 # recordings with simulated faults, 40, 36, 228 and 305 were. Bodies that are carried off count as
-# joints that are, angles as limbs.
+# joints that are, angles as limbs, repeated poses as frozen joints.
 _CONFIDENCE = {
     VANISHED: 0.98,
     FROZEN: 0.97,
+    REPEATED: 0.97,
     SWAPPED: 0.99,
     CROSSED: 0.99,
     MISPLACED: 0.84,
@@ -54,9 +56,9 @@ def detect_joints(take: Take, progress: Progress | None = None) -> list[Artifact
     Returns
     -------
     Gaps where a joint was not seen; peaks, noise and steps where it stands where its bones cannot
-    reach, freezes while the body moves, is carried off with it, or is swapped with that of the
-    other side (said once, of the left one). A recording of which nothing can be made, such as a
-    single pose, has none but gaps.
+    reach, freezes while the body moves or with all of it, is carried off with it, or is swapped
+    with that of the other side (said once, of the left one). A recording of which nothing can be
+    made, such as a single pose, has none but gaps.
     """
     pose = pose_of(take)
     found = list(_unseen(take, pose))
@@ -94,6 +96,8 @@ def _artifact(take: Take, told: Restored, fault: Fault) -> Iterator[Artifact]:
             why = f"has its angles exchanged with those of {counterpart}, for {lasting}"
     elif fault.kind == FROZEN:
         why = f"stands still while the body moves, for {lasting}"
+    elif fault.kind == REPEATED:
+        why = f"stands still with the whole body, though that was moving, for {lasting}"
     elif fault.kind == VANISHED:
         why = f"is said to stand at 0, 0, 0 for {lasting}"
     elif fault.kind == CARRIED:

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
 import numpy as np
 
 from markermend.errors import DataError
-from markermend.poses.faults import FROZEN, MISPLACED, SWAPPED, VANISHED
-from markermend.poses.nuitrack import LIMBS
+from markermend.poses.faults import FROZEN, MISPLACED, REPEATED, SWAPPED, VANISHED
+from markermend.poses.nuitrack import JOINTS, LIMBS
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import NO_TURN
 
 _LENGTH_S = (0.15, 0.8)
 _JUMP_MM = 400.0
 _STRANGER_MM = 700.0
+# Joints that are most of 17, and what is brief, in frames from one to below the other.
+_MOST, _BRIEF = 11, (2, 4)
 # Frames from one fault to the next, the least.
 _ROOM = 8
 KINDS = MappingProxyType(
@@ -28,6 +31,16 @@ KINDS = MappingProxyType(
     }
 )
 """What can go wrong, and the name by which it is to be found."""
+HOLDS = MappingProxyType(
+    {
+        "whole pose held": REPEATED,
+        "three limbs held": FROZEN,
+        "most joints held": FROZEN,
+        "held but turning": FROZEN,
+        "briefly held": FROZEN,
+    }
+)
+"""More ways to stand still, apart from the others for those to stay as they were drawn."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +49,7 @@ class Broken:
 
     Attributes
     ----------
-    kind : one of :data:`KINDS`
+    kind : one of :data:`KINDS` or :data:`HOLDS`
     joints : indices
     start, stop : frames ``[start, stop)``
     """
@@ -47,15 +60,20 @@ class Broken:
     stop: int
 
 
-def break_pose(pose: Pose, *, each: int, seed: int) -> tuple[Pose, tuple[Broken, ...]]:
+def break_pose(
+    pose: Pose, *, each: int, seed: int, what: Mapping[str, str] = KINDS
+) -> tuple[Pose, tuple[Broken, ...]]:
     """Break a clean recording, every time for 0.15 to 0.8 seconds, never twice at once.
 
     Parameters
     ----------
     pose : of Nuitrack's 17 joints
-    each : faults of each of :data:`KINDS`: at 0, 0, 0; held; somewhere else in every frame; limbs
-        of left and right exchanged; a limb of somebody smaller, who stands beside
+    each : faults of each kind
     seed : same seed, same faults
+    what : :data:`KINDS`, a joint at 0, 0, 0; held; somewhere else in every frame; limbs of left and
+        right exchanged; a limb of somebody smaller, who stands beside; or :data:`HOLDS`, all
+        joints held, three limbs, eleven joints, a limb whose joints turn as before, and a limb for
+        two or three poses only
 
     Returns
     -------
@@ -68,16 +86,16 @@ def break_pose(pose: Pose, *, each: int, seed: int) -> tuple[Pose, tuple[Broken,
     """
     random = np.random.default_rng(seed)
     positions, rotations = np.array(pose.positions), np.array(pose.rotations)
-    slots = np.linspace(2, pose.frames - 2, each * len(KINDS) + 1).astype(int)
+    slots = np.linspace(2, pose.frames - 2, each * len(what) + 1).astype(int)
     if np.diff(slots).min() < _ROOM:
         raise DataError(
-            f"The recording is too short to be broken {each * len(KINDS)} times: it has"
-            f" {pose.frames} poses, and that takes {_ROOM * each * len(KINDS) + 4} or more;"
+            f"The recording is too short to be broken {each * len(what)} times: it has"
+            f" {pose.frames} poses, and that takes {_ROOM * each * len(what) + 4} or more;"
             " leave it out."
         )
-    kinds, done = tuple(KINDS), []
-    for slot, n in enumerate(random.permutation(each * len(KINDS)).tolist()):
-        kind, room = kinds[n % len(KINDS)], int(slots[slot + 1] - slots[slot]) - 2
+    kinds, done = tuple(what), []
+    for slot, n in enumerate(random.permutation(each * len(what)).tolist()):
+        kind, room = kinds[n % len(kinds)], int(slots[slot + 1] - slots[slot]) - 2
         length = min(max(round(random.uniform(*_LENGTH_S) * pose.rate), 2), room)
         start = int(slots[slot]) + 1
         frames = slice(start, start + length)
@@ -100,7 +118,7 @@ def break_pose(pose: Pose, *, each: int, seed: int) -> tuple[Pose, tuple[Broken,
                     for values in (positions, rotations):
                         values[frames, [a, b]] = values[frames, [b, a]]
                 touched = (*pair[0], *pair[1])
-            case _:
+            case "stranger":
                 then = int(random.integers(pose.frames - length))
                 away = _STRANGER_MM * np.array([1.0, 0.0, random.choice([-1.0, 1.0])])
                 other = slice(then, then + length)
@@ -109,5 +127,28 @@ def break_pose(pose: Pose, *, each: int, seed: int) -> tuple[Pose, tuple[Broken,
                 positions[frames, limb] = there + pose.positions[frames, :1] + away
                 rotations[frames, limb] = pose.rotations[other][:, limb]
                 touched = limb
-        done.append(Broken(kind, touched, start, start + length))
+            case _:
+                touched, frames = _held(kind, limb, frames, random)
+                positions[frames, touched] = positions[start - 1, touched]
+                if kind != "held but turning":
+                    rotations[frames, touched] = rotations[start - 1, touched]
+        done.append(Broken(kind, touched, frames.start, frames.stop))
     return pose.with_samples(positions, rotations, np.ones_like(pose.confidence)), tuple(done)
+
+
+def _held(
+    kind: str, limb: tuple[int, ...], frames: slice, random: np.random.Generator
+) -> tuple[tuple[int, ...], slice]:
+    """Joints of one of :data:`HOLDS`, and the frames in which they are held."""
+    match kind:
+        case "whole pose held":
+            return tuple(range(len(JOINTS))), frames
+        case "three limbs held":
+            return tuple(j for other in LIMBS if other != limb for j in other), frames
+        case "most joints held":
+            return tuple(sorted(random.permutation(len(JOINTS))[:_MOST].tolist())), frames
+        case "briefly held":
+            stop = frames.start + int(random.integers(*_BRIEF))
+            return limb, slice(frames.start, min(stop, frames.stop))
+        case _:
+            return limb, frames

@@ -18,6 +18,8 @@ from markermend.poses.skeleton import Movement, forward_kinematics
 _CHANGE_DEG, _STAY_DEG = 20.0, 1e-3
 # Joints then go on with steps, where it begins and ends, this much smaller together.
 _SMOOTHER = 0.5
+# Up to an end of the recording only one step tells, and where another was missed that is of no use.
+_TO_AN_END_S = 1.0
 # Positions are those of the file that was read when they differ by less.
 _SAME_MM = 1e-3
 
@@ -43,18 +45,20 @@ def angles_changed_back(pose: Pose) -> tuple[Pose, BoolArray]:
     for left, right in _limbs(pose, movement):
         steps = np.stack([_steps(movement, a, b) for a, b in zip(left, right, strict=True)])
         for start, stop in runs(_crossed(steps)).tolist():
-            if start == 0 or stop == pose.frames:
+            ends = [n for n in (start - 1, stop - 1) if 0 <= n < pose.frames - 1]
+            if len(ends) < 2 and (not ends or stop - start > _TO_AN_END_S * pose.rate):
                 continue
             # Of a limb only what then goes on, on both sides, changed places.
-            as_is, across = np.moveaxis(steps[:, [start - 1, stop - 1]].sum(axis=1), 2, 0)
+            as_is, across = np.moveaxis(steps[:, ends].sum(axis=1), 2, 0)
             pairs = [(left[n], right[n]) for n in np.flatnonzero((across < as_is).all(axis=1))]
-            rows = slice(start - 1, stop + 1)
+            rows = slice(max(start - 1, 0), min(stop + 1, pose.frames))
             here, there = (
                 forward_kinematics(m.part(rows.start, rows.stop), pose.rate)
                 for m in (movement, _changed(movement, pairs, slice(start, stop)))
             )
+            at = [n - rows.start for n in ends]
             apart = np.abs(here.positions - pose.positions[rows])
-            if (apart > _SAME_MM).any() or _ends(there) > _SMOOTHER * _ends(here):
+            if (apart > _SAME_MM).any() or _ends(there, at) > _SMOOTHER * _ends(here, at):
                 continue
             moved = (np.abs(there.positions - here.positions) > _SAME_MM).any(axis=2)
             positions[rows][moved], rotations[rows][moved] = (
@@ -107,7 +111,7 @@ def _changed(movement: Movement, pairs: list[tuple[str, str]], rows: slice) -> M
     return replace(movement, channels=channels)
 
 
-def _ends(pose: Pose) -> float:
-    """Mm that all joints go in the first step and in the last."""
-    steps = lengths_of(np.diff(pose.positions[[0, 1, -2, -1]], axis=0)[::2])
-    return float(np.nansum(steps))
+def _ends(pose: Pose, at: list[int]) -> float:
+    """Mm that all joints go in some steps, all together."""
+    after, before = (pose.positions[[n + m for n in at]] for m in (1, 0))
+    return float(np.nansum(lengths_of(after - before)))

@@ -10,6 +10,7 @@ from markermend.arrays import BoolArray, runs
 from markermend.poses.bridging import bridged
 from markermend.poses.exchanging import changed_back
 from markermend.poses.exchanging_angles import angles_changed_back
+from markermend.poses.holding import held
 from markermend.poses.jumping import carried_off
 from markermend.poses.misplacing import misplaced
 from markermend.poses.pose import Pose
@@ -17,8 +18,8 @@ from markermend.poses.quaternion import lengths_of
 from markermend.poses.stiffening import stiff
 
 VANISHED, FROZEN, MISPLACED, SWAPPED = "vanished", "frozen", "misplaced", "swapped"
-CROSSED, CARRIED = "given each other's angles", "carried off"
-FAULTS = (VANISHED, FROZEN, MISPLACED, SWAPPED, CROSSED, CARRIED)
+CROSSED, CARRIED, REPEATED = "given each other's angles", "carried off", "repeated"
+FAULTS = (VANISHED, FROZEN, MISPLACED, SWAPPED, CROSSED, CARRIED, REPEATED)
 
 # Frames in a row that must be the same to the last digit, and how far the body moves meanwhile.
 _FROZEN_FRAMES, _SAME_MM, _MOVED_MM = 4, 1e-6, 2.0
@@ -31,9 +32,10 @@ class Fault:
     Attributes
     ----------
     kind : ``"vanished"`` (at 0, 0, 0), ``"frozen"`` (stands still to the last digit, or its limb
-        is bent no more, while the body moves), ``"misplaced"`` (where its bones cannot reach:
-        jumped, or another person's), ``"swapped"`` (left and right, or in a file of angles
-        ``"given each other's angles"``), or ``"carried off"`` (with the whole body)
+        is bent no more, while the body moves), ``"repeated"`` (with all that is seen),
+        ``"misplaced"`` (where its bones cannot reach: jumped, or another person's), ``"swapped"``
+        (left and right, or in a file of angles ``"given each other's angles"``), or ``"carried
+        off"`` (with the whole body)
     joint : index
     start, stop : frames ``[start, stop)``
     """
@@ -58,8 +60,10 @@ def mend_faults(pose: Pose) -> tuple[Pose, tuple[Fault, ...]]:
     pose, bent = angles_changed_back(pose)
     vanished = _vanished(pose)
     pose = _hidden(pose, vanished)
-    frozen = _frozen(pose)
-    pose = _hidden(pose, frozen)
+    stands, whole = held(pose)
+    repeated = stands & whole[:, None]
+    frozen = (stands | _frozen(pose)) & ~repeated
+    pose = _hidden(pose, frozen | repeated)
     carried = carried_off(pose)
     pose = _carried_back(pose, carried)
     pose, swapped = changed_back(pose)
@@ -72,6 +76,7 @@ def mend_faults(pose: Pose) -> tuple[Pose, tuple[Fault, ...]]:
     kinds = {
         VANISHED: vanished,
         FROZEN: frozen,
+        REPEATED: repeated,
         SWAPPED: swapped,
         CROSSED: bent,
         MISPLACED: wrong,
@@ -118,6 +123,8 @@ def _frozen(pose: Pose) -> BoolArray:
     if pose.frames <= _FROZEN_FRAMES:
         return frozen
     steps = lengths_of(np.diff(pose.positions, axis=0))
+    if not (steps < _SAME_MM).any():
+        return frozen
     turns = np.nan_to_num(np.abs(np.diff(pose.rotations, axis=0)).max(axis=2))
     still = (steps < _SAME_MM) & (turns < _SAME_MM)
     body = np.nan_to_num(np.nanmedian(np.where(np.isnan(steps), 0.0, steps), axis=1))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, runs
+from markermend.poses.holding import goes_on_elsewhere
 from markermend.poses.nuitrack import twins
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import inverse, lengths_of, turn
@@ -16,12 +17,14 @@ _SAME_MM, _FIXED = 5e-3, 0.5
 # median) beside what they hang on; and so many joints of it, or it may be by chance.
 _FRAMES, _LASTS_S, _MOVED_MM = 8, 0.1, 5.0
 _JOINTS = 2
+# Where it stops dead and goes on elsewhere, so many frames are enough, whatever others do.
+_BRIEF = 2
 # Nearer than this a limb that moved would not be again by chance.
 _AGAIN_MM = 0.1
 
 
 def stiff(pose: Pose) -> BoolArray:
-    """Find limbs that stay as they are bent, to the last digit, while others move.
+    """Find limbs that stay as they are bent while others move, or that then go on elsewhere.
 
     Parameters
     ----------
@@ -46,15 +49,21 @@ def stiff(pose: Pose) -> BoolArray:
         for above in (base, joints[0]):
             below = joints if above == base else joints[1:]
             places = _beside(pose, above, below)
-            still = lengths_of(np.diff(places, axis=0)) < _SAME_MM
+            steps = lengths_of(np.diff(places, axis=0))
+            still = steps < _SAME_MM
             moves = still.mean(axis=0) < _FIXED
             held = (still & moves).sum(axis=1) >= _JOINTS
             for start, stop in runs(held).tolist():
-                long = stop - start >= max(_FRAMES, _LASTS_S * pose.rate)
+                if stop - start < _BRIEF:
+                    continue
                 throughout = still[start:stop].all(axis=0) & moves
                 # Before a limb first moves, or after it last does, nothing tells where it went.
-                inside = not _at_an_end(places[:, throughout], start)
-                if inside and long and _usual_way(others, start, stop) > _MOVED_MM:
+                if _at_an_end(places[:, throughout], start):
+                    continue
+                long = stop - start >= max(_FRAMES, _LASTS_S * pose.rate)
+                if (long and _usual_way(others, start, stop) > _MOVED_MM) or goes_on_elsewhere(
+                    steps[:, throughout], start, stop
+                ):
                     for joint in np.array(below)[throughout].tolist():
                         found[start + 1 : stop + 1, pose.hanging_on(joint)] = True
     return found

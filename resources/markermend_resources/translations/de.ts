@@ -2020,6 +2020,10 @@
         <translation>Die Spalten nennen keine bekannte Längeneinheit; Millimeter wurden angenommen.</translation>
     </message>
     <message>
+        <source>No column tells how joints are turned, as qx, qy, qz and qw would.</source>
+        <translation>Keine Spalte nennt, wie Gelenke gedreht sind, wie es qx, qy, qz und qw täten.</translation>
+    </message>
+    <message>
         <source>The file tells no unit; {0} were assumed.</source>
         <translation>Die Datei nennt keine Einheit; angenommen wurden {0}.</translation>
     </message>
@@ -2062,6 +2066,18 @@
     <message>
         <source>The times in the file grow too fast for seconds; milliseconds were assumed.</source>
         <translation>Die Zeiten in der Datei wachsen zu schnell für Sekunden; Millisekunden wurden angenommen.</translation>
+    </message>
+    <message>
+        <source>The times in the file grow too fast for seconds; microseconds were assumed.</source>
+        <translation>Die Zeiten in der Datei wachsen zu schnell für Sekunden; Mikrosekunden wurden angenommen.</translation>
+    </message>
+    <message>
+        <source>The times in the file grow too fast for seconds; nanoseconds were assumed.</source>
+        <translation>Die Zeiten in der Datei wachsen zu schnell für Sekunden; Nanosekunden wurden angenommen.</translation>
+    </message>
+    <message>
+        <source>Times in the file jump or stand still (after frame {0}, for one); the rate is that between most poses.</source>
+        <translation>Zeiten in der Datei springen oder stehen still (etwa nach Frame {0}); als Rate gilt die zwischen den meisten Posen.</translation>
     </message>
     <message>
         <source>Frame numbers go from {0} to {1} in line {2}; poses were read one after the other.</source>
@@ -2142,6 +2158,10 @@
     <message>
         <source>{0} is empty; look for another copy of it.</source>
         <translation>{0} ist leer; suchen Sie eine andere Kopie.</translation>
+    </message>
+    <message>
+        <source>{0} is text in UTF-16, as PowerShell and Excel write it; save it as UTF-8.</source>
+        <translation>{0} ist Text in UTF-16, wie PowerShell und Excel ihn schreiben; speichern Sie ihn als UTF-8.</translation>
     </message>
     <message>
         <source>{0} is not a C3D file; its first bytes are not a C3D header.</source>
@@ -2380,6 +2400,10 @@
         <translation>Die Aufnahme hat sich seit der Durchsicht geändert: Was an den {0} gleichen Markern entschieden wurde, bleibt, an {1} nicht; die alte Durchsicht steht weiter in „{2}“.</translation>
     </message>
     <message>
+        <source>The take has changed since it was reviewed: what was decided on the {0} joints that are the same was kept, on {1} it was not; the old review stays in “{2}”.</source>
+        <translation>Die Aufnahme hat sich seit der Durchsicht geändert: Was an den {0} gleichen Gelenken entschieden wurde, bleibt, an {1} nicht; die alte Durchsicht steht weiter in „{2}“.</translation>
+    </message>
+    <message>
         <source>{0} is not used: {1}</source>
         <translation>{0} wird nicht verwendet: {1}</translation>
     </message>
@@ -2498,6 +2522,10 @@
     <message>
         <source>{0} markers</source>
         <translation>{0} Marker</translation>
+    </message>
+    <message>
+        <source>{0} joints</source>
+        <translation>{0} Gelenke</translation>
     </message>
     <message>
         <source>frames {0}–{1}</source>
@@ -2660,6 +2688,10 @@
         <translation>steht still, während der Körper sich bewegt, {0} lang</translation>
     </message>
     <message>
+        <source>stands still with the whole body, though that was moving, for {0}</source>
+        <translation>steht mit dem ganzen Körper still, obwohl dieser sich bewegte, {0} lang</translation>
+    </message>
+    <message>
         <source>is said to stand at 0, 0, 0 for {0}</source>
         <translation>steht angeblich bei 0, 0, 0, {0} lang</translation>
     </message>
@@ -2770,6 +2802,10 @@
     <message>
         <source>This take is open in another window; close it there to edit here.</source>
         <translation>Diese Aufnahme ist in einem anderen Fenster offen; schließen Sie sie dort, um sie hier zu bearbeiten.</translation>
+    </message>
+    <message>
+        <source>A name cannot be empty.</source>
+        <translation>Ein Name darf nicht leer sein.</translation>
     </message>
     <message>
         <source>{0} frames at {1} Hz ({2} s), {3} markers. {4}, Markermend {5}.</source>
@@ -3050,10 +3086,6 @@
     <message>
         <source>The detector still finds damage there: a {0} of {1} mm and {2} more.</source>
         <translation>Der Detektor findet dort noch Schäden: {0} von {1} mm und {2} weitere.</translation>
-    </message>
-    <message>
-        <source>A marker needs a name.</source>
-        <translation>Ein Marker braucht einen Namen.</translation>
     </message>
     <message>
         <source>There is a “{0}” already; choose another name.</source>
