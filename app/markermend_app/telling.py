@@ -96,6 +96,7 @@ _SAME = (
     "deviates up to {0} from where its body says it should be, for {1}",
     "stands on the other side, and {0} here, for {1}",
     "stands still while the body moves, for {0}",
+    "was guessed by the sensor, up to {0} from where the body has it, for {1}",
     "stands still with the whole body, though that was moving, for {0}",
     "is said to stand at 0, 0, 0 for {0}",
     "stands up to {0} from where the rest of the body has it, for {1}",

@@ -12,8 +12,8 @@ from markermend.artifact import Artifact, Kind
 from markermend.cli import main
 from markermend.poses.breaking import break_pose
 from markermend.poses.faults import SWAPPED
+from markermend.poses.guessing import INFERRED
 from markermend.poses.nuitrack import to_nuitrack
-from markermend.poses.restore import INFERRED
 from markermend.poses.take import changed_joints, pose_of, restored
 
 ASF = "02.asf"

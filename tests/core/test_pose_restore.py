@@ -16,11 +16,12 @@ from markermend.poses import Pose
 from markermend.poses.bones import find_bones, keep_lengths, swing
 from markermend.poses.bridging import bridged
 from markermend.poses.filling import fill
+from markermend.poses.guessing import INFERRED
 from markermend.poses.noise import Noise, corrupt_pose
 from markermend.poses.normal import bone_lengths
 from markermend.poses.nuitrack import to_nuitrack
 from markermend.poses.quaternion import between, turn, unit
-from markermend.poses.restore import INFERRED, denoise, restore
+from markermend.poses.restore import denoise, restore
 from markermend.poses.smoothing import noise_level, smooth, smooth_again, smooth_bands
 
 

@@ -14,6 +14,7 @@ from markermend.poses.faults import (
     CARRIED,
     CROSSED,
     FROZEN,
+    GUESSED,
     MISPLACED,
     REPEATED,
     SWAPPED,
@@ -29,7 +30,8 @@ from markermend.take import AXES, Take
 
 # Share of such flags that are real, (right + 1) / (all + 2): of 40, 36, 228 and 365 flags on five
 # recordings with simulated faults, 40, 36, 228 and 305 were. Bodies that are carried off count as
-# joints that are, angles as limbs, repeated poses as frozen joints.
+# joints that are, angles as limbs, repeated poses as frozen joints,
+# wrong guesses as joints that are elsewhere.
 _CONFIDENCE = {
     VANISHED: 0.98,
     FROZEN: 0.97,
@@ -38,6 +40,7 @@ _CONFIDENCE = {
     CROSSED: 0.99,
     MISPLACED: 0.84,
     CARRIED: 0.84,
+    GUESSED: 0.84,
 }
 # A joint that is away for longer than this has gone somewhere, rather than jumped and come back.
 _PEAK_FRAMES = 2
@@ -103,6 +106,10 @@ def _artifact(take: Take, told: Restored, fault: Fault) -> Iterator[Artifact]:
     elif fault.kind == CARRIED:
         kind = _kind(off, sizes)
         why = f"is carried off with the whole body, by up to {in_mm(amplitude)} mm, for {lasting}"
+    elif fault.kind == GUESSED:
+        kind = _kind(off, sizes)
+        far = in_mm(amplitude)
+        why = f"was guessed by the sensor, up to {far} mm from where the body has it, for {lasting}"
     else:
         assert fault.kind == MISPLACED
         kind = _kind(off, sizes)

@@ -20,11 +20,11 @@ from markermend.files.pose_rows import (
     says_nothing,
 )
 from markermend.files.pose_stream_whole import STREAM, Row, WholePoses
+from markermend.poses.guessing import INFERRED
 from markermend.poses.live import Live
 from markermend.poses.pose import Pose
 from markermend.poses.prior import NOT_FITTING, Prior, shipped_prior
 from markermend.poses.quaternion import NO_TURN
-from markermend.poses.restore import INFERRED
 
 # When a joint was not seen for so long from the beginning, it is said.
 _SAID_S = 3.0

@@ -6,13 +6,13 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.poses.channels import to_channels, to_features
+from markermend.poses.guessing import INFERRED
 from markermend.poses.network import Network, smoothed
 from markermend.poses.normal import denormalise
 from markermend.poses.nuitrack import PARENTS, mirrored
 from markermend.poses.pose import Pose
 from markermend.poses.prior import right_handed
 from markermend.poses.quaternion import inverse, turn, upright
-from markermend.poses.restore import INFERRED
 from markermend.progress import Progress, quiet
 
 _UNSEEN = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)

@@ -19,7 +19,8 @@ from markermend.poses.stiffening import stiff
 
 VANISHED, FROZEN, MISPLACED, SWAPPED = "vanished", "frozen", "misplaced", "swapped"
 CROSSED, CARRIED, REPEATED = "given each other's angles", "carried off", "repeated"
-FAULTS = (VANISHED, FROZEN, MISPLACED, SWAPPED, CROSSED, CARRIED, REPEATED)
+GUESSED = "guessed wrongly"
+FAULTS = (VANISHED, FROZEN, MISPLACED, SWAPPED, CROSSED, CARRIED, REPEATED, GUESSED)
 
 # Frames in a row that must be the same to the last digit, and how far the body moves meanwhile.
 _FROZEN_FRAMES, _SAME_MM, _MOVED_MM = 4, 1e-6, 2.0
@@ -34,8 +35,8 @@ class Fault:
     kind : ``"vanished"`` (at 0, 0, 0), ``"frozen"`` (stands still to the last digit, or its limb
         is bent no more, while the body moves), ``"repeated"`` (with all that is seen),
         ``"misplaced"`` (where its bones cannot reach: jumped, or another person's), ``"swapped"``
-        (left and right, or in a file of angles ``"given each other's angles"``), or ``"carried
-        off"`` (with the whole body)
+        (left and right, or in a file of angles ``"given each other's angles"``), ``"carried off"``
+        (with the whole body), or ``"guessed wrongly"`` (by a sensor that says that it guessed)
     joint : index
     start, stop : frames ``[start, stop)``
     """

@@ -8,7 +8,7 @@ import numpy as np
 
 from markermend.arrays import FloatArray
 from markermend.errors import DataError
-from markermend.poses.nuitrack import JOINTS, aligned_axis, usual_name
+from markermend.poses.nuitrack import JOINTS, PARENT_OF, aligned_axis, usual_name
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import NO_TURN, inverse, multiply, turn, unit
 
@@ -109,11 +109,11 @@ def _offsets(pose: Pose) -> FloatArray:
         range(len(usual)),
         key=lambda j: JOINTS.index(usual[j]) if usual[j] in JOINTS else len(JOINTS),
     )
-    # A hand on a wrist turns no wrist that other sensors show without a hand.
-    child_of = {pose.parents[j]: j for j in reversed(by_rank) if usual[j] in JOINTS}
+    child_of = {pose.parents[j]: j for j in reversed(by_rank)}
     for joint, name in enumerate(usual):
         child = child_of.get(joint)
-        if child is None or name not in JOINTS:
+        # A hand on a wrist turns no wrist that other sensors show without a hand.
+        if child is None or name not in JOINTS or name not in PARENT_OF.values():
             continue
         bone = pose.positions[:, child] - pose.positions[:, joint]
         local, trusted = turn(inverse(pose.rotations[:, joint]), bone), pose.turned[:, joint]

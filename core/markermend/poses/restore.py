@@ -25,6 +25,7 @@ from markermend.poses.covariance import Moments
 from markermend.poses.expecting import left_of_noise, limbs_doubted, with_root_errors
 from markermend.poses.faults import Fault, mend_faults
 from markermend.poses.filling import BRIEF_S, Filled, fill
+from markermend.poses.guessing import INFERRED, guessed, restored_beside_guesses
 from markermend.poses.hanging import by_parents
 from markermend.poses.likeness import FEW_MOMENTS, MOMENTS, SOME_MOMENTS
 from markermend.poses.linking import linked_channels
@@ -41,9 +42,6 @@ from markermend.poses.stance import IN_MIRROR, stance
 from markermend.poses.trials import enough_around, hidden_in, trials_of
 from markermend.poses.turnless import with_one_turn, without_one_turn
 from markermend.progress import Progress, part, quiet
-
-INFERRED = 0.5
-"""Confidence of a joint that was not seen but worked out, as depth sensors write it."""
 
 # Noise below this, of a mean bone length, is left alone: about 0.2 mm in an adult.
 _WORTH = 1e-3
@@ -138,6 +136,11 @@ def restore(
     if body is not None:
         return with_loose_root(restore(body, prior=prior, progress=progress), pose)
     tell = progress or quiet
+    guesses = guessed(pose)
+    if guesses.any():
+        return restored_beside_guesses(
+            pose, guesses, lambda some, told: restore(some, prior=prior, progress=told), tell
+        )
     # Matrices as small as these take several times as long where two threads share one.
     with threadpool_limits(1):
         mended, faults = mend_faults(pose)

@@ -15,12 +15,12 @@ from scipy.spatial.transform import Rotation
 from markermend.arrays import FloatArray
 from markermend.errors import DataError, FileFormatError
 from markermend.files.npz import read_arrays, write_arrays
+from markermend.poses.guessing import INFERRED
 from markermend.poses.normal import Normal, normalise
 from markermend.poses.nuitrack import CMU_SEGMENTS, JOINTS, PARENTS, mirrored, to_nuitrack
 from markermend.poses.pose import Pose
 from markermend.poses.prior import right_handed
 from markermend.poses.quaternion import inverse, multiply, turn
-from markermend.poses.restore import INFERRED
 from markermend.poses.turnless import turnless
 from markermend.progress import Progress, quiet
 

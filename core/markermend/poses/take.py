@@ -18,11 +18,12 @@ from markermend.arrays import BoolArray, FloatArray, runs
 from markermend.errors import DataError
 from markermend.mesh.model import Group, Mesh
 from markermend.poses.faults import FAULTS, SWAPPED
+from markermend.poses.guessing import INFERRED
 from markermend.poses.normal import bone_lengths
 from markermend.poses.pose import Pose
 from markermend.poses.prior import shipped_prior
 from markermend.poses.quaternion import lengths_of
-from markermend.poses.restore import INFERRED, Restored, restore
+from markermend.poses.restore import Restored, restore
 from markermend.poses.swinging import swung
 from markermend.progress import Progress
 from markermend.take import SKELETON, Source, Take

@@ -2688,6 +2688,10 @@
         <translation>steht still, während der Körper sich bewegt, {0} lang</translation>
     </message>
     <message>
+        <source>was guessed by the sensor, up to {0} from where the body has it, for {1}</source>
+        <translation>wurde vom Sensor geraten, bis zu {0} von dort, wo der Körper es hat, {1} lang</translation>
+    </message>
+    <message>
         <source>stands still with the whole body, though that was moving, for {0}</source>
         <translation>steht mit dem ganzen Körper still, obwohl dieser sich bewegte, {0} lang</translation>
     </message>
