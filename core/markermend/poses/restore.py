@@ -37,16 +37,18 @@ from markermend.poses.prior import Prior, fitting, shipped_prior
 from markermend.poses.quaternion import signed_like, unit
 from markermend.poses.settling import settle, settle_in_time
 from markermend.poses.sides import mirror_of
-from markermend.poses.smoothing import LEAST_NOISE, noise_level, smooth, smooth_again
+from markermend.poses.smoothing import (
+    LEAST_NOISE,
+    noise_level,
+    overall_noise,
+    smooth,
+    smooth_again,
+)
 from markermend.poses.stance import IN_MIRROR, stance
 from markermend.poses.trials import enough_around, hidden_in, trials_of
 from markermend.poses.turnless import with_one_turn, without_one_turn
 from markermend.progress import Progress, part, quiet
 
-# Noise below this, of a mean bone length, is left alone: about 0.2 mm in an adult.
-_WORTH = 1e-3
-# Movement at 30 Hz may pass for noise up to this, but does not change bones.
-_FAINT = 5e-3
 # Noise above this makes it worth to let positions and rotations agree.
 _NOISY = 2e-3
 # What is known exactly is taken for this sure, and filled again from what comes out.
@@ -226,9 +228,9 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
     shown = to_features(channels.values, channels)[..., :3]
     shake = wobble(shown, seen_turned[0], pose.parents, channels.normal.root)
     noise = noise_level(whole, channels.known)
-    level = float(np.median(noise[usable]))
-    if level < _WORTH or (level < _FAINT and shake < _WORTH):
-        noise[:], level = LEAST_NOISE, 0.0
+    level = overall_noise(noise, usable, shake, pose.rate)
+    if not level:
+        noise[:] = LEAST_NOISE
     else:
         tell(0.3, "Smoothing")
         values = smooth(rough, noise[usable], pose.rate)

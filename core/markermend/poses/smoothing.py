@@ -18,6 +18,11 @@ LEAST_NOISE = 1e-4
 """Of a mean bone length; below it nothing is worth smoothing."""
 
 _ORDER = 3
+# Noise below this, of a mean bone length, is left alone: about 0.2 mm in an adult.
+_WORTH = 1e-3
+# Movement may pass for noise up to this at this rate, at slower ones for as much more as its third
+# differences are larger, but does not change bones.
+_FAINT, _FAINT_HZ = 5e-3, 30.0
 # Neighbouring third differences of white noise tell much the same.
 _REPEATS = 1.85
 _ENOUGH = 1.3
@@ -27,6 +32,8 @@ _MOST = 1.5
 _BLOCK, _CALM, _CALM_CHANNELS = 16, 0.1, 0.25
 # Blocks of all joints that are added to a joint's own, of which it may have next to none.
 _OTHERS_BLOCKS = 8
+# Positions and rotations of all joints.
+_KINDS = (np.s_[:, :3], np.s_[:, 3:])
 # Cut-offs tried, as shares of the frame rate; the time over which they compete, and how sharply.
 _CUTOFFS = np.geomspace(0.004, 0.4, 7)
 _WINDOW_S, _SHARP = 0.6, 0.1
@@ -54,7 +61,7 @@ def noise_level(values: FloatArray, known: BoolArray) -> FloatArray:
     -----
     What third differences of a joint have in common with those of all others is movement, also at
     30 Hz; what is its own is noise. Where the recording is too short to tell, the calmest moments
-    of calm channels speak for all.
+    of calm channels speak for all positions, and for all rotations.
     """
     frames, channels = values.shape
     third = np.diff(values, _ORDER, axis=0) / np.sqrt(comb(2 * _ORDER, _ORDER))
@@ -62,10 +69,13 @@ def noise_level(values: FloatArray, known: BoolArray) -> FloatArray:
     effective, others = len(third) / _REPEATS, channels - FEATURES
     if others < 1 or effective < _ENOUGH * others:
         power, _ = _calm_power(third, whole)
-        if np.isnan(power).all():
-            return np.full(channels, LEAST_NOISE)
-        calm = np.sqrt(np.nanquantile(power, _CALM_CHANNELS))
-        return np.full(channels, max(float(calm), LEAST_NOISE))
+        by_joint = power.reshape(-1, FEATURES)
+        calm = np.full(by_joint.shape, LEAST_NOISE)
+        for kind in _KINDS:
+            if not np.isnan(by_joint[kind]).all():
+                usual = np.sqrt(np.nanquantile(by_joint[kind], _CALM_CHANNELS))
+                calm[kind] = max(float(usual), LEAST_NOISE)
+        return calm.ravel()
     scale = np.maximum(np.sqrt(np.mean(third**2, axis=0)), 1e-12)
     third = third / scale
     covariance = third.T @ third / len(third)
@@ -82,12 +92,30 @@ def noise_level(values: FloatArray, known: BoolArray) -> FloatArray:
             left = 0.0 if np.isnan(power).all() else float(np.nanmean(power))
             noise[columns] = np.sqrt(share * left * effective / (effective - others))
     by_joint, told = noise.reshape(-1, FEATURES), blocks.reshape(-1, FEATURES)
-    for kind in (np.s_[:, :3], np.s_[:, 3:]):
+    for kind in _KINDS:
         level, count = by_joint[kind], told[kind]
         usual = float(np.median(level[count > 0])) if count.any() else 0.0
         pooled = (count * level**2 + _OTHERS_BLOCKS * usual**2) / (count + _OTHERS_BLOCKS)
         by_joint[kind] = np.minimum(np.sqrt(pooled), _MOST * usual)
     return np.maximum(noise, LEAST_NOISE)
+
+
+def overall_noise(noise: FloatArray, usable: BoolArray, shake: float, rate: float) -> float:
+    """How noisy a recording is, in mean bone lengths; 0 where nothing is worth taking out.
+
+    Parameters
+    ----------
+    noise : (joints · 7,) of :func:`noise_level`
+    usable : (joints · 7,) bool, features that were ever seen
+    shake : by how much lengths of bones vary
+    rate : frames per second
+    """
+    level = float(np.median(noise[usable]))
+    if shake >= _WORTH:
+        # Bones that change their length tell of noise where rotations have none.
+        level = max(level, float(np.median(noise.reshape(-1, FEATURES)[:, :3])))
+    faint = _FAINT * max(_FAINT_HZ / rate, 1.0) ** _ORDER
+    return 0.0 if level < _WORTH or (level < faint and shake < _WORTH) else level
 
 
 def _calm_power(third: FloatArray, whole: BoolArray) -> tuple[FloatArray, FloatArray]:
