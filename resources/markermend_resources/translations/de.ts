@@ -3586,6 +3586,10 @@
         <translation>Notiz</translation>
     </message>
     <message>
+        <source>Whole body</source>
+        <translation>Ganzer Körper</translation>
+    </message>
+    <message>
         <source>outside the region of interest</source>
         <translation>außerhalb des Ausschnitts</translation>
     </message>

@@ -132,7 +132,8 @@ class ArtifactPage(QWidget):
         note = session.notes.get(a.id)
         title = PAIRED.join(changed_markers(a, note.method if note else None))
         more = len(self._document.together) - 1
-        self.title.setText(f"{title} +{more}" if more else title)
+        title = f"{title} +{more}" if more else title
+        self.title.setText(self.tr("Whole body") if more + 1 == len(take.labels) > 1 else title)
         session, status = self._document.session, self._status_text(a)
         if session is not None and a not in session.listed:
             status += " · " + self.tr("outside the region of interest")
