@@ -20,7 +20,7 @@ from markermend.poses.normal import FEATURES, bone_lengths
 from markermend.poses.nuitrack import mirrored, to_nuitrack, usual_name
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import lengths_of
-from markermend.poses.turnless import turnless
+from markermend.poses.turnless import turned_as_parents, turnless
 from markermend.progress import Progress, quiet
 
 WEIGHT = 300.0
@@ -70,7 +70,7 @@ def learn_prior(
     Raises
     ------
     DataError
-        when there is none, joints differ, or one was never seen or has no rotation
+        when there is none, joints differ, or one was never seen, or has no rotation and is no end
     """
     if not poses:
         raise DataError("A prior needs at least one recording to learn from.")
@@ -98,8 +98,11 @@ def _usual(pose: Pose) -> Pose:
 
 def _filled(pose: Pose, name: str) -> FloatArray:
     """(frames, channels) without NaN."""
+    # Ends of chains, as heads of a Kinect, have no rotation, and turn with what they hang on.
+    ends = {*range(len(pose.joints))} - {*pose.parents}
     unseen = [joint for i, joint in enumerate(pose.joints) if not pose.seen[:, i].any()]
-    unturned = [joint for i, joint in enumerate(pose.joints) if turnless(pose)[i]]
+    without = turnless(pose)
+    unturned = [joint for i, joint in enumerate(pose.joints) if without[i] and i not in ends]
     for missing, what in ((unseen, "shows"), (unturned, "tells the rotation of")):
         if missing:
             some = ", ".join(missing[:3]) + ("…" if len(missing) > 3 else "")
@@ -107,7 +110,7 @@ def _filled(pose: Pose, name: str) -> FloatArray:
                 f"{name} never {what} {some}, and a prior learns where every joint"
                 " is and how it is turned; leave this recording out."
             )
-    channels = steadied(to_channels(pose), pose.rate)
+    channels = steadied(to_channels(turned_as_parents(pose, without)), pose.rate)
     if not channels.known.any(axis=0).all():
         raise DataError(
             f"{name} never shows a joint together with all those that hang on it, and a prior"
