@@ -34,6 +34,8 @@ _BLOCK, _CALM, _CALM_CHANNELS = 16, 0.1, 0.25
 _OTHERS_BLOCKS = 8
 # Positions and rotations of all joints.
 _KINDS = (np.s_[:, :3], np.s_[:, 3:])
+# So much noisier than all together, one of these speaks for itself where little can be told.
+_FAR_NOISIER = 2.0
 # Cut-offs tried, as shares of the frame rate; the time over which they compete, and how sharply.
 _CUTOFFS = np.geomspace(0.004, 0.4, 7)
 _WINDOW_S, _SHARP = 0.6, 0.1
@@ -61,7 +63,7 @@ def noise_level(values: FloatArray, known: BoolArray) -> FloatArray:
     -----
     What third differences of a joint have in common with those of all others is movement, also at
     30 Hz; what is its own is noise. Where the recording is too short to tell, the calmest moments
-    of calm channels speak for all positions, and for all rotations.
+    of calm channels speak for all, or for positions and rotations where these are far apart.
     """
     frames, channels = values.shape
     third = np.diff(values, _ORDER, axis=0) / np.sqrt(comb(2 * _ORDER, _ORDER))
@@ -70,12 +72,16 @@ def noise_level(values: FloatArray, known: BoolArray) -> FloatArray:
     if others < 1 or effective < _ENOUGH * others:
         power, _ = _calm_power(third, whole)
         by_joint = power.reshape(-1, FEATURES)
-        calm = np.full(by_joint.shape, LEAST_NOISE)
+        if np.isnan(power).all():
+            return np.full(channels, LEAST_NOISE)
+        usual = np.sqrt(np.nanquantile(power, _CALM_CHANNELS))
+        calm = np.full(by_joint.shape, usual)
         for kind in _KINDS:
             if not np.isnan(by_joint[kind]).all():
-                usual = np.sqrt(np.nanquantile(by_joint[kind], _CALM_CHANNELS))
-                calm[kind] = max(float(usual), LEAST_NOISE)
-        return calm.ravel()
+                own = np.sqrt(np.nanquantile(by_joint[kind], _CALM_CHANNELS))
+                calm[kind] = own if own > _FAR_NOISIER * usual else usual
+        calm = np.maximum(calm, LEAST_NOISE)
+        return np.asarray(calm.ravel())
     scale = np.maximum(np.sqrt(np.mean(third**2, axis=0)), 1e-12)
     third = third / scale
     covariance = third.T @ third / len(third)
