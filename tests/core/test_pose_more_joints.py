@@ -15,6 +15,8 @@ from markermend.poses.pose import Pose
 from markermend.poses.prior import fitting, learn_prior
 from markermend.poses.restore import restore
 
+LEG = ("hip", "knee", "ankle", "foot")
+
 
 @pytest.fixture(scope="module")
 def clips(shared_data):
@@ -124,3 +126,21 @@ def test_live_a_prior_of_fewer_joints_brings_hidden_joints_nearer(prior, shared_
         away = np.linalg.norm(places - body.positions[:frames], axis=2)
         off[learnt is not None] = away[~given.seen[:frames]].mean()
     assert off[True] < 0.9 * off[False]
+
+
+def test_legs_that_join_late_leave_the_prior_in_the_size_of_the_body(prior, shared_data):
+    body = with_hands(mm.read_pose(shared_data / "poses" / "03_03.amc"))
+    legs = [j for j, name in enumerate(body.joints) if name.split("_")[-1] in LEG]
+    covariances = []
+    for first in (0, 10):
+        seen = np.ones(body.seen.shape, dtype=bool)
+        seen[:first, legs] = False
+        one = body.positions[:1], body.rotations[:1], body.joints, body.parents, body.rate
+        live = Live(Pose(*one, seen[:1].astype(float)), prior)
+        for n in range(11):
+            live(body.positions[n], body.rotations[n], seen[n])
+        # What moves most, in mm: the body measures in other units before its legs come.
+        scale = live._following._scale**2
+        covariances.append(scale * np.diagonal(live._following._levels._covariance))
+    wide = covariances[0] > np.quantile(covariances[0], 0.8)
+    np.testing.assert_allclose(covariances[1][wide], covariances[0][wide], rtol=0.2)

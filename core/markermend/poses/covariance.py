@@ -80,6 +80,14 @@ class Moments:
             self, mean=flat * self.mean, whole=both * self.whole, within=both * self.within
         )
 
+    def longer(self, times: float) -> Moments:
+        """Moments of bodies whose positions are measured in units so many times as short."""
+        scale = np.where(np.arange(len(self.mean)) % FEATURES < _TURN, times, 1.0)
+        both = scale[:, None] * scale
+        return replace(
+            self, mean=scale * self.mean, whole=both * self.whole, within=both * self.within
+        )
+
     def and_more(self, count: int) -> Moments:
         """Moments with some channels more, of which nothing is known but that they do not move."""
         more = (0, count)

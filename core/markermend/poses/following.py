@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -21,7 +20,6 @@ from markermend.poses.quaternion import (
     NO_TURN,
     by_left,
     by_right,
-    lengths_of,
     matrices,
     multiply,
     unit,
@@ -82,11 +80,7 @@ class Following:
         self._scale, self._offset, self._rate = normal.scale, normal.offset, first.rate
         others = None
         if moments is not None:
-            if moments.told is None:
-                self._scale *= _longer(moments, every, first.parents, self._bones)
-            features[..., :3] *= normal.scale / self._scale
-            columns = np.flatnonzero(np.repeat(self._there[every], FEATURES))
-            others = moments.of(columns)
+            others = moments.of(np.flatnonzero(np.repeat(self._there[every], FEATURES)))
         self._lengths = bone_lengths(first.positions, first.parents)
         self._values = features[0, self._others].ravel()
         self._root_pose = first.positions[0, self._root], first.rotations[0, self._root]
@@ -96,7 +90,7 @@ class Following:
         self._twins: IntArray | None = None
         self._covariance, self._weight = np.zeros((channels, channels)), 0.0
         if others is not None:
-            others = others.signed_like(self._values)
+            others = others.longer(normal.scale / self._scale).signed_like(self._values)
             if others.told is not None:
                 others = self._carried_along(others, others.told)
             self._twins = twin_columns([first.joints[j] for j in self._others])
@@ -329,26 +323,3 @@ class Following:
             if not shown[parent]:
                 places[parent] = (u - i, v - j, w - k)
         return np.array(places)
-
-
-def _longer(
-    moments: Moments, joints: list[int], parents: Sequence[int], bones: list[tuple[int, int]]
-) -> float:
-    """How much longer all bones of others are on average than some of theirs.
-
-    Parameters
-    ----------
-    moments : of the joints but the root
-    joints : all but the root
-    parents : index of each joint's parent, -1 for the root
-    bones : some, by joint and parent
-    """
-    places = np.zeros((len(parents), 3))
-    places[joints] = moments.mean.reshape(-1, FEATURES)[:, :3]
-    every = [(joint, parents[joint]) for joint in joints]
-    if len(bones) == len(every):
-        return 1.0
-    whole, some = (
-        np.mean([lengths_of(places[j] - places[p]) for j, p in those]) for those in (every, bones)
-    )
-    return float(whole / some)

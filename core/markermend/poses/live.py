@@ -22,7 +22,7 @@ class Live:
     Parameters
     ----------
     first : one pose, of which anything may be unseen; a joint may have no rotation
-    prior : how bodies move; used where its joints are these, which ``by_prior`` tells
+    prior : how bodies move; used where its joints are among these, which ``by_prior`` tells
 
     Attributes
     ----------

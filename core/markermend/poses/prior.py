@@ -142,12 +142,11 @@ def fitting(pose: Pose, prior: Prior) -> tuple[Moments, bool] | None:
     order = np.array([at.get(name, -1) for j, name in enumerate(names) if j != root])
     columns: IntArray = (order[:, None] * FEATURES + np.arange(FEATURES)).ravel()
     moments = prior.moments.of(columns)
+    size = _size(pose, shared, moments.mean)
+    if size != 1.0:
+        moments = moments.longer(size)
     if len(shared) < len(names):
-        if np.isnan(bone_lengths(pose.positions, pose.parents)[shared]).all():
-            return None
-        moments = _of_shared(
-            moments, np.repeat(order >= 0, FEATURES), _size(pose, shared, moments.mean)
-        )
+        moments = _told(moments, np.repeat(order >= 0, FEATURES))
     some = _some(pose)
     apart = [_apart(body, moments) for body in (some, mirrored(some))]
     limit = _ALIKE if pose.frames > 1 else _ALIKE_ONCE
@@ -155,7 +154,7 @@ def fitting(pose: Pose, prior: Prior) -> tuple[Moments, bool] | None:
 
 
 def _size(pose: Pose, shared: Sequence[int], mean: FloatArray) -> float:
-    """Mean bone of the shared joints over that of all: in fingers and faces bones are short.
+    """Mean bone of the prior's joints over that of all: in fingers and faces bones are short.
 
     What was never seen is as long beside the others as in the bodies that were learnt from, whose
     mean pose is given for all joints but the root.
@@ -164,27 +163,23 @@ def _size(pose: Pose, shared: Sequence[int], mean: FloatArray) -> float:
     for joint in pose.order:
         while parents[joint] >= 0 and parents[joint] not in shared:
             parents[joint] = parents[parents[joint]]
-    own = bone_lengths(pose.positions, tuple(parents))
-    places = np.zeros((len(parents), 3))
-    places[[j for j in range(len(parents)) if j != pose.order[0]]] = mean.reshape(-1, FEATURES)[
-        :, :3
-    ]
-    bones = [j for j in shared if parents[j] >= 0]
-    theirs = lengths_of(places[bones] - places[[parents[j] for j in bones]])
-    known = ~np.isnan(own[bones])
-    longer = float(np.mean(theirs) / np.mean(theirs[known]))
-    return longer * float(
-        np.mean(own[bones][known]) / np.nanmean(bone_lengths(pose.positions, pose.parents))
-    )
+    bones = [joint for joint in shared if parents[joint] >= 0]
+    own = bone_lengths(pose.positions, tuple(parents))[bones]
+    known = ~np.isnan(own)
+    if not known.any() or (known.all() and len(shared) == len(parents)):
+        return 1.0
+    places = np.insert(mean.reshape(-1, FEATURES)[:, :_TURN], pose.order[0], 0.0, axis=0)
+    theirs = lengths_of(places[bones] - places[[parents[joint] for joint in bones]])
+    unit = np.nanmean(bone_lengths(pose.positions, pose.parents))
+    return float(own[known].mean() / unit * theirs.mean() / theirs[known].mean())
 
 
-def _of_shared(moments: Moments, told: BoolArray, size: float) -> Moments:
-    """Moments of channels some of which are not told of, for bones that are longer by ``size``."""
-    scale = np.where(np.arange(len(told)) % FEATURES < _TURN, size, 1.0) * told
-    both = scale[:, None] * scale
+def _told(moments: Moments, told: BoolArray) -> Moments:
+    """Moments that tell of some channels alone; 0 in all others."""
+    both = np.outer(told, told)
     return replace(
         moments,
-        mean=scale * moments.mean,
+        mean=told * moments.mean,
         whole=both * moments.whole,
         within=both * moments.within,
         told=told,

@@ -115,15 +115,15 @@ def restore(
     Parameters
     ----------
     pose : any skeleton with one root, at any rate
-    prior : how bodies move, learnt from other recordings; used where its joints are the
-        recording's. Left-handed recordings are found and mirrored for it.
+    prior : how bodies move, learnt from other recordings; used where the recording has its joints,
+        which may be some of them. Left-handed recordings are found and mirrored for it.
     progress : told the share done; may raise to stop
 
     Returns
     -------
     Restored
-        whose expected errors, where no prior fits, are those made where as much that is known was
-        hidden, which takes up to as long again
+        whose expected errors, of joints that no prior tells of, are those made where as much that
+        is known was hidden, which takes up to as long again; so does judging a sensor's guesses
 
     Raises
     ------

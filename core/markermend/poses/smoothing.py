@@ -71,16 +71,16 @@ def noise_level(values: FloatArray, known: BoolArray) -> FloatArray:
     effective, others = len(third) / _REPEATS, channels - FEATURES
     if others < 1 or effective < _ENOUGH * others:
         power, _ = _calm_power(third, whole)
-        by_joint = power.reshape(-1, FEATURES)
         if np.isnan(power).all():
             return np.full(channels, LEAST_NOISE)
         usual = np.sqrt(np.nanquantile(power, _CALM_CHANNELS))
-        calm = np.full(by_joint.shape, usual)
+        features = power.reshape(-1, FEATURES)
+        calm = np.full(features.shape, max(usual, LEAST_NOISE))
         for kind in _KINDS:
-            if not np.isnan(by_joint[kind]).all():
-                own = np.sqrt(np.nanquantile(by_joint[kind], _CALM_CHANNELS))
-                calm[kind] = own if own > _FAR_NOISIER * usual else usual
-        calm = np.maximum(calm, LEAST_NOISE)
+            told = features[kind][~np.isnan(features[kind])]
+            apart = np.sqrt(np.quantile(told, _CALM_CHANNELS)) if len(told) else usual
+            if apart > _FAR_NOISIER * usual:
+                calm[kind] = max(apart, LEAST_NOISE)
         return np.asarray(calm.ravel())
     scale = np.maximum(np.sqrt(np.mean(third**2, axis=0)), 1e-12)
     third = third / scale
