@@ -13,31 +13,33 @@ import numpy as np
 
 import markermend as mm
 from markermend.arrays import FloatArray
-from markermend.bench.poses import CASES, Case, recorded, unseen
+from markermend.bench.poses import CASES, Case, damaged, recorded, unseen
 from markermend.poses.live import Live
-from markermend.poses.noise import corrupt
-from markermend.poses.normal import denormalise, normalise
 from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior
-from markermend.poses.quaternion import unit, upright
 from markermend.poses.restore import restore
 
-sys.path.append(str(Path(__file__).parents[1] / "helpers"))
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "helpers"))
 from sensed_bodies import with_hands
 
 SHORT_S = 8.0
 
 
-def damaged(pose: Pose, case: Case, seed: int) -> tuple[Pose, Pose]:
+def spoilt(pose: Pose, case: Case, seed: int) -> tuple[Pose, Pose]:
     """The truth, and what a sensor would have seen of it; the first pose whole."""
     truth = recorded(pose, case)
-    features, normal = normalise(truth)
     noise = replace(case.noise(truth.rate), limbs=False)
-    spoilt, hidden = corrupt(features, truth.parents, noise, seed=seed)
-    spoilt[..., 3:] = upright(unit(spoilt[..., 3:]))
-    hidden[0], spoilt[0] = False, features[0]
-    given = truth.with_samples(*denormalise(spoilt, normal), np.where(hidden, 0.0, 1.0))
-    return truth, given
+    given = damaged(truth, noise, seed).seen_in(truth)
+    first = np.arange(truth.frames) == 0
+    positions, rotations = (
+        np.where(first[:, None, None], right, own)
+        for right, own in (
+            (truth.positions, given.positions),
+            (truth.rotations, given.rotations),
+        )
+    )
+    confidence = np.where(first[:, None], 1.0, given.confidence)
+    return truth, given.with_samples(positions, rotations, confidence)
 
 
 def afterwards(truth: Pose, given: Pose, prior: Prior | None) -> FloatArray:
@@ -77,15 +79,15 @@ def main() -> None:
                 some = slice(None if seconds == np.inf else round(seconds * pose.rate))
                 samples = body.positions[some], body.rotations[some]
                 body = Pose(*samples, body.joints, body.parents, pose.rate, body.confidence[some])
-                truth, given = damaged(body, case, n + 1)
+                truth, given = spoilt(body, case, n + 1)
                 if given.seen.any(axis=0).all():
                     rows.append(run(truth, given, priors[name] if with_prior else None))
             off, expected = np.concatenate(rows).T
+            said = "" if np.isnan(expected).all() else f", {np.sqrt(np.mean(expected**2)):.1f} said"
             sys.stdout.write(
                 f"{case.name}, {case.kind}, {run.__name__}, {seconds:g} s at most,"
                 f" {'with' if with_prior else 'no'} prior: {off.mean():.1f} mm off, root mean"
-                f" square {np.sqrt(np.mean(off**2)):.1f}, {np.sqrt(np.mean(expected**2)):.1f}"
-                " expected\n"
+                f" square {np.sqrt(np.mean(off**2)):.1f}{said}\n"
             )
             sys.stdout.flush()
 

@@ -12,22 +12,16 @@ import numpy as np
 
 import markermend as mm
 from markermend.arrays import FloatArray
-from markermend.bench.poses import CASES, Case, recorded, unseen
-from markermend.poses.noise import corrupt
-from markermend.poses.normal import denormalise, normalise
+from markermend.bench.poses import CASES, Case, damaged, recorded, unseen
 from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior
-from markermend.poses.quaternion import unit, upright
 from markermend.poses.restore import restore
 
 
 def measured(pose: Pose, prior: Prior, case: Case, seed: int) -> dict[bool, FloatArray]:
     """(joints, 2) mm off and expected, of joints that were hidden and of those that were seen."""
     truth = recorded(pose, case)
-    features, normal = normalise(truth)
-    damaged, occluded = corrupt(features, truth.parents, case.noise(truth.rate), seed=seed)
-    damaged[..., 3:] = upright(unit(damaged[..., 3:]))
-    given = truth.with_samples(*denormalise(damaged, normal), np.where(occluded, 0.0, 1.0))
+    given = damaged(truth, case.noise(truth.rate), seed).seen_in(truth)
     restored = restore(given, prior=prior)
     off = np.linalg.norm(restored.pose.positions - truth.positions, axis=2)
     both = np.stack([off, restored.error_mm], axis=-1)

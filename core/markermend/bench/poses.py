@@ -164,15 +164,44 @@ def unseen(clips: Mapping[str, Pose]) -> Iterator[tuple[str, Pose, Prior]]:
                 yield name, pose, prior
 
 
+@dataclass(frozen=True, eq=False)
+class Damage:
+    """What noise makes of a recording, in features.
+
+    Attributes
+    ----------
+    right, features : (frames, joints, 7) before and after, w of rotations at least 0
+    occluded : (frames, joints) bool
+    normal : to go back
+    """
+
+    right: FloatArray
+    features: FloatArray
+    occluded: BoolArray
+    normal: Normal
+
+    def seen_in(self, pose: Pose) -> Pose:
+        """The recording as a sensor gives it, with confidence 0 where joints are occluded."""
+        samples = denormalise(self.features, self.normal)
+        return pose.with_samples(*samples, np.where(self.occluded, 0.0, 1.0))
+
+
+def damaged(pose: Pose, noise: Noise, seed: int) -> Damage:
+    """Damage a clean recording; the same seed does the same to it."""
+    right, normal = normalise(pose)
+    right[..., 3:] = upright(right[..., 3:])
+    features, occluded = corrupt(right, pose.parents, noise, seed=seed)
+    features[..., 3:] = upright(unit(features[..., 3:]))
+    return Damage(right, features, occluded, normal)
+
+
 def _try(
     clip: str, pose: Pose, case: Case, prior: Prior, networks: Mapping[str, Network], seed: int
 ) -> list[Row]:
     """All methods on one damaged recording."""
     truth = recorded(pose, case)
-    features, normal = normalise(truth)
-    features[..., 3:] = upright(features[..., 3:])
-    damaged, occluded = corrupt(features, truth.parents, case.noise(truth.rate), seed=seed)
-    damaged[..., 3:] = upright(unit(damaged[..., 3:]))
+    damage = damaged(truth, case.noise(truth.rate), seed)
+    features, occluded, normal = damage.right, damage.occluded, damage.normal
     known = _known(occluded, truth.parents)
     if not known.any(axis=0).all():
         raise DataError(
@@ -180,9 +209,11 @@ def _try(
             " Leave it out, or choose other cases."
         )
     everywhere = np.ones(len(features), dtype=bool)
-    results = {name: Tried(run(damaged, known), everywhere, ALL) for name, run in SIMPLE.items()}
-    results |= by_networks(networks, clip, damaged, known, pose.frames)
-    given = truth.with_samples(*denormalise(damaged, normal), np.where(occluded, 0.0, 1.0))
+    results = {
+        name: Tried(run(damage.features, known), everywhere, ALL) for name, run in SIMPLE.items()
+    }
+    results |= by_networks(networks, clip, damage.features, known, pose.frames)
+    given = damage.seen_in(truth)
     for name, learnt in (("restore, no prior", None), ("restore", prior)):
         results[name] = Tried(_relative(restore(given, prior=learnt).pose, normal), everywhere, ALL)
     if case.kind == "occlusions" and given.seen.all(axis=1).any():
