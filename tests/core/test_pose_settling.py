@@ -29,13 +29,13 @@ def chain(frames=200):
 def test_true_poses_stay_and_noisy_ones_come_nearer():
     truth = chain()
     variance = np.full(truth.shape, 0.01**2)
-    assert_allclose(settle(truth, variance, truth, PARENTS, range(4)), truth, atol=5e-4)
+    assert_allclose(settle(truth, variance, truth, PARENTS, range(4), 60.0), truth, atol=5e-4)
     noisy = truth.copy()
     noisy[:, 1:] += np.random.default_rng(0).normal(0, 0.01, noisy[:, 1:].shape)
     noisy[..., 3:] = unit(noisy[..., 3:])
     # The sign of a quaternion says nothing about the pose, and stays as it was given.
     noisy[50:, 2, 3:] *= -1.0
-    settled = settle(noisy, variance, noisy, PARENTS, range(4))
+    settled = settle(noisy, variance, noisy, PARENTS, range(4), 60.0)
     assert (np.sum(settled[..., 3:] * noisy[..., 3:], axis=2) > 0.99).all()
     settled[50:, 2, 3:] *= -1.0
     noisy[50:, 2, 3:] *= -1.0
@@ -66,7 +66,7 @@ def test_what_is_hardly_known_follows_the_rest():
     features, variance = truth.copy(), np.full(truth.shape, 1e-6)
     features[80:90, 3, :3] += 0.3
     variance[80:90, 3, :3] = 0.1
-    settled = settle(features, variance, truth, PARENTS, range(4))
+    settled = settle(features, variance, truth, PARENTS, range(4), 60.0)
     assert np.abs(settled - truth)[80:90, 3].max() < 0.01
 
 
@@ -76,7 +76,7 @@ def test_joints_smoothed_in_time_come_nearer_than_each_pose_by_itself():
     noisy = truth.copy()
     noisy[:, 1:] += np.random.default_rng(1).normal(0, 0.02, noisy[:, 1:].shape)
     unmeasured = np.s_[100:130, 3, :3]
-    pilot = settle(noisy, variance, truth, PARENTS, range(4))
+    pilot = settle(noisy, variance, truth, PARENTS, range(4), 60.0)
     noisy[unmeasured] = pilot[unmeasured]
     noisy[50:, 2, 3:] *= -1.0
     found = settle_in_time(noisy, variance, pilot, PARENTS, range(4), 60.0)
@@ -89,7 +89,7 @@ def test_joints_smoothed_in_time_come_nearer_than_each_pose_by_itself():
 def test_a_body_that_never_bends_stays():
     still = np.tile(chain()[:1], (50, 1, 1))
     variance = np.full(still.shape, 0.01**2)
-    assert_allclose(settle(still, variance, still, PARENTS, range(4)), still, atol=1e-12)
+    assert_allclose(settle(still, variance, still, PARENTS, range(4), 60.0), still, atol=1e-12)
     assert_allclose(
         settle_in_time(still, variance, still, PARENTS, range(4), 30.0), still, atol=1e-12
     )

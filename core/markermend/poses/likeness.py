@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -28,8 +30,12 @@ _LEAST_MOMENTS = 30
 # The other side of the body: how much alike it moves, what its chance has more, and how sure it is
 # that it moves about where this one does.
 _SAME_WAY, _MIRRORED_CHANCE, _ASKEW = np.float32(0.85), 0.02, np.float32(2.0)
+# After so many times as long nothing is left of it (1e-12).
+_FORGOTTEN = 15.0
 # What is divided by is at least so much.
 _TINY = 1e-30
+# Numbers that count alike.
+_ALIKE = np.ones(1, dtype=np.float32)
 # What it never saw, the process does not expect: squared errors are larger by about this.
 _TOO_SURE = 5.0
 # How sure it is is asked of every so many frames.
@@ -137,10 +143,10 @@ def by_likeness(
     count, inside = moments + len(other.frames), np.arange(start, start + length)
     rows = np.vstack([own.moved, other.moved, moved])
     told = (rows.reshape(-1, len(trust)) @ weights).reshape(len(rows), -1)
-    rows *= np.tile(trust, 2)
     # Those that tell with each other, and below them those inside with those that tell.
     reach = reach_of(own.targets.shape[1])
-    system = _likeness(_apart([rows, told], count, moments), reach)
+    far = _apart([(rows, np.tile(trust, 2)), (told, _ALIKE)], count, moments)
+    system = _likeness(far, reach)
     mine, its = slice(0, moments), slice(moments, count)
     system[mine, its] *= _SAME_WAY
     system[its, mine] *= _SAME_WAY
@@ -168,18 +174,25 @@ def by_likeness(
     return across @ found[:, :columns] + usual, _TOO_SURE * unsure[:, None] * variance
 
 
-def _apart(views: list[Float32Array], count: int, usual: int) -> Float32Array:
+def _apart(
+    views: Sequence[tuple[Float32Array, Float32Array]], count: int, usual: int
+) -> Float32Array:
     """(frames, count) distances of all from the first ones, by the mean of several views.
 
-    Each view is (frames, n), and counts by one over the mean square of the distances it shows
-    between as many of the first as are usual.
+    Each view is (frames, n), with how much each of its columns counts; it counts itself by one over
+    the mean square of the distances it shows between as many of the first as are usual.
     """
-    rows = np.hstack(views)
+    rows = np.hstack([view for view, _ in views])
     # Far from the middle differences drown.
     rows -= rows[:usual].mean(axis=0)
-    for view in np.split(rows, np.cumsum([view.shape[1] for view in views[:-1]]), axis=1):
-        square = 2.0 * float(np.mean(view[:usual] ** 2)) * view.shape[1]
-        view *= np.float32(np.sqrt(0.5 / max(square, _TINY)))
+    spread = np.einsum("ij,ij->j", rows[:usual], rows[:usual]) / usual
+    counting, first = np.empty_like(spread), 0
+    for view, trust in views:
+        part = slice(first, first + view.shape[1])
+        square = 2.0 * float(np.sum(trust**2 * spread[part]))
+        counting[part] = trust * np.float32(np.sqrt(0.5 / max(square, _TINY)))
+        first = part.stop
+    rows *= counting
     length = np.einsum("ij,ij->i", rows, rows)
     squared = rows @ rows[:count].T
     squared *= -2
@@ -201,12 +214,13 @@ def _likeness(far: Float32Array, reach: float) -> Float32Array:
 
 def _nearness(frames: IntArray, others: IntArray, lasts: float) -> Float32Array:
     """(frames, others) Matérn's covariance of order 5/2, whose samples have a speed."""
-    scaled = np.abs(frames[:, None] - others).astype(np.float32)
-    scaled *= np.float32(np.sqrt(5.0) / lasts)
-    risen = scaled / 3
-    risen += 1
-    risen *= scaled
-    risen += 1
-    np.negative(scaled, out=scaled)
-    risen *= np.exp(scaled, out=scaled)
-    return np.asarray(risen)
+    falling = _falling(lasts)
+    apart = np.abs(frames[:, None] - others)
+    return np.asarray(falling.take(apart, mode="clip"))
+
+
+@lru_cache(maxsize=16)
+def _falling(lasts: float) -> Float32Array:
+    """The same for 0, 1, 2, … frames apart, until nothing is left of it."""
+    scaled = np.sqrt(5.0) / lasts * np.arange(int(_FORGOTTEN * lasts) + 2)
+    return np.asarray((1.0 + scaled + scaled**2 / 3.0) * np.exp(-scaled), dtype=np.float32)

@@ -140,7 +140,7 @@ def unit(q: FloatArray) -> FloatArray:
 def rotation_vector(q: FloatArray) -> FloatArray:
     """(…, 3) axis times angle in radians, at most half a turn, of unit quaternions ``(…, 4)``."""
     q = upright(q)
-    sine = np.sqrt(np.sum(q[..., :3] ** 2, axis=-1, keepdims=True))
+    sine = lengths_of(q[..., :3])[..., None]
     angle = 2.0 * np.arctan2(sine, q[..., 3:])
     return np.asarray(q[..., :3] * np.where(sine > 0, angle / np.where(sine > 0, sine, 1.0), 2.0))
 

@@ -321,7 +321,7 @@ def _agreed(
             pilot = _with_bones(features, known, bones)
         if pose.frames < _SETTLES or np.isnan(pilot).any():
             return pilot, bones
-        settled = settle(features, unsure, pilot, pose.parents, pose.order, unsettled)
+        settled = settle(features, unsure, pilot, pose.parents, pose.order, pose.rate, unsettled)
         if not noisy:
             settled[..., :3][known[0]] = features[..., :3][known[0]]
             settled[..., 3:][known[1]] = features[..., 3:][known[1]]

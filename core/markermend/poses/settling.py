@@ -11,8 +11,9 @@ from markermend.poses.bending import Bends, find_bends
 from markermend.poses.smoothing import smooth_bands
 from markermend.poses.solving import solved
 
-# Frames that share their slopes; groups of them that are solved at once.
-_ALIKE, _AT_ONCE = 8, 32
+# Frames in a row that share their slopes: for this long, but so many at least; groups of them that
+# are solved at once.
+_ALIKE_S, _ALIKE, _AT_ONCE = 0.13, 8, 32
 
 
 def settle(
@@ -21,6 +22,7 @@ def settle(
     pilot: FloatArray,
     parents: Sequence[int],
     order: Sequence[int],
+    rate: float,
     wanted: BoolArray | None = None,
 ) -> FloatArray:
     """Return the most probable poses, given noisy ones and how this body bends.
@@ -33,6 +35,7 @@ def settle(
         the noisy ones, and rotations of unit length
     parents : index of each joint's parent, -1 for the root
     order : joints, parents first
+    rate : frames per second
     wanted : (frames,) bool, poses that are to settle; others may stay. None for all
 
     Notes
@@ -46,9 +49,10 @@ def settle(
     if not bends.at.shape[1]:
         return features
     if wanted is not None:
-        rows = rows[np.logical_or.reduceat(wanted, rows[::_ALIKE])[rows // _ALIKE]]
+        alike = _alike(rate)
+        rows = rows[np.logical_or.reduceat(wanted, rows[::alike])[rows // alike]]
         bends = bends.of(rows)
-    moved, _ = _solved(bends, features[rows], variance[rows], bends.at)
+    moved, _ = _solved(bends, features[rows], variance[rows], bends.at, rate)
     settled = features.copy()
     settled[rows] = bends.features(bends.at + moved, features[rows])
     return settled
@@ -81,7 +85,7 @@ def settle_in_time(
     bends = find_bends(_signed(pilot, features), parents, order)
     if not bends.at.shape[1]:
         return features
-    moved, known = _solved(bends, features, variance, np.zeros_like(bends.at))
+    moved, known = _solved(bends, features, variance, np.zeros_like(bends.at), rate)
     white = np.linalg.cholesky(known)
     found = smooth_bands((bends.at + moved) @ white, bends.at @ white, rate)
     return bends.features(np.linalg.solve(white.T, found.T).T, features)
@@ -96,14 +100,15 @@ def _signed(pilot: FloatArray, features: FloatArray) -> FloatArray:
 
 
 def _solved(
-    bends: Bends, features: FloatArray, variance: FloatArray, back: FloatArray
+    bends: Bends, features: FloatArray, variance: FloatArray, back: FloatArray, rate: float
 ) -> tuple[FloatArray, FloatArray]:
     """(frames, n) the most probable steps, and (n, n) mean precision.
 
     ``back`` is (frames, n): minus the step that would be most probable if features told nothing.
     """
     frames, joints, count = len(features), list(bends.joints), bends.at.shape[1]
-    firsts = np.arange(0, frames, _ALIKE)
+    alike = _alike(rate)
+    firsts = np.arange(0, frames, alike)
     counts = np.diff(np.append(firsts, frames))
     unsure = variance[:, joints].reshape(frames, -1)
     certain = 1.0 / np.sqrt(np.add.reduceat(unsure, firsts) / counts[:, None])
@@ -116,14 +121,19 @@ def _solved(
         # What is hardly known counts by 1 beside what is sure by a million: too much for less.
         slopes = told * certain[some, :, None]
         across = slopes.transpose(0, 2, 1)
-        wanted = across @ (_grouped(left[rows], _ALIKE) * certain[some, None]).transpose(0, 2, 1)
-        wanted -= _grouped(back[rows], _ALIKE).transpose(0, 2, 1)
+        wanted = across @ (_grouped(left[rows], alike) * certain[some, None]).transpose(0, 2, 1)
+        wanted -= _grouped(back[rows], alike).transpose(0, 2, 1)
         precision = across @ slopes
         precision[:, range(count), range(count)] += 1.0
         total += precision.sum(axis=0)
         steps = np.stack([solved(*one) for one in zip(precision, wanted, strict=True)])
         moved[rows] = steps.transpose(0, 2, 1).reshape(-1, count)[: len(moved[rows])]
     return moved, total / len(firsts)
+
+
+def _alike(rate: float) -> int:
+    """Frames in a row that bend alike."""
+    return max(round(_ALIKE_S * rate), _ALIKE)
 
 
 def _grouped(rows: FloatArray, size: int) -> FloatArray:

@@ -255,7 +255,7 @@ def _smooth_some(values: Float32Array, rate: float, pilot: Float32Array | None) 
     return np.asarray(total / weight)
 
 
-def smooth_bands(values: FloatArray, pilot: FloatArray, rate: float) -> FloatArray:
+def smooth_bands(values: FloatArray, pilot: FloatArray, rate: float) -> Float32Array:
     """Smooth channels of unit white noise by what a pilot does at each pace.
 
     Parameters
@@ -274,19 +274,20 @@ def smooth_bands(values: FloatArray, pilot: FloatArray, rate: float) -> FloatArr
     that overlap; in each band the principal components of the pilot are found, and each keeps the
     share that Wiener's filter gives it from the power that the pilot has there for a short time.
     """
-    frames = len(values)
-    line = np.linspace(pilot[0], pilot[-1], frames)
-    spectrum, guiding = _spectrum(values - line), _spectrum(pilot - line)
+    # So precise as it takes to tell noise from movement.
+    noisy, near = (np.asarray(x, dtype=np.float32) for x in (values, pilot))
+    frames = len(near)
+    line = np.linspace(near[0], near[-1], frames, dtype=np.float32)
+    spectrum, guiding = _spectrum(noisy - line), _spectrum(near - line)
     found = line
     for pace, band in _bands(len(spectrum), rate):
-        guide, here = (
-            _from_spectrum(power * band[:, None], frames) for power in (guiding, spectrum)
-        )
+        passed = band.astype(np.float32)[:, None]
+        guide, here = (_from_spectrum(power * passed, frames) for power in (guiding, spectrum))
         _, axes = np.linalg.eigh(guide.T @ guide)
         window_s = max(_PILOT_WINDOW_S, 0.5 / pace)
         window = min(2 * round(0.5 * window_s * rate) + 1, frames)
         power = uniform_filter1d((guide @ axes) ** 2, window, axis=0, mode="nearest")
-        found = found + (here @ axes * power / (power + np.mean(band**2))) @ axes.T
+        found = found + (here @ axes * power / (power + np.mean(passed**2))) @ axes.T
     return np.asarray(found)
 
 
