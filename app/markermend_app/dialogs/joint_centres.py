@@ -130,7 +130,7 @@ class JointCentresDialog(QDialog):
                     self.tr("Doubt, {0}").format(unit),
                     self.tr(
                         "How far the centre could move, where the movement tells least, until the "
-                        "squared error doubles; it is rarely farther off than that"
+                        "squared error doubles; a bound rather than an expectation"
                     ),
                 ),
                 (
