@@ -148,6 +148,23 @@ _SAME = (
     "{0} frames ({1})",
     "{0} frame ({1})",
 )
+# Before what is said of markers in general, since some of it ends alike.
+_JOINTS = (
+    "No joint centre can be told from this take; that needs two neighbouring rigid groups of {0} "
+    "markers or more that turn against each other. {1}: {2}.",
+    "No joint centre can be told from this take; that needs two neighbouring rigid groups of {0} "
+    "markers or more that turn against each other.",
+    "{0} has fewer than {1} markers",
+    "the markers of {0} are hardly ever seen together",
+    "the markers of {0} lie along one line",
+    "its groups are hardly ever seen together",
+    "its groups turn against each other about some axis by {0}° only",
+    "its groups turn against each other about a second axis by {0}° only",
+    "it turns least about the limb's own length, where no joint beside it tells of it",
+    "it could lie {0} mm off: {1}° is too little turning for an error of {2} mm",
+    "This is a skeleton recording: its joints are in it already.",
+    *("movement", "the joints beside it", "the markers' middle"),
+)
 # Whose first part is a repair method's label.
 _OF_METHODS = (
     "{0} is not used: {1}",
@@ -163,7 +180,7 @@ _FORMS: Mapping[str, str] = {
     "Detect (all kinds)": "Find artifacts of all classes",
     **file_words.HERE,
     **DOING,
-    **{form: form for form in (*_FILES, *_OF_METHODS, *_SAME)},
+    **{form: form for form in (*_JOINTS, *_FILES, *_OF_METHODS, *_SAME)},
 }
 """Forms as the engine writes them, and as they are told."""
 # Whose keys some forms name.

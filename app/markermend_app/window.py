@@ -46,6 +46,7 @@ from markermend_app.pressing import Pressing
 from markermend_app.sight import Sight
 from markermend_app.style import theme
 from markermend_app.verbs.bulk import Bulk
+from markermend_app.verbs.centring import Centring
 from markermend_app.verbs.commands import Commands
 from markermend_app.verbs.comparison import Comparison
 from markermend_app.verbs.detecting import Detecting
@@ -68,6 +69,7 @@ _Verbs = (
     | KeySweep
     | Smoothing
     | Reporting
+    | Centring
     | RegionOfInterest
 )
 DECISIONS = ("accept", "reject", "reopen", "remove")
@@ -90,6 +92,7 @@ class MainWindow(QMainWindow):
         self.smoothing = Smoothing(self.document, self)
         self.key_sweep = KeySweep(self.document, self)
         self.reporting = Reporting(self.document, self.lane, self)
+        self.centring = Centring(self.document, self)
         self.region = RegionOfInterest(self.document, self)
         self.attention = Attention(self.document, self)
         self.sight = Sight(self.document, self)
@@ -216,6 +219,7 @@ class MainWindow(QMainWindow):
         for speaker in (document, *self._verbs, *aside):
             speaker.said.connect(self.status.say)
         self.sight.taken_back.connect(self.status.take_back)
+        self.centring.open_wanted.connect(self.commands.open_path)
         self.batch.started.connect(self.dock_layout.show_takes)
         choosing = self.actions_by_name["choose_references"]
         self.references.changed.connect(choosing.setChecked)
@@ -275,6 +279,7 @@ class MainWindow(QMainWindow):
             self.key_sweep,
             self.smoothing,
             self.reporting,
+            self.centring,
             self.region,
         )
 

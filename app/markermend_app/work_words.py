@@ -14,6 +14,7 @@ _SAME = (
     *("residuals", "residual of {0}"),
     *("Looking for noise", "Smoothing", "Smoothing again"),
     *("Filling", "Filling again", "Keeping bones"),
+    "joint centres",
     *("Compiling the network", "Learning how the body moves, round {0} of {1}"),
     "Repaired",
 )

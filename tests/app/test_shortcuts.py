@@ -222,6 +222,7 @@ def opened_palette(window, qtbot):
         ("threads", "Edit: Preferences…"),
         ("hotkeys", "Help: Keyboard and mouse…"),
         ("save", "File: Export repaired take…"),
+        ("hip centre", "File: Joint centres…"),
         ("trails", "3D view: Trails of all markers"),
         ("speed", "Plots: Speed"),
         ("quality", "View: Panels: Quality"),

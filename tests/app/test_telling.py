@@ -15,7 +15,9 @@ from PySide6.QtCore import QCoreApplication, QTranslator
 import markermend as mm
 from markermend.artifact import Artifact, Kind, Status
 from markermend.detectors import detect
+from markermend.errors import DataError
 from markermend.mesh.names import _FROM_THE_TOP
+from markermend.poses.from_markers import joint_centres
 from markermend.poses.noise import Noise, corrupt_pose
 from markermend.poses.nuitrack import to_nuitrack
 from markermend.repairs import propose
@@ -23,9 +25,10 @@ from markermend.repairs.look_again import in_words
 from markermend.review import hand
 from markermend.review.restoring import OVERWRITTEN, SMOOTHED
 from markermend.review.session import Session
+from markermend.simulation import simulate_clean
 from markermend.take import Take
 from markermend_app import file_words
-from markermend_app.telling import _PARTS, told, told_group
+from markermend_app.telling import _JOINTS, _PARTS, told, told_group
 
 
 class Brackets(QTranslator):
@@ -325,17 +328,37 @@ def test_what_is_odd_about_a_file_keeps_its_values(brackets, tmp_path):
         assert re.findall(r"\d+", said) == re.findall(r"\d+", sentence)
 
 
-def test_the_engine_tells_of_files_in_the_forms_that_are_translated():
+def test_why_joints_are_left_out_is_told(damaged, brackets):
+    take = simulate_clean(duration_s=12.0, rate=50.0, seed=0)
+    joints = joint_centres(take).joints
+    reasons = {joint.left_out for joint in joints if joint.left_out}
+    told_by = {joint.along for joint in joints if joint.along} | {"movement"}
+    assert len(reasons) > 1
+    assert len(told_by) > 1
+    for said in reasons | told_by:
+        assert told(said).startswith("⟦"), said
+    few = Take(take.positions[:, :1], take.labels[:1], take.rate)
+    with pytest.raises(DataError) as alone:
+        joint_centres(few)
+    assert told(str(alone.value)).startswith("⟦No joint centre")
+    # A subject's colon is no part of the sentence, and the reason is told, too.
+    why = "P1:Trunk/Head: the markers of Head lie along one line"
+    said = told(f"{alone.value} {why}.")
+    assert "P1:Trunk/Head: ⟦the markers of Head lie along one line⟧." in said
+
+
+def test_the_engine_tells_in_the_forms_that_are_translated():
     told_there = set()
     for path in Path(mm.__file__).parent.rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             parts = node.values if isinstance(node, ast.JoinedStr) else [node]
             words = [getattr(part, "value", None) for part in parts]
             if sum(len(w) for w in words if isinstance(w, str)) > 20:
-                told_there.add("".join(re.escape(w) if isinstance(w, str) else ".+" for w in words))
+                told_there.add("".join(re.escape(w) if isinstance(w, str) else ".*" for w in words))
     # Compiled once: there are more of them than re remembers.
     written = [re.compile(words) for words in told_there]
-    for form in file_words.ODDITIES:
+    sentences = (form for form in _JOINTS if len(form) > 20)
+    for form in (*file_words.ODDITIES, *sentences):
         assert any(words.fullmatch(form) for words in written), form
 
 

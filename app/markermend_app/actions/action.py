@@ -29,6 +29,11 @@ def of_markers(document: Document) -> bool:
     return document.editable and not document.joints
 
 
+def with_markers(document: Document) -> bool:
+    """A take is open, and it is no skeleton recording."""
+    return document.session is not None and not document.joints
+
+
 def current(document: Document) -> bool:
     """An artifact is under review, to be decided."""
     return document.editable and document.current is not None

@@ -26,6 +26,10 @@ TEXTS: Mapping[str, tuple[str, str]] = MappingProxyType(
             "Detect slow drifts too",
             "Only for takes of markers: “Detect artifacts” looks for all that is known of joints",
         ),
+        "joint_centres": (
+            "Joint centres…",
+            "Only for takes of markers: a skeleton recording has its joints in it already",
+        ),
         "prediction": (
             "Show the body's prediction",
             "Where the rest of the body says the joint should be",

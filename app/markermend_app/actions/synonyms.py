@@ -13,6 +13,8 @@ SYNONYMS: Mapping[str, str] = MappingProxyType(
         "open_demo": "example sample tutorial",
         "export": "save write file c3d trc csv copy as",
         "report": "html quality statistics summary print",
+        "joint_centres": "centre of rotation hip knee elbow shoulder functional score skeleton "
+        "pose kinematics bones csv",
         "close_take": "discard unload",
         "quit": "exit leave",
         "undo": "back revert history",

@@ -20,6 +20,7 @@ from markermend_app.actions.action import (
     redoable,
     swept,
     undoable,
+    with_markers,
 )
 from markermend_app.actions.by_hand import HAND_WORK
 
@@ -67,6 +68,15 @@ ACTIONS: tuple[Action, ...] = (
         opened,
         False,
         "+",
+    ),
+    Action(
+        "joint_centres",
+        "Joint centres…",
+        "File",
+        ("Ctrl+J",),
+        "joints",
+        "Work out where the body's joints are and how far to trust each, as a skeleton recording",
+        with_markers,
     ),
     Action("close_take", "Close take", "|File", ("Ctrl+W",)),
     Action("quit", "Quit", "|File", ("Ctrl+Q",), "", "", anything),

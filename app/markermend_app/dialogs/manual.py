@@ -46,6 +46,7 @@ PAGES: Mapping[str, str] = MappingProxyType(
         "SmoothDialog": "smoothing.md",
         "ExportDialog": "files.md#what-is-written",
         "AlikeDialog": "first-ten-minutes.md#3-do-many-at-once",
+        "JointCentresDialog": "poses.md#joints-from-markers",
         "Preferences": "window.md#preferences",
         "ShortcutSheet": "window.md#keys",
         "TrajectoryPanel": "window.md#plots",
