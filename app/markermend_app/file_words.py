@@ -55,6 +55,7 @@ ODDITIES = (
     "Times in the file jump or stand still (after frame {0}, for one); the rate is that between "
     "most poses.",
     "Frame numbers go from {0} to {1} in line {2}; poses were read one after the other.",
+    "Frames are numbered {0}, {1} and so on; they were read as following one another.",
     "No number stands before {0} poses, in line {1} for one; they were read all the same.",
     "The header counts {0} frames; {1} were read.",
     "Its skeleton is taken to be {0}, the only one here.",

@@ -63,8 +63,8 @@ def patched(
     """A movement's file with other numbers where the movement is another.
 
     Header, comments, order of segments, endings of lines and every number that is not changed stay
-    the same bytes. A segment that a pose leaves out gets a line where other poses have it. A part of
-    the file has its header, and the comments before and after its poses.
+    the same bytes. A segment that a pose leaves out gets a line where other poses have it. A part
+    has the header too, and the comments before and after its poses.
 
     Parameters
     ----------

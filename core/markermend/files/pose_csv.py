@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, replace
-from math import isfinite
+from math import gcd, isfinite
 from pathlib import Path
 from typing import IO
 
@@ -45,6 +45,8 @@ from markermend.rates import rate_of
 
 _SAME = 1e-9
 _FRAMES_A_REPORT = 256
+# So many numbers tell whether frames are counted one by one.
+_TELL_STEPS = 3
 # Bones of bodies are longer, mm.
 _LEAST_BONE = 1.0
 _TURNLESS = "No column tells how joints are turned, as qx, qy, qz and qw would."
@@ -99,7 +101,12 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
         warnings.append(_TURNLESS)
     names = [header.joint(row, number) for number, row in body]
     joints = tuple(dict.fromkeys(names))
-    frame, first, count = _frames(body, header, len(joints))
+    header, frame, count = _frames(body, header, len(joints))
+    if header.step > 1:
+        warnings.append(
+            f"Frames are numbered {header.first}, {header.stated(header.first + 1)} and so on; they"
+            " were read as following one another."
+        )
     warnings += _twice(body, frame, names, header)
     values = np.full((count, len(joints), len(NUMBERS)), np.nan)
     place, report = {joint: i for i, joint in enumerate(joints)}, progress or quiet
@@ -114,7 +121,7 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
     far = int(wild(values).sum())
     # What has no place is not seen, and is not written as seen either.
     values[~measured(values)] = np.nan
-    told = by_times([header.time(row) for _, row in body], frame, first, header.second)
+    told = by_times([header.time(row) for _, row in body], frame, header)
     # Times that tell another rate are not believed.
     clock = told if rate in (None, told.rate) else Clock(rate)
     hertz = rate_of(clock.rate, path.name)
@@ -129,7 +136,7 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
         hertz,
         confidence,
         warnings=(*warnings, *clock.oddities, *read_as_missing(far)),
-        first_frame=first,
+        first_frame=header.first,
         first_time=clock.begins,
     )
     return replace(pose, source=Table(values, _numbers_of(pose), path, header, told))
@@ -250,17 +257,22 @@ def names_joints(head: bytes) -> bool:
 
 def _frames(
     body: list[tuple[int, list[str]]], header: Header, joints: int
-) -> tuple[list[int], int, int]:
-    """Frame of each row, from 0, the number of the first, and how many there are."""
+) -> tuple[Header, list[int], int]:
+    """The header that tells how frames are numbered, each row's from 0, and how many there are."""
     stated = [header.frame(row, number) for number, row in body]
     first, last = min(stated), max(stated)
+    there = {frame - first for frame in stated}
+    # Whoever keeps every second or tenth pose leaves the others no number.
+    step = gcd(*there) if len(there) >= _TELL_STEPS else 1
+    count = (last - first) // step + 1
     # One stray number must not ask for a terabyte.
-    if (last - first + 1) * joints > 100 * len(body) + 1000:
+    if count * joints > 100 * len(body) + 1000:
         raise FileFormatError(
             f"{header.name} is damaged: its frames go from {first} to {last}, with {len(body)}"
             " rows."
         )
-    return [frame - first for frame in stated], first, last - first + 1
+    header = replace(header, first=first, step=step)
+    return header, [(frame - first) // step for frame in stated], count
 
 
 def _twice(

@@ -177,7 +177,9 @@ class _Rows:
         part, beside = self.part, self.in_frame.get(frame)
         parent = part.parents[joint]
         cells = {
-            "frame": str(part.first + frame) if beside is None else beside[self.header.at["frame"]],
+            "frame": str(self.header.stated(part.first + frame))
+            if beside is None
+            else beside[self.header.at["frame"]],
             "time": self._time(frame),
             "joint": part.joints[joint],
             "parent": part.joints[parent] if parent >= 0 else "",

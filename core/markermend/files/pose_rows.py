@@ -78,6 +78,7 @@ class Header:
     unit_told : the line tells any
     second : seconds in the unit of time, where the line tells
     others : names of columns that are not known
+    first, step : number of the file's first frame, and from one to the next
     """
 
     name: str
@@ -89,6 +90,8 @@ class Header:
     unit_told: bool = True
     second: float | None = None
     others: tuple[str, ...] = ()
+    first: int = 0
+    step: int = 1
 
     def in_metres(self) -> Header:
         """The same in metres, where a line tells no unit."""
@@ -111,12 +114,12 @@ class Header:
         return row
 
     def frame(self, row: list[str], number: int) -> int:
-        """Number of the frame that a row belongs to.
+        """Number of the frame that a row belongs to, as if they were counted one by one.
 
         Raises
         ------
         FileFormatError
-            when it is no whole number
+            when it is no whole number, or of no frame in steps from the first
         """
         cell = row[self.at["frame"]]
         value = plain(cell, self.delimiter)
@@ -124,7 +127,16 @@ class Header:
             raise FileFormatError(
                 f"{self.name} is damaged: “{cell[:40]}” in line {number} is no frame number."
             )
-        return int(value)
+        steps, rest = divmod(int(value) - self.first, self.step)
+        if rest:
+            raise FileFormatError(
+                f"{self.name} is damaged: “{cell[:40]}” in line {number} is no frame number."
+            )
+        return self.first + steps
+
+    def stated(self, frame: int) -> int:
+        """Number that the file gives to a frame counted one by one."""
+        return self.first + (frame - self.first) * self.step
 
     def joint(self, row: list[str], number: int) -> str:
         """Name of the joint that a row is about.
