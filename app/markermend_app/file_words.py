@@ -16,7 +16,8 @@ VALUES = (
     "residual word 65535, read as -1 ({0} samples)",
     "(0, 0, 0) with a valid residual ({0} samples)",
     "no place in a room ({0} samples)",
-    *("metres", "centimetres", "millimetres"),
+    *("metres", "centimetres", "millimetres", "inches"),
+    "1/0.45 inches (as in files of the CMU database)",
 )
 
 ODDITIES = (
@@ -35,6 +36,7 @@ ODDITIES = (
     "The file marks every sample as invalid, yet has coordinates; they were read as valid.",
     "The file tells no unit of length; by the size of things metres were assumed.",
     "The file tells no unit of length; by the size of things millimetres were assumed.",
+    "The file tells no unit of length; by the size of things {0} were assumed.",
     "The file tells no unit of length; millimetres were assumed.",
     "The file tells no unit of length that is known; millimetres were assumed.",
     "The columns tell no unit of length that is known; millimetres were assumed.",
@@ -125,7 +127,6 @@ PROBLEMS = (
     "An AMC cannot say that a segment is never seen, and would show {0} at rest. Write more "
     "frames, repair these gaps first, or write a CSV.",
     "A BVH of these joints could not be read again: {0}; rename joints, or write a CSV.",
-    "A BVH tells no unit of length, and bones of this size would be taken for {0}; write a CSV.",
     "“{0}” may not be read; check its permissions.",
     "“{0}” cannot be opened: {1}.",
     "{0} could not be written: {1}; nothing was changed, choose another place or free some space.",

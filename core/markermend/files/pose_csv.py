@@ -21,6 +21,7 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import FileFormatError
+from markermend.files.body_size import unit_of_body
 from markermend.files.plausible import FARTHEST, read_as_missing
 from markermend.files.pose_clock import Clock, by_times
 from markermend.files.pose_csv_patch import Part, patched
@@ -50,7 +51,6 @@ _TELL_STEPS = 3
 # Bones of bodies are longer, mm.
 _LEAST_BONE = 1.0
 _TURNLESS = "No column tells how joints are turned, as qx, qy, qz and qw would."
-_METRES = "The file tells no unit of length; by the size of things metres were assumed."
 
 
 @dataclass(frozen=True)
@@ -73,7 +73,13 @@ class Table:
     clock: Clock
 
 
-def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None = None) -> Pose:
+def read_pose_csv(
+    path: Path,
+    *,
+    rate: float | None,
+    unit_mm: float | None = None,
+    progress: Progress | None = None,
+) -> Pose:
     """Read joints.
 
     Parameters
@@ -81,12 +87,14 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
     path : the file; its first line names the columns, in any order. Rotations, confidence, time
         and, for joints with usual names, parents may be absent.
     rate : poses per second, instead of those that its times tell (30 without times)
+    unit_mm : millimetres in the unit of length, where the columns tell none
     progress : told the share of rows read
 
     Raises
     ------
     FileFormatError
-        when a column is missing, a row is damaged, there is no row, or nothing has such a rate
+        when a column is missing, a row is damaged, there is no row, nothing has such a rate, or the
+        columns tell another unit
     """
     lines = [
         (number, line) for number, line in enumerate(read_lines(path), 1) if not says_nothing(line)
@@ -115,9 +123,18 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
             report(n / len(body), "Reading poses")
         values[frame[n], place[names[n]]] = header.values(row, number)
     parents = parents_of([row for _, row in body], header.at, joints, path.name)
-    if not header.unit_told and too_short(values[..., :3], parents):
-        header, values[..., :3] = header.in_metres(), 1e3 * values[..., :3]
-        warnings.append(_METRES)
+    if not header.unit_told:
+        scale, unit = (unit_mm, "") if unit_mm else _unit(values[..., :3], parents, joints)
+        if scale != 1.0:
+            header, values[..., :3] = header.in_units_of(scale), scale * values[..., :3]
+            if unit:
+                warnings.append(
+                    f"The file tells no unit of length; by the size of things {unit} were assumed."
+                )
+    elif unit_mm not in (None, *header.scales):
+        raise FileFormatError(
+            f"The columns of {path.name} tell their unit of length; leave out the other."
+        )
     far = int(wild(values).sum())
     # What has no place is not seen, and is not written as seen either.
     values[~measured(values)] = np.nan
@@ -144,9 +161,24 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
 
 def too_short(places: FloatArray, parents: tuple[int, ...]) -> bool:
     """Whether bones between places (frames, joints, 3) are no body's in mm, as those in metres."""
-    there = (np.abs(places) <= FARTHEST).all(axis=2) & (places != 0).any(axis=2)
-    lengths = bone_lengths(np.where(there[..., None], places, np.nan), parents)
+    lengths = _lengths(places, parents)
     return bool((lengths > 0).any() and np.nanmean(lengths) < _LEAST_BONE)
+
+
+def _lengths(places: FloatArray, parents: tuple[int, ...]) -> FloatArray:
+    """(joints,) usual lengths of bones between places (frames, joints, 3)."""
+    there = (np.abs(places) <= FARTHEST).all(axis=2) & (places != 0).any(axis=2)
+    return bone_lengths(np.where(there[..., None], places, np.nan), parents)
+
+
+def _unit(
+    places: FloatArray, parents: tuple[int, ...], joints: tuple[str, ...]
+) -> tuple[float, str]:
+    """Millimetres in the unit of places (frames, joints, 3), and its name, by their size."""
+    told = unit_of_body(_lengths(places, parents), parents, joints)
+    if told is None and too_short(places, parents):
+        return 1000.0, "metres"
+    return told or (1.0, "millimetres")
 
 
 def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> tuple[str, ...]:
@@ -178,7 +210,8 @@ def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> tuple[str
         written = np.where(same, table.written, np.nan)
         values = np.where(np.isfinite(written), written, values)
     short = too_short(pose.positions, pose.parents)
-    head = [f"{name} (mm)" if short and name in ("x", "y", "z") else name for name in COLUMNS]
+    odd = _unit(pose.positions, pose.parents, pose.joints)[0] != 1.0
+    head = [f"{name} (mm)" if odd and name in ("x", "y", "z") else name for name in COLUMNS]
     file.write((",".join(head) + "\n").encode())
     for frame in range(pose.frames):
         if frame % _FRAMES_A_REPORT == 0:
@@ -196,7 +229,7 @@ def _over_its_file(
 ) -> bytes | None:
     """What was read, with what is changed; None where that cannot be."""
     header, mm = table.header, table.header.scales[0]
-    if not header.unit_told and too_short(pose.positions / mm, pose.parents) != (mm != 1.0):
+    if not header.unit_told and _unit(pose.positions / mm, pose.parents, pose.joints)[0] != mm:
         # A body of such a size would be taken to be in another unit.
         return None
     times = None

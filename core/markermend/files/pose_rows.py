@@ -93,9 +93,9 @@ class Header:
     first: int = 0
     step: int = 1
 
-    def in_metres(self) -> Header:
-        """The same in metres, where a line tells no unit."""
-        return replace(self, scales=(1000.0,) * 3)
+    def in_units_of(self, mm: float) -> Header:
+        """The same in another unit, where a line tells none."""
+        return replace(self, scales=(mm,) * 3)
 
     def cells(self, line: str, number: int) -> list[str]:
         """Cells of a line; fewer than there are columns where it is cut short.
