@@ -3,7 +3,9 @@
 The columns are ``frame``, ``time`` in seconds, ``joint``, ``parent`` (empty for the root), ``x``,
 ``y``, ``z`` in mm, or another unit that stands behind them, as in ``x (m)``, the rotation ``qx``,
 ``qy``, ``qz``, ``qw`` and ``confidence``. A joint that was not seen is at 0, 0, 0 with rotation
-0, 0, 0, 1 and confidence 0; one that was seen, but not how it is turned, has rotation 0, 0, 0, 0.
+0, 0, 0, 1 and confidence 0, and where the file tells no confidence, 0, 0, 0 means that alone; one
+that was seen there is a nanometre off. One that was seen, but not how it is turned, has rotation
+0, 0, 0, 0.
 What was read from such a table and not changed since is written to the last digit, what was
 computed to a micrometre. Where the file that was read has what tells of a joint and how sure it is,
 its rows that are not changed are written as there; those that it lacks come between them.
@@ -41,11 +43,13 @@ from markermend.poses.normal import bone_lengths
 from markermend.poses.nuitrack import usual_parents
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import NO_TURN
+from markermend.poses.vanishing import vanished
 from markermend.progress import Progress, quiet
 from markermend.rates import rate_of
 
 _SAME = 1e-9
 _FRAMES_A_REPORT = 256
+_NEAR_ZERO_MM = 1e-6
 # So many numbers tell whether frames are counted one by one.
 _TELL_STEPS = 3
 # Bones of bodies are longer, mm.
@@ -143,8 +147,8 @@ def read_pose_csv(
     clock = told if rate in (None, told.rate) else Clock(rate)
     hertz = rate_of(clock.rate, path.name)
     confidence = values[..., 7] if "confidence" in header.at else np.ones(values.shape[:2])
-    zero = (values[..., :3] == 0).all(axis=2) & (np.asarray(parents) >= 0)
-    confidence = np.where(zero, 0.0, confidence)
+    told_seen = "confidence" in header.at
+    confidence = np.where(_nowhere(values, parents, joints, told=told_seen), 0.0, confidence)
     pose = Pose(
         values[..., :3],
         values[..., 3:7],
@@ -181,6 +185,20 @@ def _unit(
     return told or (1.0, "millimetres")
 
 
+def _nowhere(
+    values: FloatArray, parents: tuple[int, ...], joints: tuple[str, ...], *, told: bool
+) -> BoolArray:
+    """(frames, joints) bool, whether numbers (frames, joints, 8) put a joint where none is.
+
+    Where no confidence is ``told``, nothing else than 0, 0, 0 says that a joint was not seen.
+    """
+    places = values[..., :3]
+    if not told:
+        return np.asarray((places == 0).all(axis=2) & (np.asarray(parents) >= 0))
+    places = np.where(values[..., 7:] > 0, places, np.nan)
+    return vanished(places, parents, joints)
+
+
 def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> tuple[str, ...]:
     """Write joints.
 
@@ -211,6 +229,10 @@ def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> tuple[str
         values = np.where(np.isfinite(written), written, values)
     short = too_short(pose.positions, pose.parents)
     odd = _unit(pose.positions, pose.parents, pose.joints)[0] != 1.0
+    # What is seen at 0, 0, 0 is written so near to it that it is not taken for unseen.
+    rounded = np.concatenate([values[..., :3].round(6 if short else 3), values[..., 3:]], axis=2)
+    there = _nowhere(rounded, pose.parents, pose.joints, told=True)
+    written[there, 0] = _NEAR_ZERO_MM
     head = [f"{name} (mm)" if odd and name in ("x", "y", "z") else name for name in COLUMNS]
     file.write((",".join(head) + "\n").encode())
     for frame in range(pose.frames):
