@@ -110,6 +110,8 @@ PROBLEMS = (
     "{0} is damaged: its frames go from {1} to {2}, with {3} rows.",
     "{0} is no table of joints: it lacks the column “{1}”; it should have {2}.",
     "{0} does not say what “{1}” hangs on; add a column “parent”.",
+    "{0} has two columns “{1}”, of which one may tell how joints are turned; call that q{1}.",
+    "{0} tells of several bodies (column “{1}”); write one of them into a file.",
     "{0} holds no whole row.",
     "{0} is damaged: it is cut short.",
     "{0} is damaged: it does not begin with HIERARCHY.",

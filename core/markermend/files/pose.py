@@ -18,12 +18,8 @@ from markermend.files.atomic import write_whole
 from markermend.files.bvh_read import read_bvh
 from markermend.files.bvh_write import write_bvh
 from markermend.files.opening import SNIFFED, named, not_opened
-from markermend.files.pose_csv import (
-    Table,
-    names_joints,
-    read_pose_csv,
-    write_pose_csv,
-)
+from markermend.files.pose_csv import Table, read_pose_csv, write_pose_csv
+from markermend.files.pose_rows import names_joints
 from markermend.files.units import USUAL, unit_mm
 from markermend.poses.inverse import how_far_off, inverse_kinematics
 from markermend.poses.pose import Pose

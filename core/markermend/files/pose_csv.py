@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, replace
-from math import gcd, isfinite
+from math import isfinite
 from pathlib import Path
 from typing import IO
 
@@ -38,9 +38,9 @@ from markermend.files.pose_rows import (
     whole_rows,
     wild,
 )
+from markermend.files.pose_table import frames_of, parents_of, surest, twice
 from markermend.files.text import read_lines
 from markermend.poses.normal import bone_lengths
-from markermend.poses.nuitrack import usual_parents
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import NO_TURN
 from markermend.poses.vanishing import vanished
@@ -50,8 +50,6 @@ from markermend.rates import rate_of
 _SAME = 1e-9
 _FRAMES_A_REPORT = 256
 _NEAR_ZERO_MM = 1e-6
-# So many numbers tell whether frames are counted one by one.
-_TELL_STEPS = 3
 # Bones of bodies are longer, mm.
 _LEAST_BONE = 1.0
 _TURNLESS = "No column tells how joints are turned, as qx, qy, qz and qw would."
@@ -113,19 +111,22 @@ def read_pose_csv(
         warnings.append(_TURNLESS)
     names = [header.joint(row, number) for number, row in body]
     joints = tuple(dict.fromkeys(names))
-    header, frame, count = _frames(body, header, len(joints))
+    header, frame, count = frames_of(body, header, len(joints))
     if header.step > 1:
         warnings.append(
             f"Frames are numbered {header.first}, {header.stated(header.first + 1)} and so on; they"
             " were read as following one another."
         )
-    warnings += _twice(body, frame, names, header)
+    warnings += twice(body, frame, names, header)
     values = np.full((count, len(joints), len(NUMBERS)), np.nan)
     place, report = {joint: i for i, joint in enumerate(joints)}, progress or quiet
     for n, (number, row) in enumerate(body):
         if n % (_FRAMES_A_REPORT * len(joints)) == 0:
             report(n / len(body), "Reading poses")
         values[frame[n], place[names[n]]] = header.values(row, number)
+    header = replace(header, sure=surest(values[..., -1]))
+    if header.sure != 1.0:
+        values[..., -1] = np.minimum(values[..., -1] / header.sure, 1.0)
     parents = parents_of([row for _, row in body], header.at, joints, path.name)
     if not header.unit_told:
         scale, unit = (unit_mm, "") if unit_mm else _unit(values[..., :3], parents, joints)
@@ -254,6 +255,9 @@ def _over_its_file(
     if not header.unit_told and _unit(pose.positions / mm, pose.parents, pose.joints)[0] != mm:
         # A body of such a size would be taken to be in another unit.
         return None
+    if surest(pose.confidence * header.sure) != header.sure:
+        # What is left of levels would be taken for shares.
+        return None
     times = None
     if pose.rate != table.clock.rate:
         times = pose.first_time + np.arange(pose.frames) / pose.rate
@@ -298,93 +302,6 @@ def _numbers_of(pose: Pose) -> FloatArray:
     unturned = np.where(pose.seen[..., None], 0.0, NO_TURN)
     turns = np.where(turned, pose.rotations, unturned)
     return np.concatenate([places, turns, pose.confidence[..., None]], axis=2)
-
-
-def names_joints(head: bytes) -> bool:
-    """Whether the first bytes of a file are the header of such a table."""
-    lines = head.decode("utf-8-sig", errors="replace").splitlines()
-    try:
-        header_of(next((line for line in lines if not says_nothing(line)), ""), "")
-    except FileFormatError:
-        return False
-    return True
-
-
-def _frames(
-    body: list[tuple[int, list[str]]], header: Header, joints: int
-) -> tuple[Header, list[int], int]:
-    """The header that tells how frames are numbered, each row's from 0, and how many there are."""
-    stated = [header.frame(row, number) for number, row in body]
-    first, last = min(stated), max(stated)
-    there = {frame - first for frame in stated}
-    # Whoever keeps every second or tenth pose leaves the others no number.
-    step = gcd(*there) if len(there) >= _TELL_STEPS else 1
-    count = (last - first) // step + 1
-    # One stray number must not ask for a terabyte.
-    if count * joints > 100 * len(body) + 1000:
-        raise FileFormatError(
-            f"{header.name} is damaged: its frames go from {first} to {last}, with {len(body)}"
-            " rows."
-        )
-    header = replace(header, first=first, step=step)
-    return header, [(frame - first) // step for frame in stated], count
-
-
-def _twice(
-    body: list[tuple[int, list[str]]], frame: list[int], names: list[str], header: Header
-) -> list[str]:
-    """A sentence about rows that stand twice; an error where they say two things."""
-    first: dict[tuple[int, str], int] = {}
-    again = []
-    for n, key in enumerate(zip(frame, names, strict=True)):
-        before = first.setdefault(key, n)
-        if before == n:
-            continue
-        again.append(body[n][0])
-        if body[before][1] != body[n][1]:
-            raise FileFormatError(
-                f"{header.name} is damaged: lines {body[before][0]} and {body[n][0]} both tell of"
-                f" “{key[1]}” in one frame, and differ."
-            )
-    if not again:
-        return []
-    return [f"{len(again)} rows stand twice, line {again[0]} for one; they were read once."]
-
-
-def parents_of(
-    body: list[list[str]], at: dict[str, int], joints: tuple[str, ...], name: str
-) -> tuple[int, ...]:
-    """Index of each joint's parent, by the file or by the joints' usual names.
-
-    Parameters
-    ----------
-    body : rows
-    at : place of each known column
-    joints : their names
-    name : of the file, for what is wrong with it
-
-    Returns
-    -------
-    (joints,) index of the parent, -1 for a root
-
-    Raises
-    ------
-    FileFormatError
-        when there is no such column and a name is not usual, or a parent is no joint
-    """
-    if "parent" in at:
-        above = {row[at["joint"]].strip(): row[at["parent"]].strip() for row in body}
-    else:
-        above = usual_parents(joints)
-        unknown = [joint for joint in joints if joint not in above]
-        if unknown:
-            raise FileFormatError(
-                f"{name} does not say what “{unknown[0]}” hangs on; add a column “parent”."
-            )
-    lost = [parent for parent in above.values() if parent and parent not in joints]
-    if lost:
-        raise FileFormatError(f"{name} is damaged: the parent “{lost[0]}” is no joint of it.")
-    return tuple(joints.index(above[joint]) if above[joint] else -1 for joint in joints)
 
 
 def quoted(name: str) -> str:

@@ -212,7 +212,7 @@ class _Rows:
     def _number(self, k: int, value: float) -> str:
         """A number in the file's own unit."""
         if NUMBERS[k] == "confidence":
-            return self._written(f"{value:.3g}")
+            return self._written(f"{value * self.header.sure:.3g}")
         if k < len(self.header.scales):
             scale = self.header.scales[k]
             digits = _PLACE + max(0, ceil(log10(scale)))
