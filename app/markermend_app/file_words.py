@@ -16,7 +16,8 @@ VALUES = (
     "residual word 65535, read as -1 ({0} samples)",
     "(0, 0, 0) with a valid residual ({0} samples)",
     "no place in a room ({0} samples)",
-    *("metres", "centimetres", "millimetres"),
+    *("metres", "centimetres", "millimetres", "inches"),
+    "1/0.45 inches (as in files of the CMU database)",
 )
 
 ODDITIES = (
@@ -35,6 +36,7 @@ ODDITIES = (
     "The file marks every sample as invalid, yet has coordinates; they were read as valid.",
     "The file tells no unit of length; by the size of things metres were assumed.",
     "The file tells no unit of length; by the size of things millimetres were assumed.",
+    "The file tells no unit of length; by the size of things {0} were assumed.",
     "The file tells no unit of length; millimetres were assumed.",
     "The file tells no unit of length that is known; millimetres were assumed.",
     "The columns tell no unit of length that is known; millimetres were assumed.",
@@ -55,6 +57,7 @@ ODDITIES = (
     "Times in the file jump or stand still (after frame {0}, for one); the rate is that between "
     "most poses.",
     "Frame numbers go from {0} to {1} in line {2}; poses were read one after the other.",
+    "Frames are numbered {0}, {1} and so on; they were read as following one another.",
     "No number stands before {0} poses, in line {1} for one; they were read all the same.",
     "The header counts {0} frames; {1} were read.",
     "Its skeleton is taken to be {0}, the only one here.",
@@ -107,6 +110,8 @@ PROBLEMS = (
     "{0} is damaged: its frames go from {1} to {2}, with {3} rows.",
     "{0} is no table of joints: it lacks the column “{1}”; it should have {2}.",
     "{0} does not say what “{1}” hangs on; add a column “parent”.",
+    "{0} has two columns “{1}”, of which one may tell how joints are turned; call that q{1}.",
+    "{0} tells of several bodies (column “{1}”); write one of them into a file.",
     "{0} holds no whole row.",
     "{0} is damaged: it is cut short.",
     "{0} is damaged: it does not begin with HIERARCHY.",
@@ -124,7 +129,6 @@ PROBLEMS = (
     "An AMC cannot say that a segment is never seen, and would show {0} at rest. Write more "
     "frames, repair these gaps first, or write a CSV.",
     "A BVH of these joints could not be read again: {0}; rename joints, or write a CSV.",
-    "A BVH tells no unit of length, and bones of this size would be taken for {0}; write a CSV.",
     "“{0}” may not be read; check its permissions.",
     "“{0}” cannot be opened: {1}.",
     "{0} could not be written: {1}; nothing was changed, choose another place or free some space.",

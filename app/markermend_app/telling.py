@@ -61,7 +61,7 @@ _SAME = (
     "its frames were set by hand",
     "was taken for a mix-up with {0}, which was repaired by itself",
     "{0}; {1} times its usual scatter",
-    "{0}; its residual changes there from {1} to {2} mm",
+    "{0}; its residual changes there from {1} to {2}",
     "{0}; {1} cameras see it instead of {2}",
     "not seen for {0} frames, since samples were cut or moved by hand",
     "not seen for {0}",
@@ -234,7 +234,9 @@ def told(text: str) -> str:
     form, parts = known
     first, *rest = parts or ("",)
     said = tr(first) if form in _OF_METHODS else told(first)
-    return tr(form).format(said, *map(told, rest), **_ways(form))
+    sentence = tr(form).format(said, *map(told, rest), **_ways(form))
+    # What is said of files has their names in it.
+    return sentence if form in _FILES else units.in_words(sentence)
 
 
 def _ways(form: str) -> dict[str, str]:

@@ -5,6 +5,7 @@ The engine counts in millimetres; what is written here is for people's eyes only
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from types import MappingProxyType
 
@@ -12,6 +13,7 @@ from markermend_app import settings
 
 SETTING = "unit"
 FACTORS: Mapping[str, float] = MappingProxyType({"mm": 1.0, "cm": 0.1, "m": 0.001})
+_TOLD_MM = re.compile(r"(?<![\w.+-])(\d+(?:\.(\d+))?) mm\b(?!/)")
 _MORE_PLACES = MappingProxyType({"mm": 0, "cm": 1, "m": 3})
 
 
@@ -38,6 +40,13 @@ def give_or_take(mm: float) -> str:
     """An expected error as what stands behind a value or a method."""
     told = error(mm)
     return told if told.startswith("<") else f"± {told}"
+
+
+def in_words(text: str) -> str:
+    """A sentence that tells millimetres, with the unit in use."""
+    if unit() == "mm":
+        return text
+    return _TOLD_MM.sub(lambda told: length(float(told[1]), len(told[2] or "")), text)
 
 
 def number(mm: float, places: int = 1) -> str:

@@ -84,9 +84,29 @@ def damaged_box() -> tuple[Take, tuple[Artifact, ...]]:
     positions[280:330, 6, 2] += 30.0
     truth = (
         Artifact("CLAV", "xyz", 60, 90, Kind.GAP, 1.0, why="not seen for 30 frames"),
-        Artifact("LELB", "y", 150, 151, Kind.PEAK, 0.95, 25.0, "jumps 25 mm and comes back"),
-        Artifact("C7", "x", 200, 240, Kind.NOISE, 0.9, 12.0, "trembles by 12 mm"),
-        Artifact("LWRA", "z", 280, 330, Kind.STEP, 0.8, 30.0, "jumps 30 mm, back 50 frames later"),
+        Artifact(
+            "LELB", "y", 150, 151, Kind.PEAK, 0.95, 25.0, "sticks out by 25 mm for 1 frame (10 ms)"
+        ),
+        Artifact(
+            "C7",
+            "x",
+            200,
+            240,
+            Kind.NOISE,
+            0.9,
+            12.0,
+            "jitters by up to 12 mm for 40 frames (400 ms)",
+        ),
+        Artifact(
+            "LWRA",
+            "z",
+            280,
+            330,
+            Kind.STEP,
+            0.8,
+            30.0,
+            "jumps 30 mm in one frame and comes back 50 frames (500 ms) later",
+        ),
     )
     return Take(positions, take.labels, take.rate, take.first_frame), truth
 

@@ -90,7 +90,7 @@ def test_it_shows_the_artifact_in_the_numbers_of_the_file(inspector, document):
     assert (page.first.value(), page.last.value()) == (381, 430)
     assert page.kind.currentText() == "Step"
     assert [a for a, b in page.axes.items() if b.isChecked()] == ["z"]
-    assert page.why.text() == "jumps 30 mm, back 50 frames later"
+    assert page.why.text() == "jumps 30 mm in one frame and comes back 50 frames (500 ms) later"
     assert page.sureness.text() == "80 %, likely"
 
 

@@ -41,7 +41,7 @@ def test_residuals_that_change_at_jumps_make_them_surer_and_are_told(damaged):
     residuals, cameras = with_changes(take, truth)
     without = sudden(replace(take, residuals=None))
     told = sudden(replace(take, residuals=residuals))
-    found = [a for a in told if "residual changes there from 0.5 to 1.5 mm" in a.why]
+    found = [a for a in told if "residual changes there from 0.5 mm to 1.5 mm" in a.why]
     assert len(found) >= 0.9 * len(told)
     assert len(told) > len(without)
     by_id = {a.id: a for a in told}

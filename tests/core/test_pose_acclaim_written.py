@@ -8,6 +8,8 @@ from acclaim import AMC, write_small
 
 import markermend as mm
 from markermend.errors import ExportError, FileFormatError
+from markermend.files.pose import crop_pose
+from markermend.poses.take import pose_of
 
 ASF = """\
 :units
@@ -266,3 +268,34 @@ def test_of_a_file_with_other_poses_all_is_written_anew(small):
     (small / "a_1.amc").write_text(AMC.rpartition("2\nroot")[0])
     mm.write_pose(pose, small / "b.amc")
     assert mm.read_pose(small / "b.amc", skeleton=small / "a.asf").frames == 2
+
+
+def test_a_part_keeps_the_header_and_the_comments_beside_its_poses(tmp_path):
+    head = ("# of the morning", ":FULLY-SPECIFIED", ":DEGREES", ":SAMPLES-PER-SECOND 60")
+    source = movement(tmp_path, head=head)
+    text = source.read_text().replace("upper 40 3 60", "upper 40.00 3 60 # bent")
+    text = text.replace("\n2\n", "\n# too early\n2\n").replace("\n3\n", "\n# he jumps\n0003\n")
+    source.write_bytes(text.replace("\n5\n", "\n# he lands\n5\n").replace("\n", "\r\n").encode())
+    take = mm.read(source)
+    mm.write(take, tmp_path / "a_2.amc", frames=(2, 4))
+    lines = source.read_bytes().splitlines(keepends=True)
+    of_part = lines[lines.index(b"# he jumps\r\n") : lines.index(b"5\r\n")]
+    assert (tmp_path / "a_2.amc").read_bytes() == b"".join(lines[:4] + of_part)
+    # A part of a part, changed, is written over the file too.
+    pose = crop_pose(crop_pose(pose_of(take), 1, 5), 1, 3)
+    rotations = np.array(pose.rotations)
+    rotations[1, 3] = rotations[0, 3]
+    mm.write_pose(pose.with_samples(pose.positions, rotations), tmp_path / "a_3.amc")
+    after = (tmp_path / "a_3.amc").read_bytes().splitlines(keepends=True)
+    differs = [(a, b) for a, b in zip(lines[:4] + of_part, after, strict=True) if a != b]
+    assert [pair[0] for pair in differs] == [b"tip 20\r\n"]
+
+
+def test_a_file_that_is_cut_short_keeps_what_is_whole(tmp_path):
+    source = movement(tmp_path, head=("# of the morning", ":DEGREES"))
+    whole = source.read_bytes()
+    source.write_bytes(whole[: whole.index(b"\n6\n") + 30])
+    pose = mm.read_pose(source)
+    assert pose.frames == 5
+    mm.write_pose(pose, tmp_path / "a_2.amc")
+    assert (tmp_path / "a_2.amc").read_bytes() == whole[: whole.index(b"6\nroot")]

@@ -41,11 +41,10 @@ def run(options: argparse.Namespace) -> int:
             f"“{options.output}” should end in {', '.join(WRITABLE)}, to tell what to write."
         )
     _check_amc(options)
-    if options.network is not None:
-        _refuse(options, ("prior", "list"), "what a network does")
-    if options.skeleton is not None and Path(options.pose).suffix.lower() != ".amc":
-        _refuse(options, ("skeleton",), "anything but an AMC")
-    pose = mm.read_pose(options.pose, skeleton=options.skeleton, rate=options.rate)
+    _check_used(options)
+    pose = mm.read_pose(
+        options.pose, skeleton=options.skeleton, rate=options.rate, unit=options.unit
+    )
     for oddity in pose.warnings:
         warn(f"{Path(options.pose).name}: {oddity}")
     if options.network is not None:
@@ -100,6 +99,17 @@ def _check_amc(options: argparse.Namespace) -> None:
             )
 
 
+def _check_used(options: argparse.Namespace) -> None:
+    """Refuse options that would have no effect on this recording, or what is done to it."""
+    ending = Path(options.pose).suffix.lower()
+    if options.network is not None:
+        _refuse(options, ("prior", "list"), "what a network does")
+    if ending != ".amc":
+        _refuse(options, ("skeleton",), "anything but an AMC")
+    if ending in (".amc", ".asf"):
+        _refuse(options, ("unit",), "lengths of an AMC, whose skeleton (ASF) tells their unit")
+
+
 def _refuse(options: argparse.Namespace, names: tuple[str, ...], beside: str) -> None:
     """Refuse options that would have no effect beside what was asked for."""
     for name in names:
@@ -130,7 +140,7 @@ def _follow(options: argparse.Namespace) -> int:
 
     if options.pose != options.output:
         raise ExportError("A stream is “-” on both sides: markermend denoise - -o -")
-    _refuse(options, ("network", "cmu", "list", "skeleton"), "a stream")
+    _refuse(options, ("network", "cmu", "list", "skeleton", "unit"), "a stream")
     prior = shipped_prior() if options.prior is None else load_prior(Path(options.prior))
 
     if sys.stdin is None or output_is_closed():

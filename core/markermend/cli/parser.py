@@ -222,6 +222,12 @@ def _add_denoise(p: argparse.ArgumentParser) -> None:
         type=hertz,
         help="poses per second, instead of what the file says; of a stream (default: 30)",
     )
+    p.add_argument(
+        "--unit",
+        choices=("mm", "cm", "m", "in", "ft"),
+        help="unit of length of a BVH, or a table that does not say; otherwise the size of the body"
+        " tells it",
+    )
     p.add_argument("--skeleton", metavar="ASF", help="skeleton of an AMC that is not beside it")
     p.add_argument(
         "--prior", metavar="FILE", help="how bodies move, of “train prior”, instead of our own"

@@ -160,7 +160,7 @@ def _described(
         amplitude_mm=size,
         why=(
             f"changes places with {' and '.join(others)} for {how_long(jump.length, take.rate)}: "
-            f"once exchanged, {in_mm(rest)} of the {in_mm(size)} mm jump are left"
+            f"once exchanged, {in_mm(rest)} mm of the {in_mm(size)} mm jump are left"
         ),
         id="",
     )

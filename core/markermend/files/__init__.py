@@ -87,6 +87,7 @@ def _reader(path: Path) -> Callable[..., Take]:
     """Choose a reader by a file's first bytes, and by its name where they say nothing."""
     from markermend.files.c3d import read_c3d
     from markermend.files.csv import read_csv
+    from markermend.files.text import refuse_utf_16
     from markermend.files.trc import SIGNATURE, read_trc
     from markermend.plugins.formats import SKELETONS, formats
 
@@ -97,6 +98,8 @@ def _reader(path: Path) -> Callable[..., Take]:
     suffix = path.suffix.lower()
     if head.startswith(SIGNATURE):
         return read_trc
+    if suffix != ".c3d":
+        refuse_utf_16(head, path.name)
     binary = b"\0" in head
     if suffix == ".c3d" or (binary and head[1:2] == b"P"):
         return read_c3d
@@ -119,7 +122,7 @@ def _reader(path: Path) -> Callable[..., Take]:
 
 def _names_joints(head: bytes) -> bool:
     """Whether a table is of joints rather than of markers."""
-    from markermend.files.pose_csv import names_joints
+    from markermend.files.pose_rows import names_joints
 
     return names_joints(head)
 

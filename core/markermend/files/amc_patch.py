@@ -63,12 +63,13 @@ def patched(
     """A movement's file with other numbers where the movement is another.
 
     Header, comments, order of segments, endings of lines and every number that is not changed stay
-    the same bytes. A segment that a pose leaves out gets a line where other poses have it.
+    the same bytes. A segment that a pose leaves out gets a line where other poses have it. A part
+    has the header too, and the comments before and after its poses.
 
     Parameters
     ----------
     path : the file, as it was when the movement was read
-    movement : of the same poses; where a segment is NaN its line goes
+    movement : of the same poses, or some of them; where a segment is NaN its line goes
     progress : told the share of poses written; may raise to stop
     rate : poses per second, which the header tells where it told others, or none and these are not
         the usual
@@ -89,10 +90,14 @@ def patched(
         degrees = tells_degrees(" ".join(_words(line)))
         if degrees is not None:
             told = _in_file(movement, degrees=degrees)
-    if len(poses) != movement.frames:
+    whole = movement.before + movement.frames + movement.after
+    # Of a file that is cut short the last pose was left out.
+    if len(poses) not in (whole, whole + 1):
         return None
     usual, out = _usual_order(poses, told), [mark, *_with_rate(head, rate, _ending(lines[0]))]
-    for pose, block in enumerate(poses):
+    if movement.before:
+        out += _behind_pose(poses[movement.before - 1])
+    for pose, block in enumerate(poses[movement.before : movement.before + movement.frames]):
         if pose % _POSES_A_REPORT == 0:
             progress(pose / movement.frames, "Writing poses")
         values = {name: rows[pose] for name, rows in told.items() if all(map(isfinite, rows[pose]))}
@@ -124,6 +129,12 @@ def _poses(lines: list[bytes], told: Collection[str]) -> tuple[list[bytes], list
             poses.append([])
         (poses[-1] if poses else head).append(line)
     return head, poses
+
+
+def _behind_pose(block: list[bytes]) -> list[bytes]:
+    """Lines behind a pose's last that say nothing of it: comments on what follows."""
+    last = max(i for i, line in enumerate(block) if _words(line))
+    return block[last + 1 :]
 
 
 def _words(line: bytes) -> list[str]:

@@ -10,6 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import FileFormatError
+from markermend.files.body_size import unit_of_body
 from markermend.files.plausible import FARTHEST, read_as_missing
 from markermend.files.text import number, read_lines
 from markermend.poses.pose import Pose
@@ -20,7 +21,8 @@ END = "_end"
 CM = 10.0
 MOVES = {"Xposition": 0, "Yposition": 1, "Zposition": 2}
 _TURNS = {"Xrotation": "X", "Yrotation": "Y", "Zrotation": "Z"}
-# Mean length of bones, in the file's own unit, below which it must be metres, or centimetres.
+# Mean length of bones, in the file's own unit, below which it must be metres, or centimetres, where
+# no whole body tells.
 _METRES, _CENTIMETRES = 1.0, 60.0
 _MOST_JOINTS = 10_000
 _HEAD = re.compile(r"\s*MOTION\s+Frames\s*:\s*(\S+)\s+Frame\s*Time\s*:\s*(\S+)", re.IGNORECASE)
@@ -40,14 +42,16 @@ class _Joint:
         self.channels: list[str] = []
 
 
-def read_bvh(path: Path, *, rate: float | None = None) -> Pose:
+def read_bvh(path: Path, *, rate: float | None = None, unit_mm: float | None = None) -> Pose:
     """Read a hierarchy and its movement.
 
     Parameters
     ----------
     path : the file; ends of chains become joints named after theirs, with ``_end``. The file tells
-        no unit: metres, centimetres or millimetres are told apart by how long bones are.
+        no unit: metres, inches, centimetres and millimetres are told apart by how large a body is
+        (:mod:`markermend.files.body_size`), or how long bones are.
     rate : poses per second, instead of what the file says
+    unit_mm : millimetres in the file's unit, where that is known
 
     Raises
     ------
@@ -68,8 +72,9 @@ def read_bvh(path: Path, *, rate: float | None = None) -> Pose:
         raise FileFormatError(f"{path.name} is damaged: {reason}.") from error
     # Frame times are rounded.
     hertz = float(np.round(rate_of(1.0 / step, path.name), 3)) if rate is None else rate
-    scale, unit = _unit(joints)
-    warnings.append(f"The file tells no unit; {unit} were assumed.")
+    scale, unit = (unit_mm, "") if unit_mm else _unit(joints)
+    if unit:
+        warnings.append(f"The file tells no unit; {unit} were assumed.")
     positions, rotations, wild = _placed(joints, values, scale)
     return Pose(
         positions,
@@ -82,8 +87,8 @@ def read_bvh(path: Path, *, rate: float | None = None) -> Pose:
     )
 
 
-def unit_of(hierarchy: str) -> tuple[float, str]:
-    """Millimetres in the unit that a hierarchy, up to its movement, is read in, and its name.
+def unit_of(hierarchy: str) -> float:
+    """Millimetres in the unit that a hierarchy, up to its movement, is read in.
 
     Raises
     ------
@@ -92,7 +97,7 @@ def unit_of(hierarchy: str) -> tuple[float, str]:
     IndexError
         when it is cut short
     """
-    return _unit(_hierarchy(hierarchy.split()))
+    return _unit(_hierarchy(hierarchy.split()))[0]
 
 
 def end_name(joint: str, before: int) -> str:
@@ -230,9 +235,14 @@ def _values(
 
 
 def _unit(joints: list[_Joint]) -> tuple[float, str]:
-    """Millimetres in the file's unit, and its name, by the mean length of bones."""
-    bones = [float(np.sqrt(joint.offset @ joint.offset)) for joint in joints if joint.parent >= 0]
-    mean = float(np.mean(bones)) if bones else _CENTIMETRES
+    """Millimetres in the file's unit, and its name, by the size of a body or its bones."""
+    lengths = np.array([float(np.sqrt(joint.offset @ joint.offset)) for joint in joints])
+    parents = tuple(joint.parent for joint in joints)
+    told = unit_of_body(lengths, parents, [joint.name for joint in joints])
+    if told is not None:
+        return told
+    bones = lengths[np.array(parents) >= 0]
+    mean = float(np.mean(bones)) if bones.size else _CENTIMETRES
     if mean < _METRES:
         return 1000.0, "metres"
     return (CM, "centimetres") if mean < _CENTIMETRES else (1.0, "millimetres")

@@ -17,6 +17,8 @@ from markermend.poses.quaternion import inverse, multiply, turn
 from markermend.poses.turnless import turned_as_parents, turnless
 from markermend.progress import Progress
 
+# Millimetres in units that one may be written in; one of them is told by every size.
+_UNITS = (CM, 1.0, 1000.0)
 # What a joint may come off its place in its parent's axes and still be written as fixed there.
 _RIGID_MM = 1.0
 _WRITTEN = "ZXY"
@@ -27,7 +29,7 @@ _MOST_NAMED = 8
 def write_bvh(
     pose: Pose, file: IO[bytes], progress: Progress, *, whole: Pose | None = None
 ) -> None:
-    """Write a hierarchy in centimetres, and its movement.
+    """Write a hierarchy, and its movement.
 
     Parameters
     ----------
@@ -41,10 +43,13 @@ def write_bvh(
     ------
     ExportError
         when there is no pose, a joint was not seen, rotations are unknown, or what is read again
-        would be of another size or have two joints of one name
+        would have two joints of one name
 
     Notes
     -----
+    The unit is centimetres, or another where a body of that size would be taken to be in another,
+    since the file tells none.
+
     Joints that never have a rotation, as the ends of a Kinect's limbs, are turned as their parents.
 
     A joint of a BVH stands where its bone begins and carries those below it. Where joints of a
@@ -63,12 +68,14 @@ def write_bvh(
     for joint, parent in enumerate(pose.parents):
         children.setdefault(parent, []).append(joint)
     carried = (_strays(offsets) < _RIGID_MM) & (np.array(pose.parents) >= 0)
-    lines, order = ["HIERARCHY"], list[int]()
     usual = np.median(offsets, axis=0)
     if whole is not None:
         offsets = _offsets(pose, pose.parents)
-    _describe(children[-1][0], pose, children, usual, carried, lines, order)
-    _check_read_again(lines)
+    for unit in _UNITS:
+        lines, order = ["HIERARCHY"], list[int]()
+        _describe(children[-1][0], pose, children, usual / unit, carried, lines, order)
+        if _unit_read_again(lines) == unit:
+            break
     lines += ["MOTION", f"Frames: {pose.frames}", f"Frame Time: {1.0 / pose.rate:.9g}"]
     file.write(("\n".join(lines) + "\n").encode())
     columns = []
@@ -77,7 +84,7 @@ def write_bvh(
         if parent >= 0:
             local = multiply(inverse(pose.rotations[:, parent]), local)
         if not carried[joint]:
-            columns.append(offsets[:, joint] / CM)
+            columns.append(offsets[:, joint] / unit)
         columns.append(_angles(local))
     table = np.concatenate(columns, axis=1)
     for start in range(0, pose.frames, _POSES_A_REPORT):
@@ -113,21 +120,16 @@ def _writable(pose: Pose, whole: Pose | None) -> tuple[Pose, Pose]:
     return pose, pose if whole is None else _complete(turned_as_parents(whole, without))
 
 
-def _check_read_again(lines: list[str]) -> None:
-    """Refuse a hierarchy that would not come back, or in another size."""
+def _unit_read_again(lines: list[str]) -> float:
+    """Millimetres in the unit that a hierarchy would be read in; refuse one that cannot be."""
     try:
-        scale, unit = unit_of(" ".join(lines))
+        return unit_of(" ".join(lines))
     except (ValueError, IndexError) as error:
         reason = str(error) or "its names have braces"
         raise ExportError(
             f"A BVH of these joints could not be read again: {reason}; rename joints, or write a"
             " CSV."
         ) from error
-    if scale != CM:
-        raise ExportError(
-            f"A BVH tells no unit of length, and bones of this size would be taken for {unit};"
-            " write a CSV."
-        )
 
 
 def _in_words(pose: Pose, gaps: BoolArray) -> str:
@@ -239,4 +241,4 @@ def _ends(
 
 
 def _three(values: FloatArray) -> str:
-    return " ".join(f"{value:.6f}" for value in (np.round(values / CM, 6) + 0.0).tolist())
+    return " ".join(f"{value:.6f}" for value in (np.round(values, 6) + 0.0).tolist())

@@ -9,7 +9,7 @@ from os import PathLike
 from pathlib import Path
 from typing import IO
 
-from markermend.errors import DataError, ExportError, FileFormatError
+from markermend.errors import DataError, ExportError, FileFormatError, MethodError
 from markermend.files.amc import read_amc, write_amc
 from markermend.files.amc_patch import USUAL_RATE
 from markermend.files.amc_skeleton import check_guess, find_skeleton
@@ -18,12 +18,9 @@ from markermend.files.atomic import write_whole
 from markermend.files.bvh_read import read_bvh
 from markermend.files.bvh_write import write_bvh
 from markermend.files.opening import SNIFFED, named, not_opened
-from markermend.files.pose_csv import (
-    Table,
-    names_joints,
-    read_pose_csv,
-    write_pose_csv,
-)
+from markermend.files.pose_csv import Table, read_pose_csv, write_pose_csv
+from markermend.files.pose_rows import names_joints
+from markermend.files.units import USUAL, unit_mm
 from markermend.poses.inverse import how_far_off, inverse_kinematics
 from markermend.poses.pose import Pose
 from markermend.poses.skeleton import Movement, forward_kinematics
@@ -41,6 +38,7 @@ def read_pose(
     *,
     skeleton: str | PathLike[str] | None = None,
     rate: float | None = None,
+    unit: str | None = None,
     progress: Progress | None = None,
 ) -> Pose:
     """Read a skeleton recording.
@@ -52,6 +50,8 @@ def read_pose(
         tells nothing)
     skeleton : the ASF of an AMC, where it is not beside it
     rate : poses per second, instead of what the file tells (where it does not: AMC 120, CSV 30)
+    unit : of length, as ``m``, ``cm``, ``mm`` or ``in``, of a BVH, or a CSV whose columns tell none
+        (otherwise the size of the body tells it)
     progress : may raise to stop
 
     Returns
@@ -61,9 +61,12 @@ def read_pose(
     Raises
     ------
     FileFormatError
-        when the file cannot be opened, is damaged, or of an unknown kind
+        when the file cannot be opened, is damaged, of an unknown kind, or tells another unit
+    MethodError
+        when there is no such unit
     """
     where = named(path)
+    mm = None if unit is None else _unit_mm(unit)
     if rate is not None:
         rate_of(rate, where.name)
     try:
@@ -86,12 +89,12 @@ def read_pose(
                 hertz = rate or stated or USUAL_RATE
                 return forward_kinematics(movement, hertz, warnings=tuple(warnings))
             case ".bvh":
-                return read_bvh(where, rate=rate)
+                return read_bvh(where, rate=rate, unit_mm=mm)
             case ".asf":
                 rest = Movement(read_asf(where), {}, 1)
                 return forward_kinematics(rest, rate or USUAL_RATE)
             case ending if ending == ".csv" or _begins_as_joints(where):
-                return read_pose_csv(where, rate=rate, progress=progress)
+                return read_pose_csv(where, rate=rate, unit_mm=mm, progress=progress)
     except OSError as error:
         raise not_opened(Path(error.filename or where), error) from error
     except DataError as error:
@@ -103,6 +106,14 @@ def read_pose(
     raise FileFormatError(
         f"{where.name} is no skeleton recording; its name should end in {', '.join(READABLE)}."
     )
+
+
+def _unit_mm(name: str) -> float:
+    """Millimetres in a unit of length."""
+    mm = unit_mm(name)
+    if mm is None:
+        raise MethodError(f"“{name}” is no unit of length; name {', '.join(USUAL)}.")
+    return mm
 
 
 def _begins_as_joints(path: Path) -> bool:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from markermend.arrays import FloatArray
+from markermend.files.pose_rows import Header
 
 _SENSOR_RATE = 30.0
 # Nobody records joints so slowly: times that grow by as much a pose are in a smaller unit.
@@ -38,30 +39,25 @@ class Clock:
     oddities: tuple[str, ...] = ()
 
 
-NO_CLOCK = Clock(
-    _SENSOR_RATE, oddities=(f"The file tells no rate; {_SENSOR_RATE:g} Hz was assumed.",)
-)
-
-
-def by_times(told: list[float], frame: list[int], first: int, second: float | None) -> Clock:
+def by_times(told: list[float], frame: list[int], header: Header) -> Clock:
     """What times of rows tell.
 
     Parameters
     ----------
     told : of each row; NaN where it has none
     frame : of each row, from 0
-    first : the file's number of frame 0
-    second : seconds in their unit, where the file tells
+    header : which tells how frames are numbered and, where the file does, the unit of times
 
     Returns
     -------
     Clock
-        :data:`NO_CLOCK` where times do not grow
+        that of a sensor, of which a file in steps has every so many poses, where times do not grow
     """
+    second = header.second
     times, frames = np.array(told), np.array(frame)
     known = np.abs(times) < _LARGEST
     if np.unique(frames[known]).size < 2:
-        return NO_CLOCK
+        return _no_clock(header.step)
     at = int(np.argmin(np.where(known, frames, frames.max() + 1)))
     # From the first on, since of those of the calendar no digits would be left.
     since = times[known] - times[at]
@@ -71,11 +67,11 @@ def by_times(told: list[float], frame: list[int], first: int, second: float | No
     if abs(slope - usual) > _UNEVEN * usual > 0:
         slope = usual
         oddities = (
-            f"Times in the file jump or stand still (after frame {first + odd}, for one); the rate"
-            " is that between most poses.",
+            "Times in the file jump or stand still (after frame"
+            f" {header.stated(header.first + odd)}, for one); the rate is that between most poses.",
         )
     if slope <= 0:
-        return NO_CLOCK
+        return _no_clock(header.step)
     if second is None:
         second, unit = 1.0, ""
         for smaller, name in _SMALLER:
@@ -90,6 +86,14 @@ def by_times(told: list[float], frame: list[int], first: int, second: float | No
         # A few times, rounded as they are written, tell a rate that is a little off.
         rate, slope = whole, 1.0 / (second * whole)
     return Clock(rate, second * (times[at] - frame[at] * slope), second, oddities)
+
+
+def _no_clock(step: int) -> Clock:
+    """What is assumed where no time tells: numbers are those of a sensor's poses."""
+    rate = _SENSOR_RATE / step
+    if rate * _SLOWEST_S < 1.0:
+        rate = _SENSOR_RATE
+    return Clock(rate, oddities=(f"The file tells no rate; {rate:g} Hz was assumed.",))
 
 
 def _usual_slope(frames: FloatArray, times: FloatArray) -> tuple[float, int]:

@@ -3,7 +3,9 @@
 The columns are ``frame``, ``time`` in seconds, ``joint``, ``parent`` (empty for the root), ``x``,
 ``y``, ``z`` in mm, or another unit that stands behind them, as in ``x (m)``, the rotation ``qx``,
 ``qy``, ``qz``, ``qw`` and ``confidence``. A joint that was not seen is at 0, 0, 0 with rotation
-0, 0, 0, 1 and confidence 0; one that was seen, but not how it is turned, has rotation 0, 0, 0, 0.
+0, 0, 0, 1 and confidence 0, and where the file tells no confidence, 0, 0, 0 means that alone; one
+that was seen there is a nanometre off. One that was seen, but not how it is turned, has rotation
+0, 0, 0, 0.
 What was read from such a table and not changed since is written to the last digit, what was
 computed to a micrometre. Where the file that was read has what tells of a joint and how sure it is,
 its rows that are not changed are written as there; those that it lacks come between them.
@@ -21,6 +23,7 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import FileFormatError
+from markermend.files.body_size import unit_of_body
 from markermend.files.plausible import FARTHEST, read_as_missing
 from markermend.files.pose_clock import Clock, by_times
 from markermend.files.pose_csv_patch import Part, patched
@@ -35,20 +38,21 @@ from markermend.files.pose_rows import (
     whole_rows,
     wild,
 )
+from markermend.files.pose_table import frames_of, parents_of, surest, twice
 from markermend.files.text import read_lines
 from markermend.poses.normal import bone_lengths
-from markermend.poses.nuitrack import usual_parents
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import NO_TURN
+from markermend.poses.vanishing import vanished
 from markermend.progress import Progress, quiet
 from markermend.rates import rate_of
 
 _SAME = 1e-9
 _FRAMES_A_REPORT = 256
+_NEAR_ZERO_MM = 1e-6
 # Bones of bodies are longer, mm.
 _LEAST_BONE = 1.0
 _TURNLESS = "No column tells how joints are turned, as qx, qy, qz and qw would."
-_METRES = "The file tells no unit of length; by the size of things metres were assumed."
 
 
 @dataclass(frozen=True)
@@ -71,7 +75,13 @@ class Table:
     clock: Clock
 
 
-def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None = None) -> Pose:
+def read_pose_csv(
+    path: Path,
+    *,
+    rate: float | None,
+    unit_mm: float | None = None,
+    progress: Progress | None = None,
+) -> Pose:
     """Read joints.
 
     Parameters
@@ -79,12 +89,14 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
     path : the file; its first line names the columns, in any order. Rotations, confidence, time
         and, for joints with usual names, parents may be absent.
     rate : poses per second, instead of those that its times tell (30 without times)
+    unit_mm : millimetres in the unit of length, where the columns tell none
     progress : told the share of rows read
 
     Raises
     ------
     FileFormatError
-        when a column is missing, a row is damaged, there is no row, or nothing has such a rate
+        when a column is missing, a row is damaged, there is no row, nothing has such a rate, or the
+        columns tell another unit
     """
     lines = [
         (number, line) for number, line in enumerate(read_lines(path), 1) if not says_nothing(line)
@@ -99,28 +111,45 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
         warnings.append(_TURNLESS)
     names = [header.joint(row, number) for number, row in body]
     joints = tuple(dict.fromkeys(names))
-    frame, first, count = _frames(body, header, len(joints))
-    warnings += _twice(body, frame, names, header)
+    header, frame, count = frames_of(body, header, len(joints))
+    if header.step > 1:
+        warnings.append(
+            f"Frames are numbered {header.first}, {header.stated(header.first + 1)} and so on; they"
+            " were read as following one another."
+        )
+    warnings += twice(body, frame, names, header)
     values = np.full((count, len(joints), len(NUMBERS)), np.nan)
     place, report = {joint: i for i, joint in enumerate(joints)}, progress or quiet
     for n, (number, row) in enumerate(body):
         if n % (_FRAMES_A_REPORT * len(joints)) == 0:
             report(n / len(body), "Reading poses")
         values[frame[n], place[names[n]]] = header.values(row, number)
+    header = replace(header, sure=surest(values[..., -1]))
+    if header.sure != 1.0:
+        values[..., -1] = np.minimum(values[..., -1] / header.sure, 1.0)
     parents = parents_of([row for _, row in body], header.at, joints, path.name)
-    if not header.unit_told and too_short(values[..., :3], parents):
-        header, values[..., :3] = header.in_metres(), 1e3 * values[..., :3]
-        warnings.append(_METRES)
+    if not header.unit_told:
+        scale, unit = (unit_mm, "") if unit_mm else _unit(values[..., :3], parents, joints)
+        if scale != 1.0:
+            header, values[..., :3] = header.in_units_of(scale), scale * values[..., :3]
+            if unit:
+                warnings.append(
+                    f"The file tells no unit of length; by the size of things {unit} were assumed."
+                )
+    elif unit_mm not in (None, *header.scales):
+        raise FileFormatError(
+            f"The columns of {path.name} tell their unit of length; leave out the other."
+        )
     far = int(wild(values).sum())
     # What has no place is not seen, and is not written as seen either.
     values[~measured(values)] = np.nan
-    told = by_times([header.time(row) for _, row in body], frame, first, header.second)
+    told = by_times([header.time(row) for _, row in body], frame, header)
     # Times that tell another rate are not believed.
     clock = told if rate in (None, told.rate) else Clock(rate)
     hertz = rate_of(clock.rate, path.name)
     confidence = values[..., 7] if "confidence" in header.at else np.ones(values.shape[:2])
-    zero = (values[..., :3] == 0).all(axis=2) & (np.asarray(parents) >= 0)
-    confidence = np.where(zero, 0.0, confidence)
+    told_seen = "confidence" in header.at
+    confidence = np.where(_nowhere(values, parents, joints, told=told_seen), 0.0, confidence)
     pose = Pose(
         values[..., :3],
         values[..., 3:7],
@@ -129,7 +158,7 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
         hertz,
         confidence,
         warnings=(*warnings, *clock.oddities, *read_as_missing(far)),
-        first_frame=first,
+        first_frame=header.first,
         first_time=clock.begins,
     )
     return replace(pose, source=Table(values, _numbers_of(pose), path, header, told))
@@ -137,9 +166,38 @@ def read_pose_csv(path: Path, *, rate: float | None, progress: Progress | None =
 
 def too_short(places: FloatArray, parents: tuple[int, ...]) -> bool:
     """Whether bones between places (frames, joints, 3) are no body's in mm, as those in metres."""
-    there = (np.abs(places) <= FARTHEST).all(axis=2) & (places != 0).any(axis=2)
-    lengths = bone_lengths(np.where(there[..., None], places, np.nan), parents)
+    lengths = _lengths(places, parents)
     return bool((lengths > 0).any() and np.nanmean(lengths) < _LEAST_BONE)
+
+
+def _lengths(places: FloatArray, parents: tuple[int, ...]) -> FloatArray:
+    """(joints,) usual lengths of bones between places (frames, joints, 3)."""
+    there = (np.abs(places) <= FARTHEST).all(axis=2) & (places != 0).any(axis=2)
+    return bone_lengths(np.where(there[..., None], places, np.nan), parents)
+
+
+def _unit(
+    places: FloatArray, parents: tuple[int, ...], joints: tuple[str, ...]
+) -> tuple[float, str]:
+    """Millimetres in the unit of places (frames, joints, 3), and its name, by their size."""
+    told = unit_of_body(_lengths(places, parents), parents, joints)
+    if told is None and too_short(places, parents):
+        return 1000.0, "metres"
+    return told or (1.0, "millimetres")
+
+
+def _nowhere(
+    values: FloatArray, parents: tuple[int, ...], joints: tuple[str, ...], *, told: bool
+) -> BoolArray:
+    """(frames, joints) bool, whether numbers (frames, joints, 8) put a joint where none is.
+
+    Where no confidence is ``told``, nothing else than 0, 0, 0 says that a joint was not seen.
+    """
+    places = values[..., :3]
+    if not told:
+        return np.asarray((places == 0).all(axis=2) & (np.asarray(parents) >= 0))
+    places = np.where(values[..., 7:] > 0, places, np.nan)
+    return vanished(places, parents, joints)
 
 
 def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> tuple[str, ...]:
@@ -171,7 +229,12 @@ def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> tuple[str
         written = np.where(same, table.written, np.nan)
         values = np.where(np.isfinite(written), written, values)
     short = too_short(pose.positions, pose.parents)
-    head = [f"{name} (mm)" if short and name in ("x", "y", "z") else name for name in COLUMNS]
+    odd = _unit(pose.positions, pose.parents, pose.joints)[0] != 1.0
+    # What is seen at 0, 0, 0 is written so near to it that it is not taken for unseen.
+    rounded = np.concatenate([values[..., :3].round(6 if short else 3), values[..., 3:]], axis=2)
+    there = _nowhere(rounded, pose.parents, pose.joints, told=True)
+    written[there, 0] = _NEAR_ZERO_MM
+    head = [f"{name} (mm)" if odd and name in ("x", "y", "z") else name for name in COLUMNS]
     file.write((",".join(head) + "\n").encode())
     for frame in range(pose.frames):
         if frame % _FRAMES_A_REPORT == 0:
@@ -189,8 +252,11 @@ def _over_its_file(
 ) -> bytes | None:
     """What was read, with what is changed; None where that cannot be."""
     header, mm = table.header, table.header.scales[0]
-    if not header.unit_told and too_short(pose.positions / mm, pose.parents) != (mm != 1.0):
+    if not header.unit_told and _unit(pose.positions / mm, pose.parents, pose.joints)[0] != mm:
         # A body of such a size would be taken to be in another unit.
+        return None
+    if surest(pose.confidence * header.sure) != header.sure:
+        # What is left of levels would be taken for shares.
         return None
     times = None
     if pose.rate != table.clock.rate:
@@ -236,88 +302,6 @@ def _numbers_of(pose: Pose) -> FloatArray:
     unturned = np.where(pose.seen[..., None], 0.0, NO_TURN)
     turns = np.where(turned, pose.rotations, unturned)
     return np.concatenate([places, turns, pose.confidence[..., None]], axis=2)
-
-
-def names_joints(head: bytes) -> bool:
-    """Whether the first bytes of a file are the header of such a table."""
-    lines = head.decode("utf-8-sig", errors="replace").splitlines()
-    try:
-        header_of(next((line for line in lines if not says_nothing(line)), ""), "")
-    except FileFormatError:
-        return False
-    return True
-
-
-def _frames(
-    body: list[tuple[int, list[str]]], header: Header, joints: int
-) -> tuple[list[int], int, int]:
-    """Frame of each row, from 0, the number of the first, and how many there are."""
-    stated = [header.frame(row, number) for number, row in body]
-    first, last = min(stated), max(stated)
-    # One stray number must not ask for a terabyte.
-    if (last - first + 1) * joints > 100 * len(body) + 1000:
-        raise FileFormatError(
-            f"{header.name} is damaged: its frames go from {first} to {last}, with {len(body)}"
-            " rows."
-        )
-    return [frame - first for frame in stated], first, last - first + 1
-
-
-def _twice(
-    body: list[tuple[int, list[str]]], frame: list[int], names: list[str], header: Header
-) -> list[str]:
-    """A sentence about rows that stand twice; an error where they say two things."""
-    first: dict[tuple[int, str], int] = {}
-    again = []
-    for n, key in enumerate(zip(frame, names, strict=True)):
-        before = first.setdefault(key, n)
-        if before == n:
-            continue
-        again.append(body[n][0])
-        if body[before][1] != body[n][1]:
-            raise FileFormatError(
-                f"{header.name} is damaged: lines {body[before][0]} and {body[n][0]} both tell of"
-                f" “{key[1]}” in one frame, and differ."
-            )
-    if not again:
-        return []
-    return [f"{len(again)} rows stand twice, line {again[0]} for one; they were read once."]
-
-
-def parents_of(
-    body: list[list[str]], at: dict[str, int], joints: tuple[str, ...], name: str
-) -> tuple[int, ...]:
-    """Index of each joint's parent, by the file or by the joints' usual names.
-
-    Parameters
-    ----------
-    body : rows
-    at : place of each known column
-    joints : their names
-    name : of the file, for what is wrong with it
-
-    Returns
-    -------
-    (joints,) index of the parent, -1 for a root
-
-    Raises
-    ------
-    FileFormatError
-        when there is no such column and a name is not usual, or a parent is no joint
-    """
-    if "parent" in at:
-        above = {row[at["joint"]].strip(): row[at["parent"]].strip() for row in body}
-    else:
-        above = usual_parents(joints)
-        unknown = [joint for joint in joints if joint not in above]
-        if unknown:
-            raise FileFormatError(
-                f"{name} does not say what “{unknown[0]}” hangs on; add a column “parent”."
-            )
-    lost = [parent for parent in above.values() if parent and parent not in joints]
-    if lost:
-        raise FileFormatError(f"{name} is damaged: the parent “{lost[0]}” is no joint of it.")
-    return tuple(joints.index(above[joint]) if above[joint] else -1 for joint in joints)
 
 
 def quoted(name: str) -> str:

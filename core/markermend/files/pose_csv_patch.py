@@ -177,7 +177,9 @@ class _Rows:
         part, beside = self.part, self.in_frame.get(frame)
         parent = part.parents[joint]
         cells = {
-            "frame": str(part.first + frame) if beside is None else beside[self.header.at["frame"]],
+            "frame": str(self.header.stated(part.first + frame))
+            if beside is None
+            else beside[self.header.at["frame"]],
             "time": self._time(frame),
             "joint": part.joints[joint],
             "parent": part.joints[parent] if parent >= 0 else "",
@@ -210,7 +212,7 @@ class _Rows:
     def _number(self, k: int, value: float) -> str:
         """A number in the file's own unit."""
         if NUMBERS[k] == "confidence":
-            return self._written(f"{value:.3g}")
+            return self._written(f"{value * self.header.sure:.3g}")
         if k < len(self.header.scales):
             scale = self.header.scales[k]
             digits = _PLACE + max(0, ceil(log10(scale)))

@@ -54,7 +54,9 @@ _OTHER_NAMES = {
     "confidencelevel": "confidence",
     "visibility": "confidence",
 }
-_BLANK = ("", "na", "n/a", "null", "none", "-")
+# Blank cells, and what spreadsheets and compilers write for no number.
+_BLANK = frozenset(("", "na", "n/a", "null", "none", "-", "nan", "-nan", "nan(ind)", "-nan(ind)"))
+_BLANK |= {"#n/a", "#num!", "#value!", "#div/0!", "#null!", "1.#qnan", "1.#ind", "-1.#ind"}
 # As the programs of Kinects write it, the Azure's behind ``K4ABT_JOINT_CONFIDENCE_``.
 _TRACKED = {"tracked": 1.0, "inferred": 0.5, "nottracked": 0.0}
 _TRACKED |= {"none": 0.0, "low": 0.5, "medium": 1.0, "high": 1.0}
@@ -77,7 +79,9 @@ class Header:
     unit_known : those that the line tells are
     unit_told : the line tells any
     second : seconds in the unit of time, where the line tells
-    others : names of columns that are not known
+    others_at : names of columns that are not known, and their places
+    first, step : number of the file's first frame, and from one to the next
+    sure : confidence that means seen for sure, with the file's numbers
     """
 
     name: str
@@ -88,11 +92,19 @@ class Header:
     unit_known: bool = True
     unit_told: bool = True
     second: float | None = None
-    others: tuple[str, ...] = ()
+    others_at: tuple[tuple[str, int], ...] = ()
+    first: int = 0
+    step: int = 1
+    sure: float = 1.0
 
-    def in_metres(self) -> Header:
-        """The same in metres, where a line tells no unit."""
-        return replace(self, scales=(1000.0,) * 3)
+    @property
+    def others(self) -> tuple[str, ...]:
+        """Names of columns that are not known."""
+        return tuple(name for name, _ in self.others_at)
+
+    def in_units_of(self, mm: float) -> Header:
+        """The same in another unit, where a line tells none."""
+        return replace(self, scales=(mm,) * 3)
 
     def cells(self, line: str, number: int) -> list[str]:
         """Cells of a line; fewer than there are columns where it is cut short.
@@ -111,12 +123,12 @@ class Header:
         return row
 
     def frame(self, row: list[str], number: int) -> int:
-        """Number of the frame that a row belongs to.
+        """Number of the frame that a row belongs to, as if they were counted one by one.
 
         Raises
         ------
         FileFormatError
-            when it is no whole number
+            when it is no whole number, or of no frame in steps from the first
         """
         cell = row[self.at["frame"]]
         value = plain(cell, self.delimiter)
@@ -124,7 +136,16 @@ class Header:
             raise FileFormatError(
                 f"{self.name} is damaged: “{cell[:40]}” in line {number} is no frame number."
             )
-        return int(value)
+        steps, rest = divmod(int(value) - self.first, self.step)
+        if rest:
+            raise FileFormatError(
+                f"{self.name} is damaged: “{cell[:40]}” in line {number} is no frame number."
+            )
+        return self.first + steps
+
+    def stated(self, frame: int) -> int:
+        """Number that the file gives to a frame counted one by one."""
+        return self.first + (frame - self.first) * self.step
 
     def joint(self, row: list[str], number: int) -> str:
         """Name of the joint that a row is about.
@@ -160,21 +181,28 @@ class Header:
                 found[i] = float(cell)
             except ValueError:
                 found[i] = plain(cell, self.delimiter)
-                if found[i] == found[i] or cell.strip().lower() in _BLANK:
+                if found[i] == found[i] or is_blank(cell):
                     continue
-                word = _letters(cell).removeprefix("kabtjointconfidence")
+                word = letters_of(cell).removeprefix("kabtjointconfidence")
                 if column != "confidence" or word not in _TRACKED:
                     raise FileFormatError(
                         f"{self.name} is damaged: line {number} says “{cell[:40]}” where {column}"
                         " should be a number."
                     ) from None
                 found[i] = _TRACKED[word]
+        if self.sure != 1.0:
+            found[-1] = min(found[-1] / self.sure, 1.0)
         if self.scales != _MILLIMETRES:
             found[:3] = [value * mm for value, mm in zip(found, self.scales, strict=False)]
         return found
 
 
-def cells_of(line: str, delimiter: str, name: str, number: int) -> list[str]:
+def is_blank(cell: str) -> bool:
+    """Whether a cell says nothing, or that there is nothing."""
+    return cell.strip().lower() in _BLANK
+
+
+def cells_of(line: str, delimiter: str, name: str, number: int = 1) -> list[str]:
     """Cells of a line.
 
     Raises
@@ -213,9 +241,16 @@ def header_of(line: str, name: str, number: int = 1) -> Header:
     delimiter = max(_DELIMITERS, key=line.count)
     head = cells_of(line, delimiter, name, number)
     told = [_column(cell) for cell in head]
+    names = [column for column, _ in told]
+    twice = next((axis for axis in "xyz" if names.count(axis) > 1), None)
+    if twice is not None:
+        raise FileFormatError(
+            f"{name} has two columns “{twice}”, of which one may tell how joints are turned; call"
+            f" that q{twice}."
+        )
     at: dict[str, int] = {}
-    for i, (column, _) in enumerate(told):
-        known = _OTHER_NAMES.get(column, column)
+    for i, column in enumerate(names):
+        known = _known_as(column)
         if known == column or known not in at:
             at[known] = i
     if any(part not in at for part in _ROTATION):
@@ -239,7 +274,7 @@ def header_of(line: str, name: str, number: int = 1) -> Header:
         None not in scales,
         any(units),
         unit_s(told[at["time"]][1]) if "time" in at else None,
-        tuple(cell.strip() for i, cell in enumerate(head) if i not in places),
+        tuple((cell.strip(), i) for i, cell in enumerate(head) if i not in places),
     )
 
 
@@ -247,16 +282,35 @@ def _column(cell: str) -> tuple[str, str]:
     """Letters of a column's name, and the unit behind it: ``x (m)``, ``time [ms]``, ``time_us``."""
     bracket = re.search(r"[\[(]\s*(\w*)", cell)
     if bracket:
-        return _letters(cell[: bracket.start()]), bracket[1]
+        return letters_of(cell[: bracket.start()]), bracket[1]
     front, _, unit = cell.strip().rpartition("_")
-    column = _letters(front)
-    known = unit_s if _OTHER_NAMES.get(column, column) == "time" else unit_mm
-    if _OTHER_NAMES.get(column, column) in _WITH_UNIT and known(unit) is not None:
+    column = letters_of(front)
+    known = unit_s if _known_as(column) == "time" else unit_mm
+    if _known_as(column) in _WITH_UNIT and known(unit) is not None:
         return column, unit
-    return _letters(cell), ""
+    return letters_of(cell), ""
 
 
-def _letters(name: str) -> str:
+def _known_as(column: str) -> str:
+    """The usual name of a column."""
+    return _OTHER_NAMES.get(column, column)
+
+
+def names_joints(head: bytes) -> bool:
+    """Whether the first bytes of a file are the header of such a table, if one that lacks frames.
+
+    What it lacks is told when it is read.
+    """
+    lines = head.decode("utf-8-sig", errors="replace").splitlines()
+    line = next((line for line in lines if not says_nothing(line)), "")
+    try:
+        cells = cells_of(line, max(_DELIMITERS, key=line.count), "")
+    except FileFormatError:
+        return False
+    return {"joint", "x", "y", "z"} <= {_known_as(_column(cell)[0]) for cell in cells}
+
+
+def letters_of(name: str) -> str:
     """The letters of a name, small."""
     return re.sub(r"[^a-z]", "", name.lower())
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import FileFormatError
-from markermend.files.pose_csv import parents_of, quoted, rows_of, too_short
+from markermend.files.pose_csv import quoted, rows_of, too_short
 from markermend.files.pose_rows import (
     COLUMNS,
     NUMBERS,
@@ -20,6 +20,7 @@ from markermend.files.pose_rows import (
     says_nothing,
 )
 from markermend.files.pose_stream_whole import STREAM, Row, WholePoses
+from markermend.files.pose_table import parents_of
 from markermend.poses.guessing import INFERRED
 from markermend.poses.live import Live
 from markermend.poses.pose import Pose

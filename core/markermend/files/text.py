@@ -35,10 +35,7 @@ def lines_of(raw: bytes, name: str) -> list[str]:
     FileFormatError
         when they are not text, or in an encoding of two bytes a letter
     """
-    if raw.startswith((b"\xff\xfe", b"\xfe\xff")):
-        raise FileFormatError(
-            f"{name} is text in UTF-16, as PowerShell and Excel write it; save it as UTF-8."
-        )
+    refuse_utf_16(raw, name)
     if b"\0" in raw:
         raise FileFormatError(f"{name} is not a text file.")
     try:
@@ -46,6 +43,20 @@ def lines_of(raw: bytes, name: str) -> list[str]:
     except UnicodeDecodeError:
         text = raw.decode("latin-1")
     return text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+
+
+def refuse_utf_16(raw: bytes, name: str) -> None:
+    """Refuse contents of a file, or their beginning, in two bytes a letter.
+
+    Raises
+    ------
+    FileFormatError
+        when they are
+    """
+    if raw.startswith((b"\xff\xfe", b"\xfe\xff")):
+        raise FileFormatError(
+            f"{name} is text in UTF-16, as PowerShell and Excel write it; save it as UTF-8."
+        )
 
 
 def number(cell: str) -> float:

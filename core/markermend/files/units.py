@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+USUAL = ("mm", "cm", "m", "in", "ft")
+"""Names of units of length, to choose from."""
+
 MILLIMETRES = {
     "mm": 1.0,
     "millimet": 1.0,

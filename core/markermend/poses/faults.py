@@ -16,6 +16,7 @@ from markermend.poses.misplacing import misplaced
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import lengths_of
 from markermend.poses.stiffening import stiff
+from markermend.poses.vanishing import vanished
 
 VANISHED, FROZEN, MISPLACED, SWAPPED = "vanished", "frozen", "misplaced", "swapped"
 CROSSED, CARRIED, REPEATED = "given each other's angles", "carried off", "repeated"
@@ -59,8 +60,8 @@ def mend_faults(pose: Pose) -> tuple[Pose, tuple[Fault, ...]]:
     the recording, and what was wrong with it, in the order of frames
     """
     pose, bent = angles_changed_back(pose)
-    vanished = _vanished(pose)
-    pose = _hidden(pose, vanished)
+    gone = vanished(pose.positions, pose.parents, pose.joints)
+    pose = _hidden(pose, gone)
     stands, whole = held(pose)
     repeated = stands & whole[:, None]
     frozen = (stands | _frozen(pose)) & ~repeated
@@ -75,7 +76,7 @@ def mend_faults(pose: Pose) -> tuple[Pose, tuple[Fault, ...]]:
     # Of a joint that would never be in its place nobody could tell where that is.
     wrong[:, ~(pose.seen & ~wrong).any(axis=0)] = False
     kinds = {
-        VANISHED: vanished,
+        VANISHED: gone,
         FROZEN: frozen,
         REPEATED: repeated,
         SWAPPED: swapped,
@@ -109,13 +110,6 @@ def _carried_back(pose: Pose, carried: BoolArray) -> Pose:
     known = np.repeat((pose.seen[:, root] & ~carried)[:, None], 3, axis=1)
     back = np.where(carried[:, None], bridged(path, known) - path, 0.0)
     return pose.with_samples(pose.positions + back[:, None], pose.rotations, pose.confidence)
-
-
-def _vanished(pose: Pose) -> BoolArray:
-    """(frames, joints) joints said to be seen at exactly 0, 0, 0; a root may stand there."""
-    zero = np.asarray((pose.positions == 0).all(axis=2))
-    zero[:, [j for j, parent in enumerate(pose.parents) if parent < 0]] = False
-    return zero
 
 
 def _frozen(pose: Pose) -> BoolArray:

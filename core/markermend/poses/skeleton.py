@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -80,6 +80,7 @@ class Movement:
     frames : number of poses
     file : that it was read from
     first : number of the first pose
+    before, after : poses of the file that come before and after these, which are a part of it
     """
 
     skeleton: Skeleton
@@ -87,11 +88,19 @@ class Movement:
     frames: int
     file: Path | None = None
     first: int = 1
+    before: int = 0
+    after: int = 0
 
     def part(self, start: int, stop: int) -> Movement:
-        """The movement in an interval of poses, half-open; it is no file's any more."""
-        channels = {name: values[start:stop] for name, values in self.channels.items()}
-        return Movement(self.skeleton, channels, stop - start, first=self.first + start)
+        """The movement in an interval of poses, half-open."""
+        return replace(
+            self,
+            channels={name: values[start:stop] for name, values in self.channels.items()},
+            frames=stop - start,
+            first=self.first + start,
+            before=self.before + start,
+            after=self.after + self.frames - stop,
+        )
 
 
 def forward_kinematics(movement: Movement, rate: float, *, warnings: tuple[str, ...] = ()) -> Pose:

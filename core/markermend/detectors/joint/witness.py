@@ -149,4 +149,4 @@ def _words(take: Take, a: Artifact, hit: FloatArray) -> str:
         old, new = (int(c) for c in take.cameras[frame - 1 : frame + 1, marker])
         if old != new:
             return f"; {new} cameras see it instead of {old}"
-    return f"; its residual changes there from {in_mm(before)} to {in_mm(after)} mm"
+    return f"; its residual changes there from {in_mm(before)} mm to {in_mm(after)} mm"
