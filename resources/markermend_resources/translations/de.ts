@@ -452,6 +452,14 @@
         <translation>Eine Seite darüber schreiben, was gefunden, entschieden und repariert wurde, und sie öffnen</translation>
     </message>
     <message>
+        <source>Joint centres…</source>
+        <translation>Gelenkzentren…</translation>
+    </message>
+    <message>
+        <source>Work out where the body&apos;s joints are and how far to trust each, as a skeleton recording</source>
+        <translation>Bestimmen, wo die Gelenke des Körpers liegen und wie weit jedem zu trauen ist, als Skelettaufnahme</translation>
+    </message>
+    <message>
         <source>Close take</source>
         <translation>Aufnahme schließen</translation>
     </message>
@@ -705,7 +713,7 @@
     </message>
     <message>
         <source>Smooth…</source>
-        <translation>Glätten …</translation>
+        <translation>Glätten…</translation>
     </message>
     <message>
         <source>Take the noise out of the swept range, a marker, its group or the take, seen before</source>
@@ -992,6 +1000,10 @@
         <translation>Nur für Aufnahmen von Markern: „Artefakte suchen“ sucht nach allem, was von Gelenken bekannt ist</translation>
     </message>
     <message>
+        <source>Only for takes of markers: a skeleton recording has its joints in it already</source>
+        <translation>Nur für Aufnahmen von Markern: Eine Skelettaufnahme enthält ihre Gelenke schon</translation>
+    </message>
+    <message>
         <source>Where the rest of the body says the joint should be</source>
         <translation>Wo das Gelenk nach dem übrigen Körper sein müsste</translation>
     </message>
@@ -1122,6 +1134,10 @@
     <message>
         <source>html quality statistics summary print</source>
         <translation>html Qualität Statistik Zusammenfassung drucken</translation>
+    </message>
+    <message>
+        <source>centre of rotation hip knee elbow shoulder functional score skeleton pose kinematics bones csv</source>
+        <translation>Drehzentrum Drehpunkt Hüfte Knie Ellbogen Schulter funktionell Skelett Pose Kinematik Knochen csv</translation>
     </message>
     <message>
         <source>discard unload</source>
@@ -1960,12 +1976,72 @@
         <translation>Knochen behalten ihre Länge</translation>
     </message>
     <message>
+        <source>joint centres</source>
+        <translation>Gelenkzentren</translation>
+    </message>
+    <message>
         <source>Compiling the network</source>
         <translation>Das Netz wird übersetzt</translation>
     </message>
     <message>
         <source>Learning how the body moves, round {0} of {1}</source>
         <translation>Lernt, wie der Körper sich bewegt, Runde {0} von {1}</translation>
+    </message>
+    <message>
+        <source>No joint centre can be told from this take; that needs two neighbouring rigid groups of {0} markers or more that turn against each other. {1}: {2}.</source>
+        <translation>Aus dieser Aufnahme lässt sich kein Gelenkzentrum bestimmen; dazu braucht es zwei benachbarte starre Gruppen von mindestens {0} Markern, die sich gegeneinander drehen. {1}: {2}.</translation>
+    </message>
+    <message>
+        <source>No joint centre can be told from this take; that needs two neighbouring rigid groups of {0} markers or more that turn against each other.</source>
+        <translation>Aus dieser Aufnahme lässt sich kein Gelenkzentrum bestimmen; dazu braucht es zwei benachbarte starre Gruppen von mindestens {0} Markern, die sich gegeneinander drehen.</translation>
+    </message>
+    <message>
+        <source>{0} has fewer than {1} markers</source>
+        <translation>{0} hat weniger als {1} Marker</translation>
+    </message>
+    <message>
+        <source>the markers of {0} are hardly ever seen together</source>
+        <translation>die Marker von {0} sind kaum je zusammen zu sehen</translation>
+    </message>
+    <message>
+        <source>the markers of {0} lie along one line</source>
+        <translation>die Marker von {0} liegen auf einer Linie</translation>
+    </message>
+    <message>
+        <source>its groups are hardly ever seen together</source>
+        <translation>seine Gruppen sind kaum je zusammen zu sehen</translation>
+    </message>
+    <message>
+        <source>its groups turn against each other about some axis by {0}° only</source>
+        <translation>seine Gruppen drehen sich um eine Achse nur um {0}° gegeneinander</translation>
+    </message>
+    <message>
+        <source>its groups turn against each other about a second axis by {0}° only</source>
+        <translation>seine Gruppen drehen sich um eine zweite Achse nur um {0}° gegeneinander</translation>
+    </message>
+    <message>
+        <source>it turns least about the limb&apos;s own length, where no joint beside it tells of it</source>
+        <translation>es dreht sich am wenigsten um die Längsachse des Glieds, wo kein Gelenk daneben etwas verrät</translation>
+    </message>
+    <message>
+        <source>it could lie {0} mm off: {1}° is too little turning for an error of {2} mm</source>
+        <translation>es könnte {0} mm daneben liegen: {1}° Drehung sind zu wenig bei einem Fehler von {2} mm</translation>
+    </message>
+    <message>
+        <source>This is a skeleton recording: its joints are in it already.</source>
+        <translation>Das ist eine Skelettaufnahme: Ihre Gelenke sind schon darin.</translation>
+    </message>
+    <message>
+        <source>movement</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>the joints beside it</source>
+        <translation>die Gelenke daneben</translation>
+    </message>
+    <message>
+        <source>the markers&apos; middle</source>
+        <translation>die Mitte der Marker</translation>
     </message>
     <message>
         <source>{0} samples have the residual word 65535, which is -1 without its sign; they were read as missing.</source>
@@ -2006,6 +2082,10 @@
     <message>
         <source>The file tells no unit of length; by the size of things millimetres were assumed.</source>
         <translation>Die Datei nennt keine Längeneinheit; der Größe nach wurden Millimeter angenommen.</translation>
+    </message>
+    <message>
+        <source>The file tells no unit of length; by the size of things {0} were assumed.</source>
+        <translation>Die Datei nennt keine Längeneinheit; der Größe nach wurden {0} angenommen.</translation>
     </message>
     <message>
         <source>The file tells no unit of length; millimetres were assumed.</source>
@@ -2084,6 +2164,10 @@
         <translation>Die Nummern der Frames springen in Zeile {2} von {0} auf {1}; die Posen wurden nacheinander gelesen.</translation>
     </message>
     <message>
+        <source>Frames are numbered {0}, {1} and so on; they were read as following one another.</source>
+        <translation>Die Frames sind mit {0}, {1} und so weiter nummeriert; sie wurden als aufeinanderfolgend gelesen.</translation>
+    </message>
+    <message>
         <source>No number stands before {0} poses, in line {1} for one; they were read all the same.</source>
         <translation>Vor {0} Posen steht keine Nummer, etwa in Zeile {1}; sie wurden trotzdem gelesen.</translation>
     </message>
@@ -2154,6 +2238,14 @@
     <message>
         <source>millimetres</source>
         <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>1/0.45 inches (as in files of the CMU database)</source>
+        <translation>1/0,45 Zoll (wie in Dateien der CMU-Datenbank)</translation>
     </message>
     <message>
         <source>{0} is empty; look for another copy of it.</source>
@@ -2312,6 +2404,14 @@
         <translation>{0} gibt nicht an, woran „{1}“ hängt; ergänzen Sie eine Spalte „parent“.</translation>
     </message>
     <message>
+        <source>{0} has two columns “{1}”, of which one may tell how joints are turned; call that q{1}.</source>
+        <translation>{0} hat zwei Spalten „{1}“, von denen eine sagen kann, wie Gelenke gedreht sind; nennen Sie diese q{1}.</translation>
+    </message>
+    <message>
+        <source>{0} tells of several bodies (column “{1}”); write one of them into a file.</source>
+        <translation>{0} enthält mehrere Körper (Spalte „{1}“); schreiben Sie einen davon in eine eigene Datei.</translation>
+    </message>
+    <message>
         <source>{0} holds no whole row.</source>
         <translation>{0} enthält keine vollständige Zeile.</translation>
     </message>
@@ -2370,10 +2470,6 @@
     <message>
         <source>A BVH of these joints could not be read again: {0}; rename joints, or write a CSV.</source>
         <translation>Eine BVH-Datei dieser Gelenke ließe sich nicht wieder lesen: {0}; benennen Sie Gelenke um, oder schreiben Sie eine CSV-Datei.</translation>
-    </message>
-    <message>
-        <source>A BVH tells no unit of length, and bones of this size would be taken for {0}; write a CSV.</source>
-        <translation>Eine BVH-Datei nennt keine Längeneinheit, und Knochen dieser Größe würden für {0} gehalten; schreiben Sie eine CSV-Datei.</translation>
     </message>
     <message>
         <source>“{0}” may not be read; check its permissions.</source>
@@ -2554,10 +2650,6 @@
     <message>
         <source>{0}; {1} times its usual scatter</source>
         <translation>{0}; {1}-mal seine übliche Streuung</translation>
-    </message>
-    <message>
-        <source>{0}; its residual changes there from {1} to {2} mm</source>
-        <translation>{0}; sein Residuum ändert sich dort von {1} auf {2} mm</translation>
     </message>
     <message>
         <source>{0}; {1} cameras see it instead of {2}</source>
@@ -3038,6 +3130,10 @@
     <message>
         <source>Review the same frames</source>
         <translation>Dieselben Frames durchsehen</translation>
+    </message>
+    <message>
+        <source>{0}; its residual changes there from {1} to {2}</source>
+        <translation>{0}; sein Residuum ändert sich dort von {1} auf {2}</translation>
     </message>
     <message>
         <source>stands up to {0} from where the rest of the body has it, for {1}</source>
@@ -3748,6 +3844,41 @@
     </message>
 </context>
 <context>
+    <name>Centring</name>
+    <message>
+        <source>Joint centres</source>
+        <translation>Gelenkzentren</translation>
+    </message>
+    <message>
+        <source>From all frames of the take as it stands.</source>
+        <translation>Aus allen Frames der Aufnahme, wie sie jetzt ist.</translation>
+    </message>
+    <message>
+        <source>From frames {0}–{1} of the take as it stands, the region of interest.</source>
+        <translation>Aus den Frames {0}–{1} der Aufnahme, wie sie jetzt ist: dem Ausschnitt.</translation>
+    </message>
+    <message>
+        <source>1 artifact is not repaired. Damage pulls joint centres along.</source>
+        <translation>1 Artefakt ist nicht repariert. Schäden ziehen Gelenkzentren mit.</translation>
+    </message>
+    <message>
+        <source>{0} artifacts are not repaired. Damage pulls joint centres along.</source>
+        <translation>{0} Artefakte sind nicht repariert. Schäden ziehen Gelenkzentren mit.</translation>
+    </message>
+    <message>
+        <source>Joint centres written to {0}.</source>
+        <translation>Gelenkzentren nach {0} geschrieben.</translation>
+    </message>
+    <message>
+        <source>Save joint centres</source>
+        <translation>Gelenkzentren speichern</translation>
+    </message>
+    <message>
+        <source>{0} is the take itself; choose another name.</source>
+        <translation>{0} ist die Aufnahme selbst; wählen Sie einen anderen Namen.</translation>
+    </message>
+</context>
+<context>
     <name>Commands</name>
     <message>
         <source>Open take</source>
@@ -4079,6 +4210,97 @@
     <message>
         <source>{0} on {1} is under review, behind the swept range. Press again to decide.</source>
         <translation>{0} an {1} ist in Durchsicht, hinter dem überstrichenen Bereich. Zum Entscheiden noch einmal drücken.</translation>
+    </message>
+</context>
+<context>
+    <name>JointCentresDialog</name>
+    <message>
+        <source>Joint centres</source>
+        <translation>Gelenkzentren</translation>
+    </message>
+    <message>
+        <source>They are saved as a skeleton recording, a CSV of joints. Error and Doubt are not in it: copy the table to keep them.</source>
+        <translation>Sie werden als Skelettaufnahme gespeichert, eine CSV von Gelenken. Fehler und Unsicherheit stehen nicht darin: Kopieren Sie die Tabelle, um sie zu behalten.</translation>
+    </message>
+    <message>
+        <source>Joint between</source>
+        <translation>Gelenk zwischen</translation>
+    </message>
+    <message>
+        <source>The two rigid groups that it joins</source>
+        <translation>Die beiden starren Gruppen, die es verbindet</translation>
+    </message>
+    <message>
+        <source>Error, {0}</source>
+        <translation>Fehler, {0}</translation>
+    </message>
+    <message>
+        <source>How far apart the two groups carry the centre, root mean square</source>
+        <translation>Wie weit auseinander beide Gruppen das Zentrum tragen, quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>Doubt, {0}</source>
+        <translation>Unsicherheit, {0}</translation>
+    </message>
+    <message>
+        <source>How far the centre could move, where the movement tells least, until the squared error doubles; a bound rather than an expectation</source>
+        <translation>Wie weit sich das Zentrum verschieben ließe, wo die Bewegung am wenigsten verrät, bis sich der quadrierte Fehler verdoppelt; eher eine Grenze als eine Erwartung</translation>
+    </message>
+    <message>
+        <source>Least turning, °</source>
+        <translation>Geringste Drehung, °</translation>
+    </message>
+    <message>
+        <source>How much the groups turn about the axis about which they turn least</source>
+        <translation>Wie sehr sich die Gruppen um die Achse drehen, um die sie sich am wenigsten drehen</translation>
+    </message>
+    <message>
+        <source>Told by</source>
+        <translation>Bestimmt durch</translation>
+    </message>
+    <message>
+        <source>What tells where along its axis the centre of a hinge is</source>
+        <translation>Was verrät, wo auf seiner Achse das Zentrum eines Scharniers liegt</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Save and open…</source>
+        <translation>Speichern und öffnen…</translation>
+    </message>
+    <message>
+        <source>Save, and open the joints here in place of this take</source>
+        <translation>Speichern und die Gelenke hier anstelle dieser Aufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>Copy table</source>
+        <translation>Tabelle kopieren</translation>
+    </message>
+    <message>
+        <source>Working out joint centres</source>
+        <translation>Gelenkzentren werden bestimmt</translation>
+    </message>
+    <message>
+        <source>No joint centres</source>
+        <translation>Keine Gelenkzentren</translation>
+    </message>
+    <message>
+        <source>1 joint found</source>
+        <translation>1 Gelenk gefunden</translation>
+    </message>
+    <message>
+        <source>{0} joints found</source>
+        <translation>{0} Gelenke gefunden</translation>
+    </message>
+    <message>
+        <source>, {0} left out</source>
+        <translation>, {0} ausgelassen</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Ausgelassen</translation>
     </message>
 </context>
 <context>
@@ -5015,7 +5237,7 @@ Schließen Sie sie, um dies für die nächste Aufnahme festzulegen.</translation
     </message>
     <message>
         <source>Smooth…</source>
-        <translation>Glätten …</translation>
+        <translation>Glätten…</translation>
     </message>
     <message>
         <source>Cut</source>
@@ -5265,7 +5487,7 @@ Schließen Sie sie, um dies für die nächste Aufnahme festzulegen.</translation
     </message>
     <message>
         <source>Stopping…</source>
-        <translation>Wird angehalten …</translation>
+        <translation>Wird angehalten…</translation>
     </message>
     <message>
         <source>Cancelled.</source>
