@@ -288,13 +288,17 @@ class Session:
         edits = (*taking_back(self._state, chosen), SetArtifacts(dict.fromkeys(ids)))
         return self.perform(f"Remove {describe(chosen)}", Group(edits))
 
-    def annotate(self, artifact_id: str, note: str) -> Change:
-        """Write a note on an artifact; an empty one takes it away."""
-        old = self.artifact(artifact_id)
-        new = replace(old, note=note.strip())
-        if new == old:
+    def annotate(self, artifact_id: str, note: str, *, others: Sequence[str] = ()) -> Change:
+        """Write a note on an artifact and the ``others`` of its event; an empty one takes it away.
+
+        Those that have it already stay as they are; where all have, no step is made.
+        """
+        note = note.strip()
+        chosen = [a for i in (artifact_id, *others) if (a := self.artifact(i)).note != note]
+        if not chosen:
             return Change()
-        return self.perform(f"Note on {describe([old])}", SetArtifacts({old.id: new}))
+        changes = {a.id: replace(a, note=note) for a in chosen}
+        return self.perform(f"Note on {describe(chosen)}", SetArtifacts(changes))
 
     def change(
         self,
