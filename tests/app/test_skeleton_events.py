@@ -180,8 +180,8 @@ def test_what_is_rejected_of_a_limb_is_asked_about_once(review, broken, qtbot, t
         key(qtbot, window, Qt.Key.Key_R)
     notice = window.findChild(Notice)
     assert notice.isVisible()
-    assert "rejected 9 of 9 decided as step on left_" in notice.text.text()
-    assert " +2. Make the other 6 less sure" in notice.text.text()
+    told = notice.text.text()
+    assert "rejected 9 of 9 decided as step on left_hip +2. Make the other 6 less sure" in told
     key(qtbot, window, Qt.Key.Key_Y)
     assert not bulk.doubts
     rest = document.session.with_status(Status.PENDING)

@@ -83,13 +83,14 @@ class Bulk(QObject):
     def _look_for_doubts(self) -> None:
         """Ask about the first class that was rejected several times, unless asked before."""
         session = self._document.session
-        if session is None or not self._document.editable:
-            found: tuple[Doubt, ...] = ()
-        else:
-            found = doubts(session.artifacts, session.listed)
-            self._asked |= {(d.marker, d.kind) for d in found if answered(session, d)}
-        found = tuple(d for d in found if (d.marker, d.kind) not in self._asked)
-        new = tuple(d for d in found if d.kind is found[0].kind)
+        new: tuple[Doubt, ...] = ()
+        if session is not None and self._document.editable:
+            every, place = doubts(session.artifacts, session.listed), session.original.index
+            self._asked |= {(d.marker, d.kind) for d in every if answered(session, d)}
+            found = [d for d in every if (d.marker, d.kind) not in self._asked]
+            same = [d for d in found if d.kind is found[0].kind]
+            # As in a row of joints, which mostly has the name of the first.
+            new = tuple(sorted(same, key=lambda d: place(d.marker)))
         if new != self.doubts:
             self.doubts = new
             self.doubts_changed.emit()
