@@ -99,7 +99,7 @@ def test_after_several_rejections_it_asks_once_and_never_in_the_way(peaks, qtbot
     on_t10 = [a.id for a in document.session.artifacts if (a.marker, a.kind) == ("T10", Kind.PEAK)]
     for i in on_t10[:3]:
         document.select(i)
-        assert bulk.doubt is None
+        assert not bulk.doubts
         qtbot.keyClick(peaks, Qt.Key.Key_R)
     texts = [label.text() for label in peaks.findChildren(QLabel) if label.isVisible()]
     assert any("rejected 3 of 3" in text for text in texts)
@@ -110,14 +110,14 @@ def test_after_several_rejections_it_asks_once_and_never_in_the_way(peaks, qtbot
     sure = document.session.artifact(on_t10[3]).confidence
     qtbot.keyClick(peaks, Qt.Key.Key_Y)
     assert document.session.artifact(on_t10[3]).confidence == pytest.approx(sure / 5)
-    assert bulk.doubt is None
+    assert not bulk.doubts
     # Nor is it asked when the review is opened again.
     document.opened.emit()
     document.artifacts_changed.emit()
-    assert bulk.doubt is None
+    assert not bulk.doubts
     qtbot.keyClick(peaks, Qt.Key.Key_Z, CTRL)
     assert document.session.artifact(on_t10[3]).confidence == sure
-    assert bulk.doubt is None
+    assert not bulk.doubts
 
 
 def test_what_was_left_is_not_asked_again_when_the_review_is_opened_anew(peaks, qtbot, tmp_path):
@@ -125,9 +125,9 @@ def test_what_was_left_is_not_asked_again_when_the_review_is_opened_anew(peaks, 
     on_t10 = [a.id for a in document.session.artifacts if (a.marker, a.kind) == ("T10", Kind.PEAK)]
     document.decisions.reject(on_t10[:3])
     (keep,) = [b for b in peaks.findChildren(QPushButton) if b.text() == "Leave them"]
-    assert bulk.doubt is not None
+    assert bulk.doubts
     qtbot.mouseClick(keep, Qt.MouseButton.LeftButton)
-    assert bulk.doubt is None
+    assert not bulk.doubts
     assert document.session.history[-1] == "Leave 1 artifact (peak on T10)"
     take, mesh = document.session.original, document.mesh
     document.session.mark_exported()
@@ -135,7 +135,7 @@ def test_what_was_left_is_not_asked_again_when_the_review_is_opened_anew(peaks, 
     document.open(open_session(take, folder=tmp_path), mesh)
     document.artifacts_changed.emit()
     assert len(document.session.with_status(Status.REJECTED)) == 3
-    assert bulk.doubt is None
+    assert not bulk.doubts
     document.undo()
     assert document.session.with_status(Status.REJECTED)
 

@@ -52,6 +52,18 @@ def test_export_differs_only_at_repaired_samples(reviewed, qtbot, monkeypatch, t
     assert (same == expected).all()
 
 
+def test_what_is_exported_is_not_to_be_exported_again(reviewed, qtbot, monkeypatch, tmp_path):
+    document, said = reviewed.document, reviewed.queue._hint
+    document.decisions.reject([a.id for a in document.session.artifacts])
+    qtbot.waitUntil(lambda: "Ctrl+S exports the repaired take" in said.text(), timeout=WAIT)
+    export(reviewed, qtbot, monkeypatch, tmp_path / "out.c3d")
+    qtbot.waitUntil(
+        lambda: said.text().endswith("and the repaired take is exported."), timeout=WAIT
+    )
+    document.decisions.accept([document.session.artifacts[0].id])
+    qtbot.waitUntil(lambda: "Ctrl+S exports the repaired take" in said.text(), timeout=WAIT)
+
+
 def test_a_repair_that_integers_cannot_hold_is_exported_as_floats_when_wanted(
     window, qtbot, monkeypatch, tmp_path, shared_data
 ):

@@ -277,9 +277,9 @@ def test_doubts_are_about_what_is_asked_about(narrowed, qtbot):
         [*inside, Artifact("STRN", "x", 20, 22, Kind.PEAK, 0.9)], "test"
     )
     document.decisions.reject([a.id for a in inside])
-    assert narrowed.bulk.doubt is None
+    assert not narrowed.bulk.doubts
     key(qtbot, narrowed, Qt.Key.Key_O, SHIFT)
-    assert narrowed.bulk.doubt is not None
+    assert narrowed.bulk.doubts
 
 
 def test_the_dialog_proposes_it_and_can_be_told_otherwise(qtbot, window):

@@ -14,7 +14,9 @@ from markermend.report import review_report, reviewed
 from markermend.review import hand
 from markermend.review.file import open_session
 from markermend.review.step import stretch
+from markermend_app.panels.notice import Notice
 from markermend_app.panels.plots.menu import artifact_menu
+from markermend_app.panels.queue.model import FRAMES
 from markermend_app.telling import FORMS, compiled
 
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -71,6 +73,40 @@ def test_edges_and_class_are_those_of_every_joint(leg, qtbot):
     key(qtbot, leg, Qt.Key.Key_BracketRight)
     assert ("left_hip", 40, 51, Kind.STEP) in told(leg)
     assert ("left_knee", 40, 50, Kind.STEP) in told(leg)
+
+
+def noted(window):
+    """Who has which note."""
+    return {(a.marker, a.start): a.note for a in window.document.session.artifacts if a.note}
+
+
+def test_a_note_is_on_every_joint_of_its_row(leg, qtbot):
+    note = leg.inspector.artifact.note
+    key(qtbot, leg, Qt.Key.Key_T)
+    qtbot.waitUntil(note.hasFocus)
+    qtbot.keyClicks(note, "hidden by the table")
+    key(qtbot, note, Qt.Key.Key_Return)
+    assert noted(leg) == {(joint, 40): "hidden by the table" for joint in LEG}
+    assert leg.document.session.history[-1].endswith(" +2")
+    key(qtbot, leg, Qt.Key.Key_T)
+    qtbot.waitUntil(note.hasFocus)
+    note.selectAll()
+    qtbot.keyClicks(note, "by the bench")
+    # Deciding while it is being written keeps it, on all of those that were decided.
+    leg.actions_by_name["reject"].trigger()
+    assert noted(leg) == {(joint, 40): "by the bench" for joint in LEG}
+    for _ in range(3):
+        leg.actions_by_name["undo"].trigger()
+    assert noted(leg) == {}
+    # One joint alone, once the queue is filtered by its name.
+    leg.queue.filters.marker.setText("left_hip")
+    leg.document.select(next(a.id for a in leg.document.session.artifacts if "hip" in a.marker))
+    leg.queue.filters.marker.setText("hip")
+    key(qtbot, leg, Qt.Key.Key_T)
+    qtbot.waitUntil(note.hasFocus)
+    qtbot.keyClicks(note, "odd")
+    key(qtbot, note, Qt.Key.Key_Return)
+    assert noted(leg) == {("left_hip", 40): "odd"}
 
 
 def test_an_event_is_split_and_joined_with_the_next(leg, qtbot):
@@ -131,6 +167,36 @@ def test_what_is_like_an_event_takes_all_of_its_joints_along(leg, qtbot):
     leg.bulk.dialog.accept()
     rejected = {a.marker for a in document.session.with_status(Status.REJECTED)}
     assert rejected == {"left_ankle"}
+
+
+def test_what_is_rejected_of_a_limb_is_asked_about_once(review, broken, qtbot, tmp_path):
+    rows = [found(joint, start, start + 5) for start in range(40, 90, 10) for joint in LEG]
+    window = review(mm.read(broken), rows)
+    document, bulk = window.document, window.bulk
+    window.queue.view.sortByColumn(FRAMES, Qt.SortOrder.AscendingOrder)
+    document.select(document.queue[0])
+    for _ in range(3):
+        assert not bulk.doubts
+        key(qtbot, window, Qt.Key.Key_R)
+    notice = window.findChild(Notice)
+    assert notice.isVisible()
+    told = notice.text.text()
+    assert "rejected 9 of 9 decided as step on left_hip +2. Make the other 6 less sure" in told
+    key(qtbot, window, Qt.Key.Key_Y)
+    assert not bulk.doubts
+    rest = document.session.with_status(Status.PENDING)
+    # Each joint was rejected three times: that its next is real has a probability of 1/5.
+    assert [a.confidence for a in rest] == pytest.approx([0.9 / 5] * 6)
+    key(qtbot, window, Qt.Key.Key_R)
+    assert not bulk.doubts
+    # Nor is it asked when the review is opened again.
+    take, mesh = document.session.original, document.mesh
+    document.session.mark_exported()
+    document.open(None, None)
+    document.open(open_session(take, folder=tmp_path), mesh)
+    document.artifacts_changed.emit()
+    assert len(document.session.with_status(Status.REJECTED)) == 12
+    assert not bulk.doubts
 
 
 def test_joints_are_not_called_markers_where_work_is_told(leg, broken):

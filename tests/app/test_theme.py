@@ -6,8 +6,9 @@ import itertools
 
 import numpy as np
 import pytest
+from PySide6.QtCore import QEvent
 from PySide6.QtGui import QColor, QIcon
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QLabel
 
 from markermend.artifact import Kind
 from markermend_app import settings
@@ -133,6 +134,25 @@ def test_watchers_are_told_and_palette_follows(qapp: QApplication, qtbot):
     assert theme.current().dark
     assert qapp.palette().window().color() == theme.DARK.window
     assert "$" not in qapp.styleSheet()
+
+
+def test_widgets_are_styled_once_for_a_look(qapp: QApplication, qtbot):
+    class Styled(QLabel):
+        times = 0
+
+        def changeEvent(self, event: QEvent) -> None:
+            self.times += event.type() == QEvent.Type.StyleChange
+            super().changeEvent(event)
+
+    theme.apply(qapp, "light")
+    label = Styled("A")
+    qtbot.addWidget(label)
+    label.show()
+    qtbot.waitExposed(label)
+    label.times = 0
+    theme.apply(qapp, "dark")
+    assert label.times == 1
+    assert qapp.font().pointSize() == theme.BASE_PT
 
 
 def test_icons_take_the_text_colour(qapp: QApplication):

@@ -34,7 +34,7 @@ class Notice(QFrame):
         row.addWidget(self.text, 1)
         row.addWidget(self.agree)
         row.addWidget(self.keep)
-        bulk.doubt_changed.connect(self._refresh)
+        bulk.doubts_changed.connect(self._refresh)
         theme.watcher.changed.connect(self._recolour)
         shortcuts.watcher.changed.connect(self._refresh)
         self._recolour()
@@ -42,21 +42,23 @@ class Notice(QFrame):
 
     def _refresh(self) -> None:
         """Ask what is to be asked, or nothing."""
-        doubt = self._bulk.doubt
-        self.setVisible(doubt is not None)
-        if doubt is None:
+        doubts = self._bulk.doubts
+        self.setVisible(bool(doubts))
+        if not doubts:
             return
-        kind = theme.kind_name(doubt.kind, within=True)
+        kind = theme.kind_name(doubts[0].kind, within=True)
+        rejected = sum(d.rejected for d in doubts)
+        more = len(doubts) - 1
         self.text.setText(
             self.tr(
                 "You rejected {0} of {1} decided as {2} on {3}. Make the other {4} less sure, so "
                 "that they come last?"
             ).format(
-                doubt.rejected,
-                doubt.rejected + doubt.upheld,
+                rejected,
+                rejected + sum(d.upheld for d in doubts),
                 kind,
-                doubt.marker,
-                len(doubt.rest),
+                f"{doubts[0].marker} +{more}" if more else doubts[0].marker,
+                sum(len(d.rest) for d in doubts),
             )
         )
         self.agree.setText(shortcuts.with_key(self.tr("Lower them"), "lower_doubted"))

@@ -53,7 +53,7 @@ def stylesheet(theme: Theme) -> str:
 
 
 _SHEET = Template("""
-* { dialogbuttonbox-buttons-have-icons: 0; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QMainWindow, QDialog { background: $window; }
 #palette { background: $panel; border: 1px solid $handle; }
 QMainWindow::separator { background: $window; width: 4px; height: 4px; }

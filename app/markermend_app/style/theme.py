@@ -67,7 +67,7 @@ class Watcher(QObject):
         super().__init__()
         self.theme = LIGHT
         self.name = "light"
-        self.listens = False
+        self.listens = self.styled = False
         self.hints: Any = None
         self.contrast: Any = None
 
@@ -172,10 +172,14 @@ def marker_color(index: int) -> QColor:
 
 def svg(name: str, color: QColor) -> str:
     """Text of an icon's SVG in a colour; empty when there is no such icon."""
+    return re.sub(r"#000(?![0-9a-fA-F])", color.name(), _black_svg(name))
+
+
+@cache
+def _black_svg(name: str) -> str:
+    """Text of an icon as it is kept; empty when there is no such icon."""
     path = _icons() / f"{name}.svg"
-    if not name or not path.is_file():
-        return ""
-    return re.sub(r"#000(?![0-9a-fA-F])", color.name(), path.read_text(encoding="utf-8"))
+    return path.read_text(encoding="utf-8") if name and path.is_file() else ""
 
 
 def svg_file(name: str, color: QColor, tight: bool = False) -> str:
@@ -233,11 +237,15 @@ def _wear(app: QApplication, theme: Theme) -> None:
     from markermend_app.style.stylesheet import stylesheet
 
     watcher.theme = theme
-    app.setStyle(QStyleFactory.create("Fusion"))
+    if not watcher.styled:
+        # Once: every widget is polished anew for a style, only to be so again for the sheet.
+        app.setStyle(QStyleFactory.create("Fusion"))
+        watcher.styled = True
     app.setPalette(_palette(theme))
     font = app.font()
-    font.setPointSize(BASE_PT)
-    app.setFont(font)
+    if font.pointSize() != BASE_PT:
+        font.setPointSize(BASE_PT)
+        app.setFont(font)
     app.setStyleSheet(stylesheet(theme))
     watcher.changed.emit()
 

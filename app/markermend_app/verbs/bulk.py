@@ -13,7 +13,6 @@ from markermend.artifact import Artifact, Kind
 from markermend.progress import Progress
 from markermend.review.alike import Doubt, answered, doubts, leave, lower
 from markermend.review.edits import Change
-from markermend.review.session import Session
 from markermend_app.background.jobs import Lane
 from markermend_app.dialogs.alike import AlikeDialog
 from markermend_app.document import Document
@@ -27,15 +26,16 @@ class Bulk(QObject):
     Signals
     -------
     said(str) : a sentence for the status bar
-    doubt_changed() : :attr:`doubt` is another, or none
+    doubts_changed() : :attr:`doubts` are others, or none
 
     Attributes
     ----------
-    doubt : a sort of artifact that was rejected several times, while the question stands
+    doubts : a class that was rejected several times, on each marker of which it was, while the
+        question stands; joints are mostly rejected together, and are asked about together
     """
 
     said = Signal(str)
-    doubt_changed = Signal()
+    doubts_changed = Signal()
 
     def __init__(self, document: Document, window: QWidget) -> None:
         super().__init__(window)
@@ -43,7 +43,7 @@ class Bulk(QObject):
         self._lane = Lane("alike", self)
         self._lane.progressed.connect(self._progressed)
         self._asked: set[tuple[str, Kind]] = set()
-        self.doubt: Doubt | None = None
+        self.doubts: tuple[Doubt, ...] = ()
         self.dialog: AlikeDialog | None = None
         document.opened.connect(self._forget_asked)
         document.artifacts_changed.connect(self._look_for_doubts)
@@ -58,7 +58,7 @@ class Bulk(QObject):
 
     def lower_doubted(self) -> None:
         """Make the rest of a sort that was rejected several times less sure."""
-        number = 0 if self.doubt is None else len(self.doubt.rest)
+        number = sum(len(doubt.rest) for doubt in self.doubts)
         if self._answer(lower):
             self.said.emit(self.tr("{0} artifacts come last now.").format(number))
 
@@ -66,15 +66,14 @@ class Bulk(QObject):
         """Leave them as they are and do not ask again."""
         self._answer(leave)
 
-    def _answer(self, verb: Callable[[Session, Doubt], Change]) -> bool:
-        """Do something about the sort in doubt, and ask no more; whether it could be done."""
-        doubt = self.doubt
-        if doubt is None:
+    def _answer(self, verb: Callable[..., Change]) -> bool:
+        """Do something about what is in doubt, and ask no more; whether it could be done."""
+        found, self.doubts = self.doubts, ()
+        if not found:
             return False
-        self._asked.add((doubt.marker, doubt.kind))
-        self.doubt = None
-        self.doubt_changed.emit()
-        return self._document.do(lambda session: verb(session, doubt))
+        self._asked |= {(doubt.marker, doubt.kind) for doubt in found}
+        self.doubts_changed.emit()
+        return self._document.do(lambda session: verb(session, *found))
 
     def _forget_asked(self) -> None:
         """Ask anew in another take."""
@@ -82,17 +81,19 @@ class Bulk(QObject):
             self._asked.clear()
 
     def _look_for_doubts(self) -> None:
-        """Ask about the first sort that was rejected several times, unless asked before."""
+        """Ask about the first class that was rejected several times, unless asked before."""
         session = self._document.session
-        if session is None or not self._document.editable:
-            found: tuple[Doubt, ...] = ()
-        else:
-            found = doubts(session.artifacts, session.listed)
-            self._asked |= {(d.marker, d.kind) for d in found if answered(session, d)}
-        new = next((d for d in found if (d.marker, d.kind) not in self._asked), None)
-        if new != self.doubt:
-            self.doubt = new
-            self.doubt_changed.emit()
+        new: tuple[Doubt, ...] = ()
+        if session is not None and self._document.editable:
+            every, place = doubts(session.artifacts, session.listed), session.original.index
+            self._asked |= {(d.marker, d.kind) for d in every if answered(session, d)}
+            found = [d for d in every if (d.marker, d.kind) not in self._asked]
+            same = [d for d in found if d.kind is found[0].kind]
+            # As in a row of joints, which mostly has the name of the first.
+            new = tuple(sorted(same, key=lambda d: place(d.marker)))
+        if new != self.doubts:
+            self.doubts = new
+            self.doubts_changed.emit()
 
     def _open(self, *, repairing: bool) -> None:
         like = self._document.current

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -93,33 +94,39 @@ def doubts(
     return tuple(found)
 
 
-def lower(session: Session, doubt: Doubt) -> Change:
+def lower(session: Session, *found: Doubt) -> Change:
     """Make the rest less sure, as one step, so that they come last and no bulk repair takes them.
 
     Their confidence is multiplied by :attr:`Doubt.share`; see :func:`answered`.
+
+    Parameters
+    ----------
+    session : the review
+    found : one or more, of one class
     """
-    changes = {a.id: replace(a, confidence=a.confidence * doubt.share) for a in doubt.rest}
-    return session.perform(f"Lower {_named(doubt)}", SetArtifacts(changes))
+    changes = {a.id: replace(a, confidence=a.confidence * d.share) for d in found for a in d.rest}
+    return session.perform(f"Lower {_named(found)}", SetArtifacts(changes))
 
 
-def leave(session: Session, doubt: Doubt) -> Change:
+def leave(session: Session, *found: Doubt) -> Change:
     """Leave the rest as sure as they are; a step that changes nothing, so that it is remembered."""
-    return session.perform(f"Leave {_named(doubt)}", SetArtifacts({}))
+    return session.perform(f"Leave {_named(found)}", SetArtifacts({}))
 
 
 def answered(session: Session, doubt: Doubt) -> bool:
     """Whether artifacts of this sort were made less sure in this review before, or left so."""
-    of = _sort(doubt)
-    return any(
-        step.startswith(("Lower ", "Leave ")) and step.endswith(of) for step in session.history
-    )
+    for step in session.history:
+        told = _ANSWER.fullmatch(step)
+        if told and told["kind"] == doubt.kind and f", {doubt.marker}, " in f", {told['on']}, ":
+            return True
+    return False
 
 
-def _named(doubt: Doubt) -> str:
-    """How many artifacts of which sort."""
-    return f"{len(doubt.rest)} artifact{'s' * (len(doubt.rest) > 1)} {_sort(doubt)}"
+_ANSWER = re.compile(r"(Lower|Leave) \d+ artifacts? \((?P<kind>\w+) on (?P<on>.+)\)")
 
 
-def _sort(doubt: Doubt) -> str:
-    """Class and marker, as they end the name of a step."""
-    return f"({doubt.kind} on {doubt.marker})"
+def _named(found: Sequence[Doubt]) -> str:
+    """How many artifacts of which sort; of all the markers, since these are not asked again."""
+    number = sum(len(d.rest) for d in found)
+    markers = ", ".join(d.marker for d in found)
+    return f"{number} artifact{'s' * (number > 1)} ({found[0].kind} on {markers})"

@@ -6,7 +6,7 @@ Pure Python and NumPy: the window only shows it, the command line and scripts dr
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from operator import index
 from typing import TYPE_CHECKING
@@ -21,18 +21,15 @@ from markermend.review.edits import (
     Group,
     RepairNote,
     SetArtifacts,
-    SetBase,
-    SetNames,
     SetRegion,
     State,
-    extent,
-    merged,
 )
+from markermend.review.history import History
 from markermend.review.left_at import LeftAt
-from markermend.review.pace import Pace, Stopwatch, pace_of
+from markermend.review.pace import Pace, pace_of
 from markermend.review.repairing import altered, describe, repairing
 from markermend.review.restoring import taking_back
-from markermend.review.step import Step, decides, parts, touched_by_hand
+from markermend.review.step import touched_by_hand
 from markermend.take import Take
 
 if TYPE_CHECKING:
@@ -40,7 +37,7 @@ if TYPE_CHECKING:
     from markermend.repairs.registry import Repair
 
 
-class Session:
+class Session(History):
     """One review of one take.
 
     Parameters
@@ -49,25 +46,15 @@ class Session:
 
     Attributes
     ----------
-    stopwatch : measures the operator's time; told by whoever sees what the operator does
-    revision : grows with every change, also by undo and redo; what was computed at one revision
-        may be applied only while it is unchanged
+    Those of :class:`~markermend.review.history.History`, and
     left_at : where the operator stood last; told as the stopwatch is, or None
-    on_step : called after each change with ``("do", step)``, ``("undo", step)`` or
-        ``("redo", step)``; the journal hangs here
     """
 
     def __init__(self, take: Take) -> None:
-        self.revision = 0
-        self.stopwatch = Stopwatch()
+        super().__init__(State(take))
         self.left_at: LeftAt | None = None
-        self.on_step: Callable[[str, Step], None] | None = None
-        self._state = State(take)
-        self._done: list[Step] = []
-        self._undone: list[Step] = []
         self._take: tuple[int, Take] | None = None
         self._artifacts: tuple[int, tuple[Artifact, ...]] | None = None
-        self._clean_at: Step | None = None
 
     def __repr__(self) -> str:
         counts = Counter(a.status for a in self.artifacts)
@@ -80,11 +67,6 @@ class Session:
     def original(self) -> Take:
         """The take as it was read, under the names its markers have now."""
         return self._state.original
-
-    @property
-    def state(self) -> State:
-        """What edits apply to; to be read, not written."""
-        return self._state
 
     @property
     def take(self) -> Take:
@@ -183,24 +165,9 @@ class Session:
         return (*repaired, *self.by_hand)
 
     @property
-    def by_hand(self) -> tuple[str, ...]:
-        """Work by hand on samples and names, in the words of the history."""
-        return tuple(s.label for s in self._done if parts(s.edit, SetBase, SetNames))
-
-    @property
-    def renamed(self) -> bool:
-        """Whether markers were given other names."""
-        return any(parts(s.edit, SetNames) for s in self._done)
-
-    @property
     def pace(self) -> Pace:
         """How many artifacts are decided, and in how much time."""
         return pace_of(self.listed, self.stopwatch.spent_s, self.artifacts)
-
-    @property
-    def begun(self) -> bool:
-        """Whether anything was done but to choose the frames that matter."""
-        return any(not isinstance(s.edit, SetRegion) for s in self._done)
 
     # Decisions
 
@@ -288,13 +255,17 @@ class Session:
         edits = (*taking_back(self._state, chosen), SetArtifacts(dict.fromkeys(ids)))
         return self.perform(f"Remove {describe(chosen)}", Group(edits))
 
-    def annotate(self, artifact_id: str, note: str) -> Change:
-        """Write a note on an artifact; an empty one takes it away."""
-        old = self.artifact(artifact_id)
-        new = replace(old, note=note.strip())
-        if new == old:
+    def annotate(self, artifact_id: str, note: str, *, others: Sequence[str] = ()) -> Change:
+        """Write a note on an artifact and the ``others`` of its event; an empty one takes it away.
+
+        Those that have it already stay as they are; where all have, no step is made.
+        """
+        note = note.strip()
+        chosen = [a for i in (artifact_id, *others) if (a := self.artifact(i)).note != note]
+        if not chosen:
             return Change()
-        return self.perform(f"Note on {describe([old])}", SetArtifacts({old.id: new}))
+        changes = {a.id: replace(a, note=note) for a in chosen}
+        return self.perform(f"Note on {describe(chosen)}", SetArtifacts(changes))
 
     def change(
         self,
@@ -351,89 +322,3 @@ class Session:
             first, last = self.original.frame_numbers(*region)
             label = f"Review frames {first}–{last} only"
         return self.perform(label, SetRegion(region))
-
-    # History
-
-    @property
-    def history(self) -> tuple[str, ...]:
-        """Labels of the steps done, oldest first."""
-        return tuple(s.label for s in self._done)
-
-    @property
-    def undone(self) -> tuple[str, ...]:
-        """Labels of the steps that redo would bring back, next first."""
-        return tuple(s.label for s in reversed(self._undone))
-
-    @property
-    def undoable(self) -> bool:
-        """Whether the last step is one that the operator would take back, who did it."""
-        return bool(self._done) and not self._done[-1].by_itself
-
-    def perform(
-        self, label: str, edit: Edit, spent_s: float | None = None, by_itself: bool = False
-    ) -> Change:
-        """Apply an edit as one undoable step; one that was stored knows the time of its making."""
-        inverse = edit.apply(self._state)
-        if spent_s is None:
-            spent_s = self.stopwatch.touch()
-        else:
-            self.stopwatch.spent_s = max(self.stopwatch.spent_s, spent_s)
-        step = Step(label, edit, inverse, spent_s, by_itself)
-        self._done.append(step)
-        self._undone.clear()
-        return self._after("do", step)
-
-    def undo(self) -> Change:
-        """Take the last step back; does nothing when there is none."""
-        if not self._done:
-            return Change()
-        step = self._done.pop()
-        step.inverse.apply(self._state)
-        self._undone.append(step)
-        return self._after("undo", step)
-
-    def redo(self) -> Change:
-        """Bring the last undone step back; does nothing when there is none."""
-        if not self._undone:
-            return Change()
-        step = self._undone.pop()
-        step.edit.apply(self._state)
-        self._done.append(step)
-        return self._after("redo", step)
-
-    def travel(self, steps_done: int) -> Change:
-        """Undo or redo until so many steps are done; the changes are told as one."""
-        changes = []
-        while len(self._done) > max(0, steps_done):
-            changes.append(self.undo())
-        while len(self._done) < steps_done and self._undone:
-            changes.append(self.redo())
-        return merged(changes)
-
-    @property
-    def exported(self) -> bool:
-        """Whether the samples and decisions as they stand have been exported (or are untouched)."""
-        last = self._done[-1] if self._done else None
-        return last is self._clean_at or not any(decides(s) for s in self._done)
-
-    @property
-    def exported_at(self) -> int | None:
-        """How many steps were done when it was exported last; None if that state is gone."""
-        return next((i + 1 for i, s in enumerate(self._done) if s is self._clean_at), None)
-
-    def mark_exported(self, steps_done: int | None = None) -> None:
-        """Remember that what stands now is in a file, or what stood after so many steps."""
-        done = self._done if steps_done is None else self._done[:steps_done]
-        self._clean_at = done[-1] if done else None
-
-    @property
-    def steps(self) -> tuple[tuple[Step, ...], tuple[Step, ...]]:
-        """Steps done (oldest first) and undone (as a stack), for saving."""
-        return tuple(self._done), tuple(self._undone)
-
-    def _after(self, what: str, step: Step) -> Change:
-        """Count the change and tell the journal."""
-        self.revision += 1
-        if self.on_step is not None:
-            self.on_step(what, step)
-        return extent(step.edit)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtGui import QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 from markermend_app.document import Document
@@ -12,6 +12,8 @@ from markermend_app.panels.own_escape import wants_escape
 
 class NoteLine(QLineEdit):
     """Return keeps the note, Escape what was there; both give the keys back to the review.
+
+    A note on one joint of several that are decided at once is one on all of them.
 
     Signals
     -------
@@ -23,7 +25,7 @@ class NoteLine(QLineEdit):
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._document = document
-        self._of: str | None = None
+        self._of: tuple[str, ...] = ()
         self.setPlaceholderText(self.tr("Nothing written yet"))
         self.setAccessibleName(self.tr("Note"))
         self.setToolTip(self.tr("Kept with the review; shown in the queue and in reports"))
@@ -34,6 +36,11 @@ class NoteLine(QLineEdit):
     def event(self, event: QEvent) -> bool:
         """Keep Esc for the line."""
         return wants_escape(event) or super().event(event)
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        """Be on what is decided at once now; the queue may have been filtered meanwhile."""
+        self._of = self._document.together
+        super().focusInEvent(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Leave the line."""
@@ -49,10 +56,11 @@ class NoteLine(QLineEdit):
     def _refresh(self, *, anew: bool = False) -> None:
         """Show the current artifact's note; one that is being written stays."""
         current = self._document.current
-        now = None if current is None else current.id
-        if now == self._of and self.hasFocus() and not anew:
+        now = self._document.together
+        writing = self.hasFocus() and self.isModified()
+        if now[:1] == self._of[:1] and writing and not anew:
             return
-        if now != self._of and self.hasFocus():
+        if now[:1] != self._of[:1] and self.hasFocus():
             self._keep()
         self._of = now
         self.setText("" if current is None else current.note)
@@ -60,8 +68,10 @@ class NoteLine(QLineEdit):
 
     def _keep(self) -> None:
         """Write the note into the review."""
-        session, written = self._document.session, self._of
-        if session is None or written is None or session.find(written) is None:
+        session = self._document.session
+        if session is None or not self.isModified():
             return
-        if self.text().strip() != session.artifact(written).note:
-            self._document.do(lambda s: s.annotate(written, self.text()))
+        self.setModified(False)
+        one, *others = [i for i in self._of if session.find(i) is not None] or [""]
+        if one and self.text().strip() != session.artifact(one).note:
+            self._document.do(lambda s: s.annotate(one, self.text(), others=others))

@@ -293,12 +293,14 @@ class ReviewQueue(QWidget):
     def _all_decided(self, session: Session) -> str:
         """Say how to go on when nothing is open, and what is left as it is."""
         count, way = len(session.listed), shortcuts.way_to("export")
-        if count == 1:
-            text = self.tr("The only artifact is decided. {0} exports the repaired take.")
-            text = text.format(way)
+        if session.exported:
+            one = self.tr("The only artifact is decided, and the repaired take is exported.")
+            many = self.tr("All {0} artifacts are decided, and the repaired take is exported.")
         else:
-            text = self.tr("All {0} artifacts are decided. {1} exports the repaired take.")
-            text = text.format(count, way)
+            one = self.tr("The only artifact is decided. {0} exports the repaired take.")
+            one = one.format(way)
+            many = self.tr("All {0} artifacts are decided. {1} exports the repaired take.")
+        text = one if count == 1 else many.format(count, way)
         waiting = len(session.listed_with(Status.ACCEPTED))
         if waiting:
             one = self.tr("{0} is accepted but not repaired; {1} repairs what is accepted.")
