@@ -5095,6 +5095,14 @@ Schließen Sie sie, um dies für die nächste Aufnahme festzulegen.</translation
         <translation>Reparieren, jedes mit seinem besten Verfahren</translation>
     </message>
     <message>
+        <source>The only artifact is decided, and the repaired take is exported.</source>
+        <translation>Das einzige Artefakt ist entschieden und die reparierte Aufnahme exportiert.</translation>
+    </message>
+    <message>
+        <source>All {0} artifacts are decided, and the repaired take is exported.</source>
+        <translation>Alle {0} Artefakte sind entschieden und die reparierte Aufnahme ist exportiert.</translation>
+    </message>
+    <message>
         <source>{0} is accepted but not repaired; {1} repairs what is accepted.</source>
         <translation>{0} ist angenommen, aber nicht repariert; {1} repariert, was angenommen ist.</translation>
     </message>
