@@ -105,6 +105,7 @@ LEVELS = {
     "percent": (["0", "25", "87.5", "100"], [0.0, 0.25, 0.875, 1.0]),
     "shares": (["0", "0.25", "1"], [0.0, 0.25, 1.0]),
     "beyond": (["0", "0.5", "1.25"], [0.0, 0.5, 1.0]),
+    "far beyond": (["0", "0.5", "0.75", "5.5"], [0.0, 0.5, 0.75, 1.0]),
 }
 
 
@@ -123,6 +124,21 @@ def test_levels_of_sensors_are_shares_of_being_sure(tmp_path, kind):
     np.testing.assert_allclose(pose.confidence[:, 0], expected)
     mm.write_pose(pose, tmp_path / "same.csv")
     assert (tmp_path / "same.csv").read_bytes() == path.read_bytes()
+
+
+@pytest.mark.parametrize("stray", ["2", "17", "100"])
+@pytest.mark.parametrize("share", ["1", "0.75"])
+def test_one_stray_number_makes_no_levels_of_shares(tmp_path, share, stray):
+    head = f"{COLUMNS},confidence"
+    odd = table(
+        tmp_path, lambda n, j, row: [*row, stray if (n, j) == (9, "shank") else share], head=head
+    )
+    pose = mm.read_pose(odd)
+    expected = np.full(pose.confidence.shape, float(share))
+    expected[9, 1] = 1.0
+    np.testing.assert_array_equal(pose.confidence, expected)
+    mm.write_pose(pose, tmp_path / "same.csv")
+    assert (tmp_path / "same.csv").read_bytes() == odd.read_bytes()
 
 
 def test_what_is_filled_has_a_level_of_the_file(tmp_path):

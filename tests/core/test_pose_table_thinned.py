@@ -81,3 +81,40 @@ def test_they_are_written_with_their_numbers(tmp_path):
     assert part.first_time == pytest.approx(1 / 3, abs=1e-5)
     assert (tmp_path / "part.csv").read_text().splitlines()[1].startswith("120,")
     np.testing.assert_allclose(part.positions, clean.positions[10:15], atol=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("step", "gone", "start", "stop"),
+    [
+        # Of what is left every number could be divided by 10, or by 2.
+        (5, (11, 13, 15), 10, 17),
+        (1, (11, 13, 15, 30), 10, 17),
+        # Two numbers tell of no steps.
+        (5, (), 10, 12),
+        (5, (11,), 10, 13),
+    ],
+)
+def test_a_part_has_as_many_poses_as_were_written(tmp_path, step, gone, start, stop):
+    pose = mm.read_pose(table(tmp_path, step=step, gone=gone))
+    part = crop_pose(pose, start, stop)
+    mm.write_pose(part, tmp_path / "part.csv")
+    again = mm.read_pose(tmp_path / "part.csv")
+    assert (again.frames, again.rate) == (stop - start, pose.rate)
+    np.testing.assert_array_equal(again.positions, part.positions)
+    assert (tmp_path / "part.csv").read_text().splitlines()[1].startswith(f"{step * start},")
+
+
+def test_what_is_written_anew_has_the_numbers_of_the_file(tmp_path):
+    source = table(tmp_path, step=2, first=100, crop=(12, 13))
+    # Without a confidence what is filled could not be told in it.
+    lines = [line.rpartition(",")[0] for line in source.read_text().splitlines()]
+    source.write_text("\n".join(lines) + "\n")
+    clean = mm.denoise(mm.read_pose(source))
+    mm.write_pose(clean, tmp_path / "clean.csv")
+    rows = (tmp_path / "clean.csv").read_text().splitlines()
+    assert rows[0].endswith(",confidence")
+    numbers = [str(100 + 2 * n) for n in range(POSES) for _ in range(2)]
+    assert [row.split(",")[0] for row in rows[1:]] == numbers
+    again = mm.read_pose(tmp_path / "clean.csv")
+    assert (again.frames, again.rate) == (POSES, 30.0)
+    np.testing.assert_allclose(again.positions, clean.positions, atol=1e-3)

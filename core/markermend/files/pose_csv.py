@@ -38,7 +38,7 @@ from markermend.files.pose_rows import (
     whole_rows,
     wild,
 )
-from markermend.files.pose_table import frames_of, parents_of, surest, twice
+from markermend.files.pose_table import frames_of, parents_of, step_of, surest, twice
 from markermend.files.text import read_lines
 from markermend.poses.normal import bone_lengths
 from markermend.poses.pose import Pose
@@ -236,15 +236,25 @@ def write_pose_csv(pose: Pose, file: IO[bytes], progress: Progress) -> tuple[str
     written[there, 0] = _NEAR_ZERO_MM
     head = [f"{name} (mm)" if odd and name in ("x", "y", "z") else name for name in COLUMNS]
     file.write((",".join(head) + "\n").encode())
+    first, step = _numbering(pose)
     for frame in range(pose.frames):
         if frame % _FRAMES_A_REPORT == 0:
             progress(frame / pose.frames, "Writing poses")
-        number, time = pose.first_frame + frame, pose.first_time + frame / pose.rate
-        lines = rows_of(number, time, names, above, values[frame], fine=short)
+        time = pose.first_time + frame / pose.rate
+        lines = rows_of(first + step * frame, time, names, above, values[frame], fine=short)
         for joint in np.flatnonzero(np.isfinite(written[frame]).any(axis=1)):
             lines[joint] = _exactly(lines[joint], written[frame, joint])
         file.write("".join(lines).encode())
     return table.header.others if isinstance(table, Table) else ()
+
+
+def _numbering(pose: Pose) -> tuple[int, int]:
+    """The number of the first pose, and from one to the next: as in the file that was read."""
+    if not isinstance(pose.source, Table):
+        return pose.first_frame, 1
+    header = pose.source.header
+    enough = step_of(range(0, pose.frames * header.step, header.step)) == header.step
+    return header.stated(pose.first_frame), header.step if enough else 1
 
 
 def _over_its_file(

@@ -11,6 +11,7 @@ import numpy as np
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.errors import FileFormatError
 from markermend.files.pose_rows import NUMBERS, Header, measured, says_nothing, whole_rows
+from markermend.files.pose_table import step_of
 from markermend.progress import Progress
 
 _ROWS_A_REPORT = 4096
@@ -93,7 +94,10 @@ def patched(path: Path, header: Header, part: Part, progress: Progress) -> bytes
     at = np.full(changed.shape[:2], -1)
     at[here] = np.array([n - 1 for n, _ in body])[within]
     missing = changed.any(axis=2) & (at < 0)
-    bare = _bare(missing | (at >= 0))
+    bare = _bare(missing | (at >= 0), header.step)
+    if not _tells_steps(missing | bare | (at >= 0), header.step):
+        # Of two poses no steps are told.
+        return None
     if not _has_columns_for(header, part, changed, unseen=bool(bare.any())):
         return None
     rows = _Rows(header, part, body, frames)
@@ -124,16 +128,25 @@ def _numbers(body: list[tuple[int, list[str]]], header: Header, progress: Progre
     return values
 
 
-def _bare(there: BoolArray) -> BoolArray:
+def _bare(there: BoolArray, step: int) -> BoolArray:
     """Rows (frames, joints) that a part of a table needs besides those ``there``.
 
-    Without them it would not have all of its frames, or joints in their order.
+    Without them it would not have all of its frames, or joints in their order, or its frames would
+    be taken to follow one another in other steps than those of the file.
     """
     bare = np.zeros(there.shape, dtype=bool)
     if not (there.any(axis=0).all() and there[0].any()):
         bare[0] = ~there[0]
     bare[-1, 0] |= not (there | bare)[-1].any()
+    if not _tells_steps(there | bare, step):
+        bare[:, 0] |= ~(there | bare).any(axis=1)
     return bare
+
+
+def _tells_steps(there: BoolArray, step: int) -> bool:
+    """Whether rows (frames, joints) that are ``there`` are of frames in steps as the file's."""
+    numbers = step * np.flatnonzero(there.any(axis=1))
+    return len(there) < 2 or step_of(numbers.tolist()) == step
 
 
 def _has_columns_for(header: Header, part: Part, changed: BoolArray, *, unseen: bool) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import replace
 from math import gcd
 
@@ -15,6 +16,10 @@ from markermend.poses.nuitrack import usual_parents
 # So many numbers tell whether frames are counted one by one.
 _TELL_STEPS = 3
 _SURE_LEVEL, _TOP_LEVEL, _PERCENT = 2.0, 3.0, 100.0
+# So large a share of what was seen must have the level of what is sure: one stray 2 tells nothing.
+_LEAST_SURE = 0.02
+# Percents go up to more; networks that tell shares go beyond 1 at times, but not so far.
+_LEAST_PERCENT = 10.0
 # As columns are called that tell several bodies apart.
 _BODIES = frozenset(
     f"{body}{number}"
@@ -49,8 +54,7 @@ def frames_of(
     stated = [header.frame(row, number) for number, row in body]
     first, last = min(stated), max(stated)
     there = {frame - first for frame in stated}
-    # Whoever keeps every second or tenth pose leaves the others no number.
-    step = gcd(*there) if len(there) >= _TELL_STEPS else 1
+    step = step_of(there)
     count = (last - first) // step + 1
     # One stray number must not ask for a terabyte.
     if count * joints > 100 * len(body) + 1000:
@@ -60,6 +64,14 @@ def frames_of(
         )
     header = replace(header, first=first, step=step)
     return header, [(frame - first) // step for frame in stated], count
+
+
+def step_of(numbers: Collection[int]) -> int:
+    """From one number of a frame to the next, by those of a table, counted from its first.
+
+    Whoever keeps every second or tenth pose leaves the others no number.
+    """
+    return gcd(*numbers) if len(numbers) >= _TELL_STEPS else 1
 
 
 def twice(
@@ -109,11 +121,12 @@ def surest(confidence: FloatArray) -> float:
     confidence : as a file has it, NaN where it has none; the levels of Kinects are 0, 1 (inferred,
         or low), 2 and, of the Azure, 3
     """
-    there = confidence[np.isfinite(confidence)]
-    most = float(there.max(initial=0.0))
-    if 1.0 < most <= _TOP_LEVEL and not (there % 1.0).any():
-        return _SURE_LEVEL
-    return _PERCENT if _TOP_LEVEL < most <= _PERCENT else 1.0
+    seen = confidence[(confidence > 0) & np.isfinite(confidence)]
+    most = float(seen.max(initial=0.0))
+    if 1.0 < most <= _TOP_LEVEL and not (seen % 1.0).any():
+        return _SURE_LEVEL if np.mean(seen >= _SURE_LEVEL) >= _LEAST_SURE else 1.0
+    # Most of percents are more than 1; most of shares are not, whatever strays among them.
+    return _PERCENT if _LEAST_PERCENT < most <= _PERCENT and np.median(seen) > 1.0 else 1.0
 
 
 def parents_of(
