@@ -377,3 +377,15 @@ def test_nothing_outlives_a_batch_that_ends_early(
     assert (tmp_path / "bad" / "begun").exists(), errors
     if how == "SIGINT":
         assert errors == "Stopped.\n"
+
+
+@pytest.mark.parametrize("beginning", [b"\xff\xfe", b"\xfe\xff"])
+def test_what_a_plugin_reads_is_not_judged_by_how_text_begins(
+    harmful: list[Path], tmp_path: Path, beginning: bytes
+) -> None:
+    """Text in two bytes a letter, or numbers that happen to begin alike."""
+    path = tmp_path / "a.seen"
+    path.write_bytes(beginning + b"\x01\x02\x03")
+    done = python("-m", "markermend", "info", str(path), paths=harmful)
+    assert done.returncode == 0, done.stderr
+    assert "9 frames" in done.stdout

@@ -98,8 +98,6 @@ def _reader(path: Path) -> Callable[..., Take]:
     suffix = path.suffix.lower()
     if head.startswith(SIGNATURE):
         return read_trc
-    if suffix != ".c3d":
-        refuse_utf_16(head, path.name)
     binary = b"\0" in head
     if suffix == ".c3d" or (binary and head[1:2] == b"P"):
         return read_c3d
@@ -111,6 +109,7 @@ def _reader(path: Path) -> Callable[..., Take]:
         return _read_skeleton
     if suffix != ".csv" and suffix in formats():
         return formats()[suffix].run
+    refuse_utf_16(head, path.name)
     if not binary and _names_joints(head):
         return _read_skeleton
     if binary:
