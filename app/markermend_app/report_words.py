@@ -11,7 +11,7 @@ from collections.abc import Collection
 from functools import cache
 from html import escape, unescape
 
-from markermend_app.telling import compiled, told
+from markermend_app.telling import compiled, told_in_mm
 from markermend_app.words import tr
 
 FORMS = (
@@ -86,7 +86,7 @@ def _said(text: str) -> str:
     caption = _CAPTION.fullmatch(text)
     if caption is not None:
         marker, axes, kind, frames, done, axis = caption.groups()
-        line = f"{marker} {axes}, {told(kind)}, {_said(frames)}: {_said(done)}"
+        line = f"{marker} {axes}, {told_in_mm(kind)}, {_said(frames)}: {_said(done)}"
         return line if axis is None else line + tr(" – {0} in mm").format(axis)
     if text in _labels():
         return tr(text)
@@ -94,7 +94,7 @@ def _said(text: str) -> str:
         found = compiled(form).fullmatch(text)
         if found is not None:
             return tr(form).format(*map(_said, found.groups()))
-    return told(text)
+    return told_in_mm(text)
 
 
 @cache

@@ -221,22 +221,27 @@ def _read(text: str) -> tuple[str, tuple[str, ...]] | None:
 
 
 def told(text: str) -> str:
-    """A sentence of the engine in the language of the app, as far as its form is known."""
+    """A sentence of the engine in the language and the unit of the app, if its form is known."""
+    sentence, known = told_in_mm(text), _read(text)
+    # What is said of files has their names in it.
+    return sentence if known is None or known[0] in _FILES else units.in_words(sentence)
+
+
+def told_in_mm(text: str) -> str:
+    """A sentence of the engine in the language of the app, for what is in millimetres itself."""
     kinds = {kind.value: kind for kind in Kind}
     if text in kinds:
         return theme.kind_name(kinds[text], within=True)
     kind, _, marker = text.partition(" on ")
     if kind in kinds and marker:
-        return tr("{0} on {1}").format(told(kind), marker)
+        return tr("{0} on {1}").format(told_in_mm(kind), marker)
     known = _read(text)
     if known is None:
         return text
     form, parts = known
     first, *rest = parts or ("",)
-    said = tr(first) if form in _OF_METHODS else told(first)
-    sentence = tr(form).format(said, *map(told, rest), **_ways(form))
-    # What is said of files has their names in it.
-    return sentence if form in _FILES else units.in_words(sentence)
+    said = tr(first) if form in _OF_METHODS else told_in_mm(first)
+    return tr(form).format(said, *map(told_in_mm, rest), **_ways(form))
 
 
 def _ways(form: str) -> dict[str, str]:

@@ -9,7 +9,8 @@ import numpy as np
 from PySide6.QtGui import QDesktopServices
 
 from markermend.artifact import Kind, Status
-from markermend_app import languages
+from markermend_app import languages, settings
+from markermend_app.telling import told
 
 WAIT = 30_000
 
@@ -81,3 +82,24 @@ def test_a_report_is_told_in_the_language_of_the_window(
     told = [text for text in words if "✎" not in text and text not in given]
     assert [text for text in told if any(word in text for word in english)] == []
     assert any("Spitze, Frame 251: belassen" in text for text in told)
+
+
+def test_lengths_in_a_report_are_in_its_own_unit(
+    review, damaged, qtbot, tmp_path, monkeypatch, qapp
+):
+    """Its figures are in millimetres; what it says of artifacts is not in another unit."""
+    settings.remember("unit", "cm")
+    monkeypatch.setattr(QDesktopServices, "openUrl", lambda url: None)
+    monkeypatch.setattr(languages, "language", lambda: "de")
+    loaded = languages.install(qapp)
+    try:
+        window, target = review(*damaged), tmp_path / "page.html"
+        assert "2.5 cm" in told(damaged[1][1].why)
+        window.reporting.report_to(target)
+        qtbot.waitUntil(lambda: target.exists(), timeout=WAIT)
+    finally:
+        for translator in loaded:
+            qapp.removeTranslator(translator)
+    read = re.sub(r"<(script|style).*?</\1>", "", target.read_text("utf-8"), flags=re.DOTALL)
+    assert "25 mm" in read
+    assert not re.search(r"\d cm\b", read)
