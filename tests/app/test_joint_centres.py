@@ -316,3 +316,26 @@ def test_reasons_go_on_below_where_the_window_is_narrow(opened, qtbot, qapp):
 def test_the_hint_names_what_comes_of_it():
     assert "how far to trust each" in menus.hint_of("joint_centres")
     assert "has its joints in it already" in menus.hint_of("joint_centres", joints=True)
+
+
+def test_a_name_that_is_too_long_or_a_take_that_is_gone_is_no_riddle(
+    opened, qtbot, tmp_path, monkeypatch
+):
+    problems, target = [], tmp_path / "joints.csv"
+    monkeypatch.setattr(
+        "markermend_app.dialogs.ask.show_problem", lambda _, error: problems.append(str(error))
+    )
+    dialog = listed(opened, qtbot)
+    choose(monkeypatch, tmp_path / ("a" * 300))
+    qtbot.keyClick(dialog, Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: bool(problems), timeout=WAIT)
+    assert "could not be written" in problems[0]
+    assert dialog.save.isEnabled()
+    # Somebody moved the take away; the system's dialog has asked whether to replace the other file.
+    (tmp_path / "walk.c3d").unlink()
+    target.write_text("of yesterday")
+    choose(monkeypatch, target)
+    qtbot.keyClick(dialog, Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: opened.centring.dialog is None, timeout=WAIT)
+    assert mm.read_pose(target).joints
+    assert len(problems) == 1

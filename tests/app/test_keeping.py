@@ -52,6 +52,23 @@ def test_export_differs_only_at_repaired_samples(reviewed, qtbot, monkeypatch, t
     assert (same == expected).all()
 
 
+def test_a_take_whose_file_is_gone_is_no_riddle_to_an_export(
+    reviewed, qtbot, monkeypatch, take_path, tmp_path
+):
+    document, target, problems = reviewed.document, tmp_path / "out.c3d", []
+    monkeypatch.setattr(
+        "markermend_app.dialogs.ask.show_problem", lambda _, error: problems.append(str(error))
+    )
+    document.decisions.reject([a.id for a in document.session.artifacts])
+    take_path.unlink()
+    target.write_text("of yesterday")
+    export(reviewed, qtbot, monkeypatch, target)
+    assert problems[0].startswith(
+        "box.c3d, which the take was read from, cannot be opened any more"
+    )
+    assert target.read_text() == "of yesterday"
+
+
 def test_what_is_exported_is_not_to_be_exported_again(reviewed, qtbot, monkeypatch, tmp_path):
     document, said = reviewed.document, reviewed.queue._hint
     document.decisions.reject([a.id for a in document.session.artifacts])

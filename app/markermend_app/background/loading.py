@@ -238,6 +238,22 @@ def takes_folder(open_take: Path | None) -> Path:
     return next((p.parent for p in known if p.parent.is_dir()), Path())
 
 
+def is_there(path: Path) -> bool:
+    """Whether something has this name; nothing has one that is too long."""
+    try:
+        return path.exists()
+    except OSError:
+        return False
+
+
+def same_file(path: Path, other: Path) -> bool:
+    """Whether two paths lead to the same file, by links too; either may be gone."""
+    try:
+        return path.samefile(other)
+    except OSError:
+        return path == other
+
+
 def proposed_place(path: Path, ending: str) -> Path:
     """Where a file made from a take is proposed: beside it, but the demo's in the user's home."""
     from markermend_resources import demo_take

@@ -14,7 +14,7 @@ from markermend.errors import ExportError, MarkermendError
 from markermend.progress import Progress
 from markermend.review.session import Session
 from markermend_app.background.jobs import Lane
-from markermend_app.background.loading import proposed_place
+from markermend_app.background.loading import is_there, proposed_place, same_file
 from markermend_app.dialogs import ask as dialogs
 from markermend_app.dialogs.joint_centres import JointCentresDialog
 from markermend_app.document import Document
@@ -148,9 +148,9 @@ class Centring(QObject):
         if target.suffix.lower() != ".csv":
             target = target.with_name(f"{target.name}.csv")
             # The file dialog has asked about the name without the ending only.
-            if target.exists() and not dialogs.ask_replace(dialog, target):
+            if is_there(target) and not dialogs.ask_replace(dialog, target):
                 return None
-        if source is not None and target.exists() and target.samefile(source):
+        if source is not None and is_there(target) and same_file(target, source):
             text = self.tr("{0} is the take itself; choose another name.")
             dialogs.show_problem(dialog, ExportError(text.format(target.name)))
             return None

@@ -19,7 +19,7 @@ from markermend.progress import Progress
 from markermend.review.file import SessionFile
 from markermend_app import settings
 from markermend_app.background.jobs import Lane
-from markermend_app.background.loading import Opened, load, takes_folder
+from markermend_app.background.loading import Opened, load, same_file, takes_folder
 from markermend_app.background.saver import Saver
 from markermend_app.dialogs import ask as dialogs
 from markermend_app.dialogs.file_filters import WITHOUT_PATTERNS, open_filter
@@ -88,7 +88,7 @@ class Commands(QObject):
         broke: Callable[[Exception], None] | None = None,
     ) -> None:
         """Open a take by work to be done on the worker; ``broke`` is told what prevented it."""
-        if self._document.path is not None and _same_file(path, self._document.path):
+        if self._document.path is not None and same_file(path, self._document.path):
             # The review is locked while it is open, for this window too.
             self._document.open(None, None)
 
@@ -351,11 +351,3 @@ class Commands(QObject):
         self.said.emit(text)
         if take.read_only:
             dialogs.tell_damaged(self._window, take)
-
-
-def _same_file(path: Path, other: Path) -> bool:
-    """Whether two paths lead to the same file, by links too."""
-    try:
-        return path.samefile(other)
-    except OSError:
-        return path == other

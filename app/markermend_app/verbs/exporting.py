@@ -15,7 +15,7 @@ from markermend.progress import Progress
 from markermend.take import Take
 from markermend_app import settings, units
 from markermend_app.background.jobs import Lane
-from markermend_app.background.loading import proposed_place
+from markermend_app.background.loading import is_there, proposed_place, same_file
 from markermend_app.background.saver import Saver
 from markermend_app.dialogs import ask as dialogs
 from markermend_app.dialogs import export as export_dialog
@@ -86,7 +86,8 @@ class Exporter(QObject):
         if target is None:
             return False
         overwrite = False
-        if document.path is not None and target.exists() and target.samefile(document.path):
+        source = document.path
+        if source is not None and is_there(target) and same_file(target, source):
             if choice.region and session.region is not None:
                 text = self.tr("A part of {0} cannot replace it; choose another name.")
                 dialogs.show_problem(self._window, ExportError(text.format(target.name)))
@@ -223,6 +224,6 @@ class Exporter(QObject):
         if not target.suffix:
             target = target.with_suffix(chosen[chosen.find("*") + 1 : chosen.find(")")])
             # The file dialog has asked about the name without the ending only.
-            if target.exists() and not dialogs.ask_replace(self._window, target):
+            if is_there(target) and not dialogs.ask_replace(self._window, target):
                 return None
         return target
