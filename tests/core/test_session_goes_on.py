@@ -64,6 +64,24 @@ def test_a_moved_take_takes_along_what_only_the_journal_holds(tmp_path):
     again.close()
 
 
+def test_what_a_crash_left_of_a_review_stays_where_a_copy_was_reviewed_meanwhile(tmp_path):
+    kept = open_session(written(tmp_path))
+    kept.session.mark(artifact())
+    die(kept)
+    (tmp_path / "other").mkdir()
+    shutil.copy(tmp_path / "a.c3d", tmp_path / "other" / "a.c3d")
+    other = open_session(read(tmp_path / "other" / "a.c3d"))
+    other.session.mark(artifact("C"))
+    other.save()
+    other.close()
+    assert [a.marker for a in read_review(read(tmp_path / "a.c3d")).artifacts] == ["A"]
+    again = open_session(read(tmp_path / "a.c3d"))
+    assert [a.marker for a in again.session.artifacts] == ["A"]
+    assert (again.recovered, again.warning) == (1, "")
+    again.close()
+    assert [a.marker for a in read_review(read(tmp_path / "a.c3d")).artifacts] == ["A"]
+
+
 def test_an_export_over_the_original_keeps_what_is_open(tmp_path):
     take = written(tmp_path)
     kept = open_session(take)

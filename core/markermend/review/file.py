@@ -37,7 +37,7 @@ from markermend.review.place import (
     session_path,
     source_hash,
 )
-from markermend.review.replay import replay_document, replay_journal
+from markermend.review.replay import holds_steps, replay_document, replay_journal
 from markermend.review.saving import Snapshot
 from markermend.review.session import Session
 from markermend.review.step import Step
@@ -159,7 +159,8 @@ class SessionFile:
         self._on_disk.close()
         journal, self._journal = self._journal, None
         self.session.on_step = None
-        empty = not _holds_steps(journal)
+        journal.seek(0)
+        empty = not holds_steps(journal.read())
         name = Path(journal.name)
         journal.close()
         if empty:
@@ -361,10 +362,3 @@ def _replay_elsewhere(result: SessionFile, where: Path) -> None:
 def _source_path(take: Take) -> str:
     """Where the take lay, or empty."""
     return str(take.source.path) if take.source else ""
-
-
-def _holds_steps(journal: IO[bytes]) -> bool:
-    """Whether an open journal holds more than its head and where the operator stood."""
-    journal.seek(0)
-    _, *lines = journal.read().split(b"\n")
-    return any(line and not line.startswith(b'{"at"') for line in lines)

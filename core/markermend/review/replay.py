@@ -82,6 +82,12 @@ def starts_journal(path: Path, digest: str) -> bool:
     return head is not None and (head.get("generation"), head.get("sha256")) == (0, digest)
 
 
+def holds_steps(journal: bytes) -> bool:
+    """Whether a journal holds more than its head and where the operator stood."""
+    _, *lines = journal.split(b"\n")
+    return any(line and not line.startswith(b'{"at"') for line in lines)
+
+
 def _parse(line: bytes) -> dict[str, Any] | None:
     """One journal line, or None when it is empty or cut short."""
     try:

@@ -11,7 +11,7 @@ from typing import Any
 
 from markermend.errors import FileFormatError
 from markermend.review.place import JOURNAL_SUFFIX, index_entry, journal_path, session_of
-from markermend.review.replay import starts_journal
+from markermend.review.replay import holds_steps, starts_journal
 
 VERSION = 3
 
@@ -55,6 +55,10 @@ def moved(digest: str, path: Path, beside: Path) -> tuple[dict[str, Any] | None,
 
     Without a session file of one it may be that there is a journal; else the place is ``path``.
     """
+    own = journal_path(path)
+    if starts_journal(own, digest) and holds_steps(own.read_bytes()):
+        # What a crash left before anything was saved is not to give way to the review of a copy.
+        return None, path
     places = [beside]
     with contextlib.suppress(OSError):
         places.append(Path(os.fsdecode(index_entry(digest).read_bytes())))
@@ -64,7 +68,6 @@ def moved(digest: str, path: Path, beside: Path) -> tuple[dict[str, Any] | None,
                 stored = load(where)
                 if stored is not None and stored["source"]["sha256"] == digest:
                     return stored, where
-    own = journal_path(path)
     if not own.exists() or own.stat().st_size == 0:
         for journal in sorted(beside.parent.glob(f"*{JOURNAL_SUFFIX}")):
             # What is still there, or open in another window, has a review of its own.
