@@ -9,7 +9,8 @@ from recordings import exchange_angles
 import markermend as mm
 from markermend.artifact import Artifact, Kind
 from markermend.cli import main
-from markermend.errors import ExportError
+from markermend.errors import DataError, ExportError
+from markermend.files.restructure import crop, drop
 from markermend.poses.breaking import break_pose
 from markermend.poses.guessing import INFERRED
 from markermend.poses.nuitrack import JOINTS, to_nuitrack
@@ -186,3 +187,15 @@ def test_joints_whose_angles_were_exchanged_are_not_swapped(crossed, shared_data
     target = crossed.parent / "o.amc"
     main(["clean", str(crossed), "--method", "swap", "-o", str(target)])
     assert "Angles were exchanged here" in "".join(capsys.readouterr())
+
+
+def test_a_part_of_a_recording_is_one_itself(broken, tmp_path):
+    take = mm.read(broken)
+    part = crop(take, 150, 300)
+    assert mm.detect(part)
+    assert not changed_joints(part).any()
+    mm.write(part, tmp_path / "part.csv")
+    mm.write(take, tmp_path / "same.csv", frames=(150, 300))
+    assert (tmp_path / "part.csv").read_bytes() == (tmp_path / "same.csv").read_bytes()
+    with pytest.raises(DataError, match="other frames or joints than the skeleton recording"):
+        mm.write(drop(take, ["head"]), tmp_path / "headless.csv")

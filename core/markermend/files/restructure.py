@@ -53,7 +53,13 @@ def crop(take: Take, start: int, stop: int) -> Take:
     if not (whole and 0 <= start < stop <= take.frames):
         raise DataError(f"Frames {start} to {stop} are not a part of the take's {take.frames}.")
     rows = slice(start, stop)
-    analog, points = take.analog, take.points
+    analog, points, source = take.analog, take.points, take.source
+    if source is not None and take.skeleton:
+        # Slow to load, and needed for nothing else.
+        from markermend.files.pose import crop_pose
+        from markermend.poses.take import pose_of
+
+        source = replace(source, layout=crop_pose(pose_of(take), start, stop))
     if analog is not None:
         each = len(analog.values) // take.frames
         analog = replace(analog, values=analog.values[start * each : stop * each])
@@ -68,6 +74,7 @@ def crop(take: Take, start: int, stop: int) -> Take:
         analog=analog,
         points=points,
         first_frame=take.first_frame + start,
+        source=source,
     )
 
 

@@ -68,11 +68,15 @@ def pose_of(take: Take) -> Pose:
     Raises
     ------
     DataError
-        when it was made of none
+        when it was made of none, or of one of other frames or joints
     """
     layout = None if take.source is None else take.source.layout
     if not isinstance(layout, Pose):
         raise DataError("This is no skeleton recording.")
+    if layout.positions.shape != take.positions.shape:
+        raise DataError(
+            "This take has other frames or joints than the skeleton recording that it was made of."
+        )
     return layout
 
 
