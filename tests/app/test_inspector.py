@@ -204,13 +204,15 @@ def test_the_list_of_methods_is_reached_and_used_by_keys(qtbot, inspector, docum
     assert document.method == more.itemData(1)
 
 
-def test_a_method_without_answer_says_why_and_cannot_be_applied(inspector, document, monkeypatch):
+def test_a_method_without_answer_says_why_and_the_flag_can_be_accepted(
+    inspector, document, monkeypatch
+):
     nothing = Repair("swap", (), "no marker carries the other half of this step")
     monkeypatch.setattr(Document, "proposal", property(lambda self: nothing))
     select(document, Kind.STEP)
     said = inspector.artifact.methods.outcome.text()
     assert said.splitlines()[0] == "No repair: no marker carries the other half of this step"
-    assert not inspector.decisions.repair.isEnabled()
+    assert inspector.decisions.repair.isEnabled(), "it accepts the flag and goes on, as F does"
     assert inspector.decisions.accept.isEnabled()
 
 

@@ -25,6 +25,7 @@ from markermend.artifact import PAIRED, Artifact, Kind, Status, changed_markers
 from markermend_app import units
 from markermend_app.actions.shortcuts import KeyTip
 from markermend_app.document import Document
+from markermend_app.offered import can_repair
 from markermend_app.panels.inspector.artifact_text import span
 from markermend_app.panels.inspector.methods import MethodList
 from markermend_app.panels.inspector.note_line import NoteLine
@@ -262,7 +263,6 @@ class Decisions(QWidget):
             grid.addWidget(button, 0, i)
         grid.addWidget(self.reopen, 1, 0, 1, 3)
         document.current_changed.connect(self._refresh)
-        document.proposal_changed.connect(self._refresh)
         theme.watcher.changed.connect(self._recolour)
         self._recolour()
         self._refresh()
@@ -292,12 +292,10 @@ class Decisions(QWidget):
         """Offer what can be decided."""
         a = self._document.current
         editable = self._document.editable
-        proposal = self._document.proposal
         status = None if a is None else a.status
         self.accept.setEnabled(editable and status is not Status.ACCEPTED)
         self.reject.setEnabled(editable and status is not Status.REJECTED)
-        hopeless = proposal is not None and not proposal.patches
-        self.repair.setEnabled(editable and status is not Status.REPAIRED and not hopeless)
+        self.repair.setEnabled(can_repair(self._document))
         self.reopen.setVisible(status is not Status.PENDING)
         self.reopen.setEnabled(editable)
 
