@@ -65,8 +65,15 @@ def test_cut_opens_a_gap_whose_repair_is_previewed_and_f_fills_it(window, mouse,
     gap = document.current
     assert (gap.marker, gap.start, gap.stop, gap.kind) == ("T10", 40, 60, Kind.GAP)
     assert np.isnan(document.session.positions[40:60, 3]).all()
+    sureness = window.inspector.artifact.sureness
+    assert sureness.text() == "made by hand", "something was recorded"
+    qtbot.keyClick(window, Qt.Key.Key_BraceRight)
+    assert (document.current.stop, sureness.text()) == (59, "made by hand")
+    undo(window, qtbot)
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
     qtbot.keyClick(window, Qt.Key.Key_F)
+    document.select(gap.id)
+    assert sureness.text() == "made by hand", "repaired, too"
     assert (document.session.origin[40:60, 3] == Origin.FILLED).all()
     miss = document.session.positions[40:60, 3] - document.session.original.positions[40:60, 3]
     assert np.abs(miss).max() < 5.0
