@@ -16,6 +16,8 @@ from markermend.review import hand
 from markermend.take import Origin, Take
 from markermend_app.actions.palette import Palette
 from markermend_app.dialogs import export as export_dialog
+from markermend_app.looking import Selection
+from markermend_app.telling import FORMS
 
 WAIT = 20_000
 ACCESSIBLE = Qt.ItemDataRole.AccessibleTextRole
@@ -80,6 +82,14 @@ def test_cut_opens_a_gap_whose_repair_is_previewed_and_f_fills_it(window, mouse,
     undo(window, qtbot)
     undo(window, qtbot)
     assert state(window) == before
+
+
+def test_one_frame_alone_is_told_as_one(window, qtbot):
+    window.document.sweep(Selection("T10", 40, 41))
+    qtbot.keyClick(window, Qt.Key.Key_X)
+    reason = "not seen for 1 frame, since samples were cut or moved by hand"
+    assert window.inspector.artifact.why.text() == reason
+    assert reason in FORMS
 
 
 def test_a_swept_range_is_repaired_in_one_step(window, mouse, qtbot):
