@@ -1,0 +1,56 @@
+"""The status line while something runs."""
+
+from __future__ import annotations
+
+import threading
+
+import pytest
+from driving import WAIT
+
+RECOVERED = (
+    "An interrupted review was recovered; last step: Reject peak on Subject:RightUpperArmMarker "
+    "and 17 more of them."
+)
+
+
+@pytest.fixture
+def working(at_gap, qtbot):
+    """The window, none too wide, while something long is done."""
+    go_on = threading.Event()
+
+    def work(progress):
+        progress(0.5, "poses restored")
+        go_on.wait(WAIT / 1000)
+
+    at_gap.resize(1060, 720)
+    at_gap.lane.submit("Looking at the body", work, lambda _: None, pytest.fail)
+    qtbot.waitUntil(lambda: "poses" in at_gap.status._doing.text(), timeout=WAIT)
+    yield at_gap
+    go_on.set()
+    qtbot.waitUntil(lambda: not at_gap.lane.busy, timeout=WAIT)
+
+
+def test_what_was_said_is_read_whole_while_something_runs(working, qtbot):
+    status = working.status
+    assert status._counts.isVisible()
+    status.say(RECOVERED)
+    qtbot.waitUntil(lambda: status._said.text() == RECOVERED)
+    assert status._bar.isVisible()
+    assert status._cancel.isVisible()
+    assert "poses" in status._doing.text()
+    # The counts come back with the room for them, be it in a wider window.
+    working.resize(1900, 720)
+    qtbot.waitUntil(status._counts.isVisible)
+    assert status._said.text() == RECOVERED
+    working.resize(1060, 720)
+    qtbot.waitUntil(status._counts.isHidden)
+    status.say("")
+    qtbot.waitUntil(status._counts.isVisible)
+
+
+def test_counts_stay_where_nothing_runs(at_gap, qtbot):
+    at_gap.resize(1060, 720)
+    at_gap.status.say(3 * RECOVERED)
+    qtbot.waitUntil(lambda: at_gap.status._said.text().endswith("…"))
+    assert at_gap.status._counts.isVisible()
+    assert at_gap.status._said.toolTip() == 3 * RECOVERED
