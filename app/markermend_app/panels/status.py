@@ -12,6 +12,8 @@ from markermend_app.style import theme
 from markermend_app.telling import told
 
 _BAR_PX, _SHORT_BAR_PX = 180, 60
+_BETWEEN_PX, _EDGES_PX = 8, 24
+"""Pixels between two things in the line, and for what stands at its ends."""
 
 
 class Sentence(QLabel):
@@ -156,19 +158,13 @@ class StatusLine(QStatusBar):
 
     def _fit(self) -> None:
         """Make room for what was said while something runs: it is said once, and goes."""
-        layout, working = self.layout(), not self._bar.isHidden()
-        for bar, counted in (
-            (_BAR_PX, True),
-            (_SHORT_BAR_PX, True),
-            (_SHORT_BAR_PX, not working),
-        ):
-            self._bar.setFixedWidth(bar)
-            self._counts.setVisible(counted)
-            if layout is None:
-                break
-            layout.invalidate()
-            if layout.minimumSize().width() + self._said.wanted <= self.width():
-                break
+        working = not self._bar.isHidden()
+        work = (self._doing, self._cancel) if working else ()
+        room = self.width() - _EDGES_PX - self._said.wanted
+        room -= sum(w.sizeHint().width() + _BETWEEN_PX for w in (*work, self._counts))
+        fits = room >= _SHORT_BAR_PX + _BETWEEN_PX
+        self._bar.setFixedWidth(_BAR_PX if room >= _BAR_PX + _BETWEEN_PX else _SHORT_BAR_PX)
+        self._counts.setVisible(fits or not working)
 
     def _count(self) -> None:
         session = self._document.session

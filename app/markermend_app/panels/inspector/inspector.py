@@ -73,7 +73,7 @@ class Inspector(QWidget):
         self._fit()
 
     def _fit(self) -> None:
-        self.promise.fit(self.height())
+        self.promise.fit(self.size())
 
     @property
     def page(self) -> QWidget | None:

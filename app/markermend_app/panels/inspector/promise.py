@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QFontMetricsF
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QSizePolicy, QWidget
 
@@ -31,8 +31,8 @@ class Promise(QScrollArea):
         # Read while the keys decide; Tab passes it over.
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
 
-    def fit(self, height: int) -> None:
-        """Be as high as the text asks for, within a panel of so many pixels.
+    def fit(self, panel: QSize) -> None:
+        """Be as high as the text asks for, within a panel that is as wide and so high.
 
         Whole lines are seen, three at least.
         """
@@ -40,10 +40,10 @@ class Promise(QScrollArea):
             self._said = self._text.text()
             self.verticalScrollBar().setValue(0)
         # Of nothing at all Qt knows no height.
-        wanted = max(0, self._text.heightForWidth(self.width()))
+        wanted = max(0, self._text.heightForWidth(panel.width()))
         # In whole pixels a line is less high than labels make it.
         line = math.ceil(QFontMetricsF(self._text.font()).lineSpacing())
         margins = self._text.contentsMargins()
         edge = margins.top() + margins.bottom()
-        lines = max(LEAST_LINES, int((SHARE * height - edge) / line))
+        lines = max(LEAST_LINES, int((SHARE * panel.height() - edge) / line))
         self.setFixedHeight(min(wanted, lines * line + edge))
