@@ -1,9 +1,19 @@
-"""Which repair methods can be chosen for the artifact under review, by button, key or palette."""
+"""What can be repaired, and by which methods: the same for buttons, keys and palette."""
 
 from __future__ import annotations
 
 from markermend.artifact import Status
 from markermend_app.document import Document
+
+
+def can_repair(document: Document) -> bool:
+    """Whether what is under review is to be repaired.
+
+    Where no method has a repair it is all the same: then the flag is accepted, or it is said why
+    the method that was chosen does not repair it.
+    """
+    a = document.current
+    return document.editable and a is not None and a.status is not Status.REPAIRED
 
 
 def is_offered(document: Document, method: str) -> bool:

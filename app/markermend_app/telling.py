@@ -63,6 +63,7 @@ _SAME = (
     "{0}; {1} times its usual scatter",
     "{0}; its residual changes there from {1} to {2}",
     "{0}; {1} cameras see it instead of {2}",
+    "not seen for 1 frame, since samples were cut or moved by hand",
     "not seen for {0} frames, since samples were cut or moved by hand",
     "not seen for {0}",
     "sticks out by {0} for {1}, its neighbours do not",

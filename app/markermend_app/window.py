@@ -215,10 +215,12 @@ class MainWindow(QMainWindow):
 
     def _connect(self) -> None:
         document = self.document
-        aside = (self.references, self.sight, self.inspector, self.comparison)
+        kept = self.queue.kept
+        aside = (self.references, self.sight, self.inspector, self.comparison, kept)
         for speaker in (document, *self._verbs, *aside):
             speaker.said.connect(self.status.say)
-        self.sight.taken_back.connect(self.status.take_back)
+        for speaker in (self.sight, kept):
+            speaker.taken_back.connect(self.status.take_back)
         self.centring.open_wanted.connect(self.commands.open_path)
         self.batch.started.connect(self.dock_layout.show_takes)
         choosing = self.actions_by_name["choose_references"]

@@ -103,6 +103,7 @@ def test_after_several_rejections_it_asks_once_and_never_in_the_way(peaks, qtbot
         qtbot.keyClick(peaks, Qt.Key.Key_R)
     texts = [label.text() for label in peaks.findChildren(QLabel) if label.isVisible()]
     assert any("rejected 3 of 3" in text for text in texts)
+    assert any("the other one less sure, so that it comes last?" in text for text in texts)
     # The review goes on under the question.
     here = document.current.id
     qtbot.keyClick(peaks, Qt.Key.Key_A)
@@ -110,6 +111,7 @@ def test_after_several_rejections_it_asks_once_and_never_in_the_way(peaks, qtbot
     sure = document.session.artifact(on_t10[3]).confidence
     qtbot.keyClick(peaks, Qt.Key.Key_Y)
     assert document.session.artifact(on_t10[3]).confidence == pytest.approx(sure / 5)
+    assert peaks.status._said.whole == "1 artifact comes last now."
     assert not bulk.doubts
     # Nor is it asked when the review is opened again.
     document.opened.emit()
@@ -124,7 +126,7 @@ def test_what_was_left_is_not_asked_again_when_the_review_is_opened_anew(peaks, 
     document, bulk = peaks.document, peaks.bulk
     on_t10 = [a.id for a in document.session.artifacts if (a.marker, a.kind) == ("T10", Kind.PEAK)]
     document.decisions.reject(on_t10[:3])
-    (keep,) = [b for b in peaks.findChildren(QPushButton) if b.text() == "Leave them"]
+    (keep,) = [b for b in peaks.findChildren(QPushButton) if b.text() == "Leave it"]
     assert bulk.doubts
     qtbot.mouseClick(keep, Qt.MouseButton.LeftButton)
     assert not bulk.doubts

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QApplication
 
 from markermend.artifact import Artifact, Kind, Status
 from markermend.take import Take
+from markermend_app.looking import Selection
 
 WAIT = 20_000
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -161,6 +162,31 @@ def test_the_repair_key_accepts_what_cannot_be_repaired_and_goes_on(hopeless, qt
     assert np.array_equal(document.session.positions, before, equal_nan=True)
     qtbot.keyClick(window, Qt.Key.Key_Z, CTRL)
     assert document.session.artifact(gap).status is Status.PENDING
+
+
+def test_buttons_for_repair_do_what_the_key_does(hopeless, qtbot):
+    window, gap = hopeless
+    document, action = window.document, window.actions_by_name["repair"]
+    buttons = (window.inspector.decisions.repair, window.trajectories.buttons.repair)
+    for button in buttons:
+        document.select(gap)
+        qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+        assert not document.proposal.patches
+        qtbot.waitUntil(button.isVisible)
+        qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+        assert document.session.artifact(gap).status is Status.ACCEPTED
+        assert document.current.id != gap
+        qtbot.keyClick(window, Qt.Key.Key_Z, CTRL)
+        assert document.session.artifact(gap).status is Status.PENDING
+    document.select(next(i for i in document.queue if i != gap))
+    qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
+    peak = document.current.id
+    qtbot.keyClick(window, Qt.Key.Key_F)
+    document.select(peak)
+    assert document.current.status is Status.REPAIRED
+    assert not any(one.isEnabled() for one in (action, *buttons)), "repaired already"
+    document.sweep(Selection("C7", 10, 30))
+    assert action.isEnabled(), "now it is about the swept range"
 
 
 def test_a_method_chosen_by_hand_that_has_no_repair_decides_nothing(hopeless, qtbot):

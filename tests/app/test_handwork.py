@@ -16,6 +16,8 @@ from markermend.review import hand
 from markermend.take import Origin, Take
 from markermend_app.actions.palette import Palette
 from markermend_app.dialogs import export as export_dialog
+from markermend_app.looking import Selection
+from markermend_app.telling import FORMS
 
 WAIT = 20_000
 ACCESSIBLE = Qt.ItemDataRole.AccessibleTextRole
@@ -65,14 +67,29 @@ def test_cut_opens_a_gap_whose_repair_is_previewed_and_f_fills_it(window, mouse,
     gap = document.current
     assert (gap.marker, gap.start, gap.stop, gap.kind) == ("T10", 40, 60, Kind.GAP)
     assert np.isnan(document.session.positions[40:60, 3]).all()
+    sureness = window.inspector.artifact.sureness
+    assert sureness.text() == "made by hand", "something was recorded"
+    qtbot.keyClick(window, Qt.Key.Key_BraceRight)
+    assert (document.current.stop, sureness.text()) == (59, "made by hand")
+    undo(window, qtbot)
     qtbot.waitUntil(lambda: document.proposal is not None, timeout=WAIT)
     qtbot.keyClick(window, Qt.Key.Key_F)
+    document.select(gap.id)
+    assert sureness.text() == "made by hand", "repaired, too"
     assert (document.session.origin[40:60, 3] == Origin.FILLED).all()
     miss = document.session.positions[40:60, 3] - document.session.original.positions[40:60, 3]
     assert np.abs(miss).max() < 5.0
     undo(window, qtbot)
     undo(window, qtbot)
     assert state(window) == before
+
+
+def test_one_frame_alone_is_told_as_one(window, qtbot):
+    window.document.sweep(Selection("T10", 40, 41))
+    qtbot.keyClick(window, Qt.Key.Key_X)
+    reason = "not seen for 1 frame, since samples were cut or moved by hand"
+    assert window.inspector.artifact.why.text() == reason
+    assert reason in FORMS
 
 
 def test_a_swept_range_is_repaired_in_one_step(window, mouse, qtbot):

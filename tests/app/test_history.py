@@ -85,3 +85,24 @@ def test_click_travels_back_and_forth(qtbot, panel, document):
     document.redo()
     settled(qtbot)
     assert panel.view.currentIndex().row() == 1
+
+
+def test_the_present_step_stays_in_sight_where_the_window_is_made_lower(at_gap, qtbot):
+    document, view = at_gap.document, at_gap.history.view
+    at_gap.resize(1280, 1100)
+    for i in range(40):
+        document.do(lambda s, i=i: s.annotate(document.current.id, f"looked {i} times"))
+    settled(qtbot)
+    here = view.currentIndex()
+    assert here.row() == view.model().rowCount() - 1
+    height = view.height()
+    for lower in (900, 800, 720):
+        at_gap.resize(1280, lower)
+        qtbot.waitUntil(lambda h=height: view.height() < h)
+        height = view.height()
+        assert view.viewport().rect().contains(view.visualRect(here))
+    # Who looks at another one stays there.
+    view.scrollToTop()
+    at_gap.resize(1280, 680)
+    qtbot.waitUntil(lambda: view.height() < height)
+    assert view.verticalScrollBar().value() == 0

@@ -204,13 +204,15 @@ def test_the_list_of_methods_is_reached_and_used_by_keys(qtbot, inspector, docum
     assert document.method == more.itemData(1)
 
 
-def test_a_method_without_answer_says_why_and_cannot_be_applied(inspector, document, monkeypatch):
+def test_a_method_without_answer_says_why_and_the_flag_can_be_accepted(
+    inspector, document, monkeypatch
+):
     nothing = Repair("swap", (), "no marker carries the other half of this step")
     monkeypatch.setattr(Document, "proposal", property(lambda self: nothing))
     select(document, Kind.STEP)
     said = inspector.artifact.methods.outcome.text()
     assert said.splitlines()[0] == "No repair: no marker carries the other half of this step"
-    assert not inspector.decisions.repair.isEnabled()
+    assert inspector.decisions.repair.isEnabled(), "it accepts the flag and goes on, as F does"
     assert inspector.decisions.accept.isEnabled()
 
 
@@ -284,3 +286,28 @@ def test_what_was_chosen_last_is_seen(inspector, document):
     assert inspector.decisions.isVisible()
     document.sweep(Selection("C7", 10, 40))
     assert inspector.page is inspector.selection
+
+
+@pytest.mark.parametrize("height", [250, 700])
+def test_a_long_reason_leaves_room_for_the_methods(inspector, document, monkeypatch, height, qtbot):
+    nothing = Repair("auto", (), " ".join(f"Of {i} markers none is seen here." for i in range(12)))
+    monkeypatch.setattr(Document, "proposal", property(lambda self: nothing))
+    inspector.resize(300, height)
+    select(document, Kind.GAP)
+    outcome, promise = inspector.artifact.methods.outcome, inspector.promise
+    qtbot.waitUntil(lambda: promise.width() == 300)
+    line = outcome.fontMetrics().lineSpacing()
+    assert promise.height() >= 3 * line
+    assert promise.height() < 0.25 * height + line
+    assert promise.height() < outcome.height()
+    assert outcome.toolTip() == outcome.text()
+    # The rest is scrolled to; another reason is read from its beginning.
+    bar = promise.verticalScrollBar()
+    bar.setValue(bar.maximum())
+    assert bar.value() > 0
+    document.proposal_changed.emit()
+    assert bar.value() > 0, "the same as before"
+    monkeypatch.setattr(Document, "proposal", property(lambda self: Repair("auto", (), "No.")))
+    document.proposal_changed.emit()
+    assert bar.value() == 0
+    qtbot.waitUntil(lambda: promise.height() == outcome.heightForWidth(promise.width()))

@@ -191,7 +191,7 @@ def test_what_the_step_speaks_of_is_not_under_the_card(window, tour):
     for spoken_of in (
         inspector.decisions.repair,
         inspector.decisions.reject,
-        inspector.artifact.methods.outcome,
+        inspector.promise,
     ):
         assert spoken_of.isVisible()
         corner = window.mapFromGlobal(spoken_of.mapToGlobal(QPoint()))

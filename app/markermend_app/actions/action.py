@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from markermend_app.document import Document
-from markermend_app.offered import is_offered
+from markermend_app.offered import can_repair, is_offered
 
 
 def anything(document: Document) -> bool:
@@ -57,6 +57,11 @@ def redoable(document: Document) -> bool:
 def swept(document: Document) -> bool:
     """A range is swept."""
     return document.editable and document.selection is not None
+
+
+def repairable(document: Document) -> bool:
+    """What is under review, or the swept range that covers it, can be repaired."""
+    return can_repair(document) or swept(document)
 
 
 def narrowed(document: Document) -> bool:

@@ -9,7 +9,7 @@ from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QWidget
 
 from markermend_app.actions import shortcuts
-from markermend_app.actions.action import MethodOffered, current
+from markermend_app.actions.action import MethodOffered, current, repairable
 from markermend_app.actions.joints import TEXTS, text_of, tip_of
 from markermend_app.actions.table import ACTIONS
 from markermend_app.document import Document
@@ -24,7 +24,7 @@ _SPEC = {spec.name: spec for spec in ACTIONS}
 def is_about_current(name: str) -> bool:
     """Whether an action does something to the artifact under review."""
     rule = _SPEC[name].enabled
-    return rule is current or isinstance(rule, MethodOffered)
+    return rule in (current, repairable) or isinstance(rule, MethodOffered)
 
 
 def build(owner: QWidget, document: Document, run: Callable[[str], None]) -> dict[str, QAction]:

@@ -237,7 +237,8 @@ class AlikeDialog(QDialog):
         if not self._listed:
             text = self.tr("No open artifact is like this; look further or be less strict.")
         elif waiting:
-            text = self.tr("Working out {0} repairs…").format(len(self._listed))
+            one, many = self.tr("Working out 1 repair…"), self.tr("Working out {0} repairs…")
+            text = one if len(self._listed) == 1 else many.format(len(self._listed))
         else:
             text = self.tr("One step, undone by {0}.").format(shortcuts.way_to("undo"))
             if left:

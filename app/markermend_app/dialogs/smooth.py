@@ -357,7 +357,7 @@ class SmoothDialog(QDialog):
                     "{0} of {1} joints lose more than {2:g} % of their way, {3} most "
                     "({4} {5:.0f}). Look whether movement went with the noise."
                 )
-            if len(answer.markers) == 1:
+            if above.sum() == 1:
                 text = self.tr(
                     "{3} loses more than {2:g} % of its way ({4} {5:.0f}). "
                     "Look whether movement went with the noise."

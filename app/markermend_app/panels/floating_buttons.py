@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QToolButton, QWidget
 from markermend.artifact import Status
 from markermend_app.actions.shortcuts import KeyTip
 from markermend_app.document import Document
+from markermend_app.offered import can_repair
 from markermend_app.style import theme
 
 _GAP = 8
@@ -42,9 +43,7 @@ class FloatingButtons(QFrame):
         status = None if current is None else current.status
         self.accept.setEnabled(editable and status is not Status.ACCEPTED)
         self.reject.setEnabled(editable and status is not Status.REJECTED)
-        proposal = self._document.proposal
-        answered = proposal is None or bool(proposal.patches)
-        self.repair.setEnabled(editable and status is not Status.REPAIRED and answered)
+        self.repair.setEnabled(can_repair(self._document))
 
     def place(self, interval: QRectF | None, plot: QRectF) -> None:
         """Stand to the right of an interval, else to its left, else inside; hide without one.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from PySide6.QtCore import QAbstractListModel, QModelIndex, QPersistentModelIndex, QSize, Qt
-from PySide6.QtGui import QFont
+from PySide6.QtGui import QFont, QResizeEvent
 from PySide6.QtWidgets import (
     QListView,
     QStackedWidget,
@@ -34,7 +34,7 @@ class HistoryPanel(QWidget):
         super().__init__(parent)
         self._document = document
         self.model = _Steps(self)
-        self.view = QListView()
+        self.view = _View()
         self.view.setModel(self.model)
         self.view.setUniformItemSizes(True)
         OwnEnds(self.view)
@@ -72,6 +72,18 @@ class HistoryPanel(QWidget):
     def _travel(self, index: QModelIndex) -> None:
         """Undo or redo up to a step."""
         self._document.travel(index.row())
+
+
+class _View(QListView):
+    """Steps, of which the present one stays in sight where it was."""
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Follow it when the panel is made lower."""
+        here = self.currentIndex()
+        seen = here.isValid() and 0 <= self.visualRect(here).top() < event.oldSize().height()
+        super().resizeEvent(event)
+        if seen:
+            self.scrollTo(here)
 
 
 class _Narrow(QStyledItemDelegate):

@@ -22,7 +22,7 @@ class Notice(QFrame):
         self.text.setWordWrap(True)
         self.agree = QPushButton()
         self.agree.clicked.connect(bulk.lower_doubted)
-        self.keep = QPushButton(self.tr("Leave them"))
+        self.keep = QPushButton()
         self.keep.clicked.connect(bulk.keep_doubted)
         for button in (self.agree, self.keep):
             # The review keys go on working; the answer has a key of its own.
@@ -48,20 +48,27 @@ class Notice(QFrame):
             return
         kind = theme.kind_name(doubts[0].kind, within=True)
         rejected = sum(d.rejected for d in doubts)
-        more = len(doubts) - 1
+        more, rest = len(doubts) - 1, sum(len(d.rest) for d in doubts)
+        one = self.tr(
+            "You rejected {0} of {1} decided as {2} on {3}. Make the other one less sure, so that "
+            "it comes last?"
+        )
+        many = self.tr(
+            "You rejected {0} of {1} decided as {2} on {3}. Make the other {4} less sure, so "
+            "that they come last?"
+        )
         self.text.setText(
-            self.tr(
-                "You rejected {0} of {1} decided as {2} on {3}. Make the other {4} less sure, so "
-                "that they come last?"
-            ).format(
+            (one if rest == 1 else many).format(
                 rejected,
                 rejected + sum(d.upheld for d in doubts),
                 kind,
                 f"{doubts[0].marker} +{more}" if more else doubts[0].marker,
-                sum(len(d.rest) for d in doubts),
+                rest,
             )
         )
-        self.agree.setText(shortcuts.with_key(self.tr("Lower them"), "lower_doubted"))
+        lower = self.tr("Lower it") if rest == 1 else self.tr("Lower them")
+        self.agree.setText(shortcuts.with_key(lower, "lower_doubted"))
+        self.keep.setText(self.tr("Leave it") if rest == 1 else self.tr("Leave them"))
 
     def _recolour(self) -> None:
         self.sign.setPixmap(theme.icon("help").pixmap(16, 16))

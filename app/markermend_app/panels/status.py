@@ -11,6 +11,10 @@ from markermend_app.document import Document
 from markermend_app.style import theme
 from markermend_app.telling import told
 
+_BAR_PX, _SHORT_BAR_PX = 180, 60
+_BETWEEN_PX, _EDGES_PX = 8, 24
+"""Pixels between two things in the line, and for what stands at its ends."""
+
 
 class Sentence(QLabel):
     """A sentence that ends in dots where it has no room, rather than widen the window.
@@ -32,6 +36,13 @@ class Sentence(QLabel):
         self.whole = text
         self.setToolTip(text)
         self._fit()
+
+    @property
+    def wanted(self) -> int:
+        """Pixels that all of it takes."""
+        margins = self.contentsMargins()
+        edges = margins.left() + margins.right()
+        return self.fontMetrics().horizontalAdvance(self.whole) + edges + 1
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Show as much as has room now."""
@@ -62,7 +73,7 @@ class StatusLine(QStatusBar):
         self._doing.setTextFormat(Qt.TextFormat.PlainText)
         self._bar = QProgressBar()
         self._bar.setRange(0, 1000)
-        self._bar.setFixedWidth(180)
+        self._bar.setFixedWidth(_BAR_PX)
         self._bar.setTextVisible(False)
         self._bar.setAccessibleName(self.tr("Progress"))
         self._cancel = QToolButton()
@@ -92,6 +103,12 @@ class StatusLine(QStatusBar):
     def say(self, text: str) -> None:
         """Show a sentence until the next one, or the next step of the review."""
         self._said.say(text)
+        self._fit()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Keep what was said readable."""
+        super().resizeEvent(event)
+        self._fit()
 
     def take_back(self, text: str) -> None:
         """Show a sentence no longer, unless another one has followed."""
@@ -102,7 +119,7 @@ class StatusLine(QStatusBar):
         """Ask the work to stop, which it does at its next step."""
         self._stopping = True
         self._cancel.setEnabled(False)
-        self._doing.setText(self.tr("Stopping…"))
+        self._tell(self.tr("Stopping…"))
         self._lane.cancel()
 
     def _started(self, label: str) -> None:
@@ -110,15 +127,20 @@ class StatusLine(QStatusBar):
         # What was stopped does not begin, so that this was asked for later.
         self._stopping = False
         self._cancel.setEnabled(True)
-        self._doing.setText(f"{label}…")
         self._bar.setValue(0)
         self._show_work(True)
+        self._tell(f"{label}…")
 
     def _progressed(self, share: float, doing: str) -> None:
         if self._stopping:
             return
         self._bar.setValue(round(share * 1000))
-        self._doing.setText(f"{self._label}: {told(doing)}")
+        self._tell(f"{self._label}: {told(doing)}")
+
+    def _tell(self, doing: str) -> None:
+        """Tell what is done."""
+        self._doing.setText(doing)
+        self._fit()
 
     def _finished(self) -> None:
         if self._lane.busy:
@@ -132,6 +154,17 @@ class StatusLine(QStatusBar):
     def _show_work(self, shown: bool) -> None:
         for widget in (self._doing, self._bar, self._cancel):
             widget.setVisible(shown)
+        self._fit()
+
+    def _fit(self) -> None:
+        """Make room for what was said while something runs: it is said once, and goes."""
+        working = not self._bar.isHidden()
+        work = (self._doing, self._cancel) if working else ()
+        room = self.width() - _EDGES_PX - self._said.wanted
+        room -= sum(w.sizeHint().width() + _BETWEEN_PX for w in (*work, self._counts))
+        fits = room >= _SHORT_BAR_PX + _BETWEEN_PX
+        self._bar.setFixedWidth(_BAR_PX if room >= _BAR_PX + _BETWEEN_PX else _SHORT_BAR_PX)
+        self._counts.setVisible(fits or not working)
 
     def _count(self) -> None:
         session = self._document.session

@@ -182,6 +182,7 @@ QTabBar::tab:hover { color: $text; }
 QTabBar::tab:selected { color: $text; border-bottom-color: $accent; }
 
 PlotStack, Inspector QScrollArea { border: 1px solid transparent; padding: 1px; }
+Inspector Promise { border: none; padding: 0; }
 PlotStack:focus, Inspector QScrollArea:focus { border: 2px solid $accent; padding: 0; }
 QScrollBar { background: transparent; border: none; }
 QScrollBar:vertical { width: 12px; }

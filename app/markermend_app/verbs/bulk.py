@@ -60,7 +60,9 @@ class Bulk(QObject):
         """Make the rest of a sort that was rejected several times less sure."""
         number = sum(len(doubt.rest) for doubt in self.doubts)
         if self._answer(lower):
-            self.said.emit(self.tr("{0} artifacts come last now.").format(number))
+            one = self.tr("1 artifact comes last now.")
+            many = self.tr("{0} artifacts come last now.")
+            self.said.emit(one if number == 1 else many.format(number))
 
     def keep_doubted(self) -> None:
         """Leave them as they are and do not ask again."""

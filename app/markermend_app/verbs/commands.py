@@ -331,8 +331,11 @@ class Commands(QObject):
         if file is None:
             return
         take = file.session.original
-        joints = self.tr("{0} joints, {1} frames at {2:g} Hz.")
-        text = joints if take.skeleton else self.tr("{0} markers, {1} frames at {2:g} Hz.")
+        text = self.tr("{0} markers, {1} frames at {2:g} Hz.")
+        if take.skeleton:
+            text = self.tr("{0} joints, {1} frames at {2:g} Hz.")
+        elif len(take.named) == 1:
+            text = self.tr("1 marker, {1} frames at {2:g} Hz.")
         text = text.format(len(take.named), take.frames, take.rate)
         if file.read_only:
             text = self.tr(

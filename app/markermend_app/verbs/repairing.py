@@ -79,7 +79,11 @@ class Repairing(QObject):
             text = self.tr("{0} repaired.").format(len(good))
             if left:
                 why = next(r.reason for _, r in repairs if not r.patches)
-                text += " " + self.tr("{0} left as they are: {1}").format(left, told(why))
+                one, many = (
+                    self.tr("1 left as it is: {1}"),
+                    self.tr("{0} left as they are: {1}"),
+                )
+                text += " " + (one if left == 1 else many).format(left, told(why))
             self.said.emit(text)
 
         self._lane.submit(self.tr("Repairing"), work, done, failed)

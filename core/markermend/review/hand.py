@@ -361,7 +361,8 @@ def _gaps_redone(
         why = f"not seen for {how_long(stop - start, session.original.rate)}"
         column = session.original.index(marker)
         if session.original.present[start:stop, column].any():
-            why = f"not seen for {stop - start} frames, since samples were cut or moved by hand"
+            frames = f"{stop - start} frames" if stop - start > 1 else "1 frame"
+            why = f"not seen for {frames}, since samples were cut or moved by hand"
         new = Artifact(marker, AXES, start, stop, Kind.GAP, why=why)
         changes[session.free_id(new.id)] = replace(new, id=session.free_id(new.id))
     return changes

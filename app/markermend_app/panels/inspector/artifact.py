@@ -22,9 +22,11 @@ from PySide6.QtWidgets import (
 )
 
 from markermend.artifact import PAIRED, Artifact, Kind, Status, changed_markers
+from markermend.take import Origin
 from markermend_app import units
 from markermend_app.actions.shortcuts import KeyTip
 from markermend_app.document import Document
+from markermend_app.offered import can_repair
 from markermend_app.panels.inspector.artifact_text import span
 from markermend_app.panels.inspector.methods import MethodList
 from markermend_app.panels.inspector.note_line import NoteLine
@@ -168,8 +170,11 @@ class ArtifactPage(QWidget):
         """How sure it is that something is wrong; of what is plain nobody has to be told."""
         if a.why == "marked by hand":
             return self.tr("marked by hand")
-        if a.kind is Kind.GAP and a.confidence >= 1.0 and not self._recorded(a):
-            return self.tr("certain: nothing was recorded")
+        if a.kind is Kind.GAP and a.confidence >= 1.0:
+            if not self._recorded(a):
+                return self.tr("certain: nothing was recorded")
+            if self._taken_out(a):
+                return self.tr("made by hand")
         return f"{100 * a.confidence:.0f} %, {self._words(a.confidence)}"
 
     def _recorded(self, a: Artifact) -> bool:
@@ -178,6 +183,14 @@ class ArtifactPage(QWidget):
         assert session is not None
         take = session.original
         return bool(take.present[a.start : a.stop, take.index(a.marker)].any())
+
+    def _taken_out(self, a: Artifact) -> bool:
+        """Whether hand work cut, or gave to other markers, all that was there."""
+        session = self._document.session
+        assert session is not None
+        column = session.original.index(a.marker)
+        _, origin = session.state.base.read(column, a.start, a.stop)
+        return bool((origin == Origin.MISSING).all())
 
     def _words(self, confidence: float) -> str:
         """Confidence for people."""
@@ -262,7 +275,6 @@ class Decisions(QWidget):
             grid.addWidget(button, 0, i)
         grid.addWidget(self.reopen, 1, 0, 1, 3)
         document.current_changed.connect(self._refresh)
-        document.proposal_changed.connect(self._refresh)
         theme.watcher.changed.connect(self._recolour)
         self._recolour()
         self._refresh()
@@ -292,12 +304,10 @@ class Decisions(QWidget):
         """Offer what can be decided."""
         a = self._document.current
         editable = self._document.editable
-        proposal = self._document.proposal
         status = None if a is None else a.status
         self.accept.setEnabled(editable and status is not Status.ACCEPTED)
         self.reject.setEnabled(editable and status is not Status.REJECTED)
-        hopeless = proposal is not None and not proposal.patches
-        self.repair.setEnabled(editable and status is not Status.REPAIRED and not hopeless)
+        self.repair.setEnabled(can_repair(self._document))
         self.reopen.setVisible(status is not Status.PENDING)
         self.reopen.setEnabled(editable)
 

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QStackedWidget, QVBoxLayout, QWidget
 
 from markermend_app.document import Document
 from markermend_app.panels.inspector.artifact import ArtifactPage, Decisions
+from markermend_app.panels.inspector.promise import Promise
 from markermend_app.panels.inspector.take import SelectionPage, TakePage
 from markermend_app.panels.markers.badge import hint
 from markermend_app.style import theme
@@ -48,14 +50,30 @@ class Inspector(QWidget):
         whole.setSpacing(0)
         whole.addWidget(self._pages, 1)
         # What is decided about stays in sight beside the decision, however small the panel.
-        whole.addWidget(self.artifact.methods.outcome)
+        self.promise = Promise(self.artifact.methods.outcome)
+        whole.addWidget(self.promise)
         whole.addWidget(self.decisions)
         self._seen: str | None = None
         self._swept = False
         document.opened.connect(self._choose)
         document.current_changed.connect(self._current_changed)
         document.selection_changed.connect(self._selection_changed)
+        for signal in (
+            document.current_changed,
+            document.proposal_changed,
+            document.proposals.progressed,
+        ):
+            signal.connect(self._fit)
+        theme.watcher.changed.connect(self._fit)
         self._choose()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Leave room for the methods where the panel is low."""
+        super().resizeEvent(event)
+        self._fit()
+
+    def _fit(self) -> None:
+        self.promise.fit(self.size())
 
     @property
     def page(self) -> QWidget | None:
@@ -118,7 +136,7 @@ class Inspector(QWidget):
         swept = self.shows_range
         deciding = document.current is not None and not swept
         self.decisions.setVisible(deciding)
-        self.artifact.methods.outcome.setVisible(deciding)
+        self.promise.setVisible(deciding)
         if document.session is None:
             self._pages.setCurrentWidget(self._nothing)
         elif swept:

@@ -305,7 +305,6 @@ class TrajectoryPanel(QWidget):
         patches, banded = shown_repair(self.document)
         for row in self.rows:
             row.show_proposal(patches, banded)
-        self.buttons.refresh()
         if patches:
             self.framing.follow_proposal()
 

@@ -24,6 +24,7 @@ from markermend_app.panels.before_hands import BeforeHands
 from markermend_app.panels.markers.badge import hint
 from markermend_app.panels.queue.columns import QueueColumns
 from markermend_app.panels.queue.filters import ACCEPTED, OPEN, QueueFilters
+from markermend_app.panels.queue.keeping import KeptListed
 from markermend_app.panels.queue.model import COLUMNS, MARKER, STATUS, QueueModel
 from markermend_app.panels.queue.view import QueueView
 from markermend_app.panels.sort_menu import sort_menu
@@ -49,6 +50,7 @@ class ReviewQueue(QWidget):
         self._doing = ""
         self._listed: tuple[str, ...] = ()
         self._followed: str | None = None
+        self._walked = Rows()
         self._syncing = self._choosing = self._stale = False
         self._soon = Later(self._catch_up, self)
         self.model = QueueModel(self)
@@ -67,6 +69,8 @@ class ReviewQueue(QWidget):
         whole.setSpacing(4)
         self.filters = QueueFilters(self.view)
         self.filters.changed.connect(self._filter)
+        self.kept = KeptListed(document, self.model.row_of, self)
+        self.filters.marker.editingFinished.connect(self.kept.leave)
         whole.addWidget(self.filters)
         whole.addWidget(self._pages, 1)
 
@@ -154,6 +158,7 @@ class ReviewQueue(QWidget):
         """Another take: show everything that is open."""
         if not self._document.renaming:
             self._followed = None
+            self.kept.forget()
             self.filters.clear()
         session = self._document.session
         self.filters.name_joints(session is not None and session.original.skeleton)
@@ -222,12 +227,14 @@ class ReviewQueue(QWidget):
     def _filter(self) -> None:
         """List what the filters ask for."""
         self._soon.catch_up()
+        walked = self._walked
         self._syncing = True
         self.model.set_wanted(self.filters.wanted)
         self._syncing = False
         self._fit_columns()
         self._follow_current()
         self._explain()
+        self.kept.narrowed(walked, typing=self.filters.marker.hasFocus())
 
     def _fit_columns(self) -> None:
         """Leave out columns where there is no room for all, or nothing to be told in them."""
@@ -241,7 +248,8 @@ class ReviewQueue(QWidget):
 
     def _walk_by(self, events: Sequence[Sequence[Artifact]]) -> None:
         """Tell the document in which order it goes on, and what is decided at once."""
-        self._document.set_queue(Rows([[a.id for a in event] for event in events]))
+        self._walked = Rows([[a.id for a in event] for event in events])
+        self._document.set_queue(self._walked)
 
     def _follow_current(self, *, scroll: bool = True) -> None:
         """Put the cursor on the artifact under review."""
