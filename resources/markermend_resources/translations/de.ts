@@ -2656,6 +2656,10 @@
         <translation>{0}; {1} Kameras sehen ihn statt {2}</translation>
     </message>
     <message>
+        <source>not seen for 1 frame, since samples were cut or moved by hand</source>
+        <translation>1 Frame lang nicht gesehen, da von Hand ausgeschnitten oder verschoben wurde</translation>
+    </message>
+    <message>
         <source>not seen for {0} frames, since samples were cut or moved by hand</source>
         <translation>{0} Frames lang nicht gesehen, da von Hand ausgeschnitten oder verschoben wurde</translation>
     </message>
@@ -3627,6 +3631,10 @@
         <translation>{0} Reparaturen werden berechnet…</translation>
     </message>
     <message>
+        <source>Working out 1 repair…</source>
+        <translation>1 Reparatur wird berechnet…</translation>
+    </message>
+    <message>
         <source>One step, undone by {0}.</source>
         <translation>Ein Schritt, den {0} zurücknimmt.</translation>
     </message>
@@ -3710,6 +3718,10 @@
         <translation>von Hand markiert</translation>
     </message>
     <message>
+        <source>made by hand</source>
+        <translation>von Hand gemacht</translation>
+    </message>
+    <message>
         <source>nearly certain</source>
         <translation>fast sicher</translation>
     </message>
@@ -3791,6 +3803,10 @@
 </context>
 <context>
     <name>Bulk</name>
+    <message>
+        <source>1 artifact comes last now.</source>
+        <translation>1 Artefakt kommt jetzt zuletzt.</translation>
+    </message>
     <message>
         <source>{0} artifacts come last now.</source>
         <translation>{0} Artefakte kommen jetzt zuletzt.</translation>
@@ -3907,6 +3923,10 @@
     <message>
         <source>{0} markers, {1} frames at {2:g} Hz.</source>
         <translation>{0} Marker, {1} Frames mit {2:g} Hz.</translation>
+    </message>
+    <message>
+        <source>1 marker, {1} frames at {2:g} Hz.</source>
+        <translation>1 Marker, {1} Frames mit {2:g} Hz.</translation>
     </message>
     <message>
         <source>It was open in another window: this one is read-only. To review here, close that one and open the take again.</source>
@@ -4304,6 +4324,13 @@
     </message>
 </context>
 <context>
+    <name>KeptListed</name>
+    <message>
+        <source>No artifact is listed, so that none is under review.</source>
+        <translation>Kein Artefakt ist aufgeführt, daher ist keines in Durchsicht.</translation>
+    </message>
+</context>
+<context>
     <name>KeySweep</name>
     <message>
         <source>Move the cursor to where the selection ends, then press again</source>
@@ -4613,8 +4640,20 @@
         <translation>Sie haben {0} von {1} entschiedenen ({2} an {3}) abgelehnt. Die übrigen {4} als unsicherer einstufen, damit sie zuletzt kommen?</translation>
     </message>
     <message>
+        <source>You rejected {0} of {1} decided as {2} on {3}. Make the other one less sure, so that it comes last?</source>
+        <translation>Sie haben {0} von {1} entschiedenen ({2} an {3}) abgelehnt. Das übrige als unsicherer einstufen, damit es zuletzt kommt?</translation>
+    </message>
+    <message>
         <source>Lower them</source>
         <translation>Zurückstufen</translation>
+    </message>
+    <message>
+        <source>Lower it</source>
+        <translation>Zurückstufen</translation>
+    </message>
+    <message>
+        <source>Leave it</source>
+        <translation>So lassen</translation>
     </message>
 </context>
 <context>
@@ -5055,6 +5094,10 @@ Schließen Sie sie, um dies für die nächste Aufnahme festzulegen.</translation
     <message>
         <source>{0} repaired.</source>
         <translation>{0} repariert.</translation>
+    </message>
+    <message>
+        <source>1 left as it is: {1}</source>
+        <translation>1 bleibt, wie es ist: {1}</translation>
     </message>
     <message>
         <source>{0} left as they are: {1}</source>
