@@ -300,6 +300,7 @@ def test_nothing_is_left_of_a_file_when_writing_is_cancelled(opened, qtbot, tmp_
 def test_reasons_go_on_below_where_the_window_is_narrow(opened, qtbot, qapp):
     dialog = listed(opened, qtbot)
     last = dialog.table.rowCount() - 1
+    dialog.resize(1500, 500)
     wide = dialog.table.rowHeight(0)
     qtbot.waitUntil(lambda: dialog.table.rowHeight(last) == wide, timeout=WAIT)
     dialog.resize(480, 500)
