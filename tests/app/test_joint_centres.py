@@ -302,7 +302,11 @@ def test_reasons_go_on_below_where_the_window_is_narrow(opened, qtbot, qapp):
     last = dialog.table.rowCount() - 1
     dialog.resize(1500, 500)
     wide = dialog.table.rowHeight(0)
-    qtbot.waitUntil(lambda: dialog.table.rowHeight(last) == wide, timeout=WAIT)
+
+    def on_one_line():
+        assert dialog.table.rowHeight(last) == wide
+
+    qtbot.waitUntil(on_one_line, timeout=WAIT)
     dialog.resize(480, 500)
     qtbot.waitUntil(lambda: dialog.table.rowHeight(last) > wide, timeout=WAIT)
     assert dialog.table.rowHeight(0) == wide

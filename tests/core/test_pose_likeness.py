@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from markermend.poses.borders import Borders
 from markermend.poses.likeness import (
     Telling,
     by_likeness,
@@ -44,11 +45,12 @@ def filled(
     frames: np.ndarray,
     noise: float = 0.0,
     mirrored: Telling | None = None,
+    borders: Borders | None = None,
 ) -> tuple[np.ndarray, np.ndarray]:
     moved = moving(np.float32(poses), RATE)[START:STOP]
     given = (np.float32(x) for x in (trust, weights))
     own = telling(poses, hidden, frames)
-    return by_likeness(moved, START, own, *given, RATE, noise, mirrored)
+    return by_likeness(moved, START, own, *given, RATE, noise, mirrored, borders)
 
 
 def telling(poses: np.ndarray, hidden: np.ndarray, frames: np.ndarray) -> Telling:
@@ -129,6 +131,52 @@ def test_the_other_side_tells_of_movement_that_this_side_did_not_show() -> None:
     assert off["both"] < 0.7 * off["alone"]
     # That it is carried a little differently does not matter.
     assert off["aslant"] < 1.3 * off["both"]
+
+
+def test_where_a_limb_was_before_tells_which_way_it_goes() -> None:
+    # The body shows when it moves, not which of two ways; that the limb itself shows beside it.
+    time = np.arange(900)
+    swing = np.sin(2 * np.pi * time / 60.0)
+    way = np.repeat(np.random.default_rng(3).choice([-1.0, 1.0], 15), 60)
+    poses = np.stack([swing, np.cos(2 * np.pi * time / 60.0)], axis=1) @ np.ones((2, 12))
+    poses += np.outer(np.cos(2 * np.pi * time / 60.0), np.arange(12))
+    hidden = (way * (1.5 + np.abs(swing)))[:, None]
+    frames, off = chosen(), {}
+    for name in ("alone", "beside"):
+        path = np.float32(hidden)
+        path[START:STOP] = 0.0
+        borders = Borders(path, None, START, STOP, RATE) if name == "beside" else None
+        found, variance = filled(
+            poses, np.ones(12), np.zeros((12, 1)), hidden, frames, borders=borders
+        )
+        off[name] = float(np.abs(found - hidden[START:STOP]).mean())
+        assert np.all(variance >= 0)
+    assert off["beside"] < 0.8 * off["alone"]
+
+
+@pytest.mark.parametrize("gap", [(0, 40), (300, 301), (300, 345), (860, 900)])
+def test_every_frame_of_a_gap_is_told_from_places_that_count_for_one(gap: tuple[int, int]) -> None:
+    path = np.float32(np.random.default_rng(4).normal(size=(900, 3)))
+    borders = Borders(path, path, *gap, RATE)
+    whole, frames = np.zeros(gap[1] - gap[0]), np.array([5, 500, 895])
+    for place, part, share in borders.looks():
+        whole[part] += share
+        (places, much), (speeds, little) = borders.views(place, frames, frames)
+        sides = int(gap[0] > 0) + int(gap[1] < 900)
+        assert places.shape == speeds.shape == (7, 3 * sides)
+        assert 0 < little < much <= 1.0
+        assert not np.isnan(places).any()
+    assert whole == pytest.approx(1.0)
+
+
+def test_what_a_gap_hides_is_not_looked_at() -> None:
+    path = np.zeros((900, 1), dtype=np.float32)
+    path[START:STOP] = np.nan
+    borders = Borders(path, None, START, STOP, RATE)
+    frames = np.r_[0:START, STOP:900]
+    for place, *_ in borders.looks():
+        places, _ = borders.views(place, frames, frames[:0])[0]
+        assert not np.isnan(places).any()
 
 
 def test_moments_are_some_of_those_there_are() -> None:

@@ -7,6 +7,7 @@ import pytest
 from sensed_bodies import with_hands
 
 import markermend as mm
+from markermend.bench.poses import CASES, damaged
 from markermend.poses.covariance import Moments, pooled
 from markermend.poses.live import Live
 from markermend.poses.normal import FEATURES
@@ -31,18 +32,6 @@ def prior(clips):
 @pytest.fixture(scope="module")
 def body(clips):
     return with_hands(clips[0])
-
-
-def hidden_now_and_then(pose, seed=4, seconds=0.5):
-    """Arms and legs hidden in turn; the first second is whole."""
-    rng, length = np.random.default_rng(seed), round(seconds * pose.rate)
-    confidence = np.ones(pose.confidence.shape)
-    starts = np.arange(round(pose.rate), pose.frames - 2 * length, 2 * length)
-    joints = [pose.index(f"{side}_{n}") for side in ("left", "right") for n in ("elbow", "knee")]
-    for start in starts.tolist():
-        limb = list(pose.hanging_on(int(rng.choice(joints))))
-        confidence[start : start + length, limb] = 0.0
-    return pose.with_samples(pose.positions, pose.rotations, confidence)
 
 
 def test_a_prior_tells_of_the_joints_that_it_knows_in_the_size_of_its_own_bones(body, prior):
@@ -92,11 +81,14 @@ def test_what_is_not_told_of_moves_with_the_rest_as_the_recording_has_it():
     assert np.linalg.eigvalsh(both).min() > -1e-9
 
 
-def test_a_prior_of_fewer_joints_brings_hidden_limbs_nearer(body, prior):
+def test_a_prior_of_fewer_joints_brings_hidden_joints_nearer(body, prior):
     short = slice(0, round(8 * body.rate), 4)
     samples = body.positions[short], body.rotations[short], body.confidence[short]
     truth = Pose(*samples[:2], body.joints, body.parents, body.rate / 4, samples[2])
-    given = hidden_now_and_then(truth)
+    (case,) = (c for c in CASES if c.slow and c.kind == "occlusions")
+    seen = damaged(truth, case.noise(truth.rate), seed=5).seen_in(truth).seen
+    seen[0] = True
+    given = truth.with_samples(truth.positions, truth.rotations, seen.astype(float))
     off = {}
     for learnt in (None, prior):
         restored = restore(given, prior=learnt)

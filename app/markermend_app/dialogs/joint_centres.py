@@ -296,7 +296,9 @@ class JointCentresDialog(QDialog):
             if reason is not None and self.table.columnSpan(row, ERROR) > 1:
                 wrap = Qt.TextFlag.TextWordWrap
                 text = metrics.boundingRect(0, 0, width, 1000, wrap, reason.text())
-                height = max(height, text.height() + _ROW_PX - metrics.height())
+                # A line counts for more than a font's height in some fonts.
+                lines = round(text.height() / metrics.lineSpacing())
+                height += max(lines - 1, 0) * metrics.lineSpacing()
             self.table.setRowHeight(row, height)
 
     def _copy(self) -> None:

@@ -91,6 +91,24 @@ def bridged(values: FloatArray, known: BoolArray) -> FloatArray:
     return out
 
 
+def time_variance(base: FloatArray, known: BoolArray, rate: float) -> FloatArray:
+    """Expected squared error of bridges over short gaps, from how far single frames stray."""
+    variance = np.zeros_like(base)
+    if len(base) > 2:
+        bend = base[1:-1] - 0.5 * (base[:-2] + base[2:])
+        both = known[:-2] & known[1:-1] & known[2:]
+        spread = np.sum(np.where(both, bend, 0.0) ** 2, axis=0) / np.maximum(both.sum(axis=0), 1)
+        variance += np.where(known, 0.0, spread)
+    return variance
+
+
+def arch(length: int) -> FloatArray:
+    """(length,) how the variance swells from the sides of a gap to its middle, 1 on average."""
+    share = np.arange(1, length + 1) / (length + 1)
+    arch = share * (1.0 - share)
+    return np.asarray(arch / arch.mean())
+
+
 def bridging_error(path: FloatArray, known: BoolArray) -> FloatArray:
     """How far :func:`bridged` may be off, by what it misses where the path is known.
 

@@ -10,16 +10,27 @@ import numpy as np
 from numpy.typing import NDArray
 
 from markermend.arrays import BoolArray, Float32Array, FloatArray, IntArray
-from markermend.poses.bridging import SIDE, around, bridge, bridged, straight
+from markermend.poses.borders import Borders
+from markermend.poses.bridging import (
+    SIDE,
+    arch,
+    around,
+    bridge,
+    bridged,
+    straight,
+    time_variance,
+)
 from markermend.poses.covariance import Moments, learn, pooled
 from markermend.poses.gaps import Gap, by_lasting, gaps_of
 from markermend.poses.likeness import (
     FEW_MOMENTS,
+    MOMENTS,
     Telling,
     by_likeness,
     moments_to_compare,
     moving,
     some_of,
+    weights_of,
 )
 from markermend.poses.sides import Mirror
 from markermend.poses.solving import solved
@@ -179,7 +190,7 @@ def fill(
     short = max(round((_ROUGH_S if rough else _SHORT_S) * rate), 1)
     if near is None:
         base, gaps = bridged(values, known), gaps_of(known)
-        variance = _time_variance(base, known, rate)
+        variance = time_variance(base, known, rate)
     else:
         base, gaps, variance = near.base, near.gaps, near.variance.copy()
     if not rough and near is None:
@@ -293,7 +304,7 @@ def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
             by = np.zeros((len(hidden), len(gap.channels)), dtype=np.float32)
             by[others] = weights
             trust = np.zeros(len(hidden), dtype=np.float32)
-            trust[others] = (1 - hidden[others]) * _weight(by, look.joints)[others]
+            trust[others] = (1 - hidden[others]) * weights_of(by, look.joints)[others]
             strays, variance = by_likeness(
                 look.moved[start:stop],
                 start,
@@ -303,6 +314,7 @@ def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
                 rate,
                 look.noise,
                 _mirrored(look.moved, look, gap, by),
+                _borders(look, gap),
             )
             return look.estimate[start:stop] @ by + strays, variance
     seen = look.estimate[start:stop, others]
@@ -314,7 +326,7 @@ def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
             raise ValueError("A channel is never known.")
         return inside + beside[1 if start == 0 else 0], np.tile(left, (length, 1))
     levels = inside + straight(length)[:, [SIDE - 1, SIDE]] @ beside
-    shape = _arch(length)[:, None]
+    shape = arch(length)[:, None]
     if start < SIDE or stop + SIDE > frames:
         return levels, shape * left
     weights, left = _regress(strays_by, others, gap.channels, _RIDGE, doubt)
@@ -325,14 +337,6 @@ def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
         share * (bridges[:, gap.channels] + told) + (1.0 - share) * levels,
         shape * left,
     )
-
-
-def _weight(by: Float32Array, joints: IntArray) -> Float32Array:
-    """(channels,) how much the joint of each tells a regression; 1 on average of what tells."""
-    weight, told = np.sqrt(np.bincount(joints, np.sum(by**2, axis=1)))[joints], by.any(axis=1)
-    if told.any():
-        weight /= weight[told].mean()
-    return np.asarray(weight, dtype=np.float32)
 
 
 def _telling(
@@ -358,6 +362,16 @@ def _mirrored(moved: Float32Array, look: _Look, gap: Gap, by: Float32Array) -> T
     return _telling(some_of(there, look.compared[1]), moved, look, gap, by, look.mirror)
 
 
+def _borders(look: _Look, gap: Gap) -> Borders | None:
+    """The borders of a gap, in the look that most moments are compared in; few are too few."""
+    if look.compared != MOMENTS:
+        return None
+    path, mirror, other = look.estimate[:, gap.channels], look.mirror, None
+    if mirror is not None:
+        other = look.estimate[:, mirror.twins[gap.channels]] * mirror.signs[gap.channels]
+    return Borders(path, other, gap.start, gap.stop, look.rate)
+
+
 def _regress(
     covariance: Float32Array,
     inputs: IntArray,
@@ -380,21 +394,3 @@ def _regress(
         more = ridge + _ILL * float(np.diagonal(covariance)[inputs].sum())
         return _regress(covariance, inputs, targets, more, doubt)
     return weights, np.maximum(own - np.sum(across * weights, axis=0), 0)
-
-
-def _time_variance(base: FloatArray, known: BoolArray, rate: float) -> FloatArray:
-    """Expected squared error of bridges over short gaps, from how far single frames stray."""
-    variance = np.zeros_like(base)
-    if len(base) > 2:
-        bend = base[1:-1] - 0.5 * (base[:-2] + base[2:])
-        both = known[:-2] & known[1:-1] & known[2:]
-        spread = np.sum(np.where(both, bend, 0.0) ** 2, axis=0) / np.maximum(both.sum(axis=0), 1)
-        variance += np.where(known, 0.0, spread)
-    return variance
-
-
-def _arch(length: int) -> FloatArray:
-    """(length,) how the variance swells from the sides of a gap to its middle, 1 on average."""
-    share = np.arange(1, length + 1) / (length + 1)
-    arch = share * (1.0 - share)
-    return np.asarray(arch / arch.mean())

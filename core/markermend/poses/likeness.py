@@ -8,7 +8,8 @@ from functools import lru_cache
 
 import numpy as np
 
-from markermend.arrays import Float32Array, IntArray
+from markermend.arrays import Float32Array, FloatArray, IntArray
+from markermend.poses.borders import Borders
 from markermend.poses.solving import solved
 
 MOMENTS, SOME_MOMENTS, FEW_MOMENTS = (250, 200), (100, 60), (30, 20)
@@ -85,6 +86,14 @@ def moving(poses: Float32Array, rate: float) -> Float32Array:
     return np.hstack([poses, change])
 
 
+def weights_of(by: Float32Array, joints: IntArray) -> Float32Array:
+    """(channels,) how much the joint of each tells a regression; 1 on average of what tells."""
+    weight, told = np.sqrt(np.bincount(joints, np.sum(by**2, axis=1)))[joints], by.any(axis=1)
+    if told.any():
+        weight /= weight[told].mean()
+    return np.asarray(weight, dtype=np.float32)
+
+
 @dataclass(frozen=True, eq=False)
 class Telling:
     """Moments that tell of a gap.
@@ -110,6 +119,7 @@ def by_likeness(
     rate: float,
     noise: float = 0.0,
     mirrored: Telling | None = None,
+    borders: Borders | None = None,
 ) -> tuple[Float32Array, Float32Array]:
     """Predict what was not seen by a Gaussian process over poses and time.
 
@@ -123,6 +133,7 @@ def by_likeness(
     rate : frames per second
     noise : standard deviation of what targets stray by chance
     mirrored : moments in which the other side of the body was seen, as a mirror shows them
+    borders : of the gap, by which moments are compared, too
 
     Returns
     -------
@@ -136,7 +147,8 @@ def by_likeness(
     Half of a difference is of all that is seen, half of what the regression makes of it, which
     leaves out what a limb has no part in. Where more than a joint is gone, poses further away tell,
     too. The other side of the body moves much the same way, but for a constant and for what is
-    particular to a time.
+    particular to a time. Where what is hidden was before and after tells less the nearer a border
+    is, since what stands beside it tells more there.
     """
     other = mirrored or Telling(own.moved[:0], own.targets[:0], own.frames[:0])
     moments, length = len(own.frames), len(moved)
@@ -144,53 +156,71 @@ def by_likeness(
     rows = np.vstack([own.moved, other.moved, moved])
     told = (rows.reshape(-1, len(trust)) @ weights).reshape(len(rows), -1)
     # Those that tell with each other, and below them those inside with those that tell.
+    far = _apart([(rows, 0.5, np.tile(trust, 2)), (told, 0.5, _ALIKE)], count, moments)
     reach = reach_of(own.targets.shape[1])
-    far = _apart([(rows, np.tile(trust, 2)), (told, _ALIKE)], count, moments)
-    system = _likeness(far, reach)
     mine, its = slice(0, moments), slice(moments, count)
-    system[mine, its] *= _SAME_WAY
-    system[its, mine] *= _SAME_WAY
-    system[count:, its] *= _SAME_WAY
     lasts = _LASTS_S * rate
-    system[mine, mine] += _PASSING * _nearness(own.frames, own.frames, lasts)
-    system[count:, mine] += _PASSING * _nearness(inside, own.frames, lasts)
-    system[its, its] += _PASSING * _nearness(other.frames, other.frames, lasts) + _ASKEW
-    system, across = system[:count], system[count:]
+    lasting = np.zeros_like(far)
+    lasting[mine, mine] = _PASSING * _nearness(own.frames, own.frames, lasts)
+    lasting[count:, mine] = _PASSING * _nearness(inside, own.frames, lasts)
+    lasting[its, its] = _PASSING * _nearness(other.frames, other.frames, lasts) + _ASKEW
     usual = own.targets.mean(axis=0)
     left = own.targets - usual
     variance = np.mean(left**2, axis=0)
     spread = max(float(variance.mean()), noise**2, _TINY)
     chance = np.full(count, _CHANCE / reach**2 + noise**2 / spread, dtype=np.float32)
     chance[its] += _MIRRORED_CHANCE
-    system[np.diag_indices(count)] += chance
+    lasting[np.diag_indices(count)] += chance
+    targets = np.vstack([left, other.targets - usual])
+    values, unsure = np.zeros((length, left.shape[1]), dtype=np.float32), np.zeros(length)
+    looks = [(0, slice(0, length), np.ones(length))] if borders is None else borders.looks()
+    for place, part, share in looks:
+        those = slice(count + part.start, count + part.stop)
+        system, across = far[:count], far[those]
+        if borders is not None:
+            views = borders.views(place, own.frames, other.frames)
+            more = _apart([(*view, _ALIKE) for view in views], count, moments)
+            system, across = system + more[:count], across + more[count:]
+        system, across = _likeness(system, reach), _likeness(across, reach)
+        system[mine, its] *= _SAME_WAY
+        system[its, mine] *= _SAME_WAY
+        across[:, its] *= _SAME_WAY
+        told, doubt = _told(system + lasting[:count], across + lasting[those], targets)
+        values[part] += share[:, None].astype(np.float32) * told
+        unsure[part] += share * doubt
+    return values + usual, _TOO_SURE * unsure[:, None] * variance
+
+
+def _told(
+    system: Float32Array, across: Float32Array, targets: Float32Array
+) -> tuple[Float32Array, FloatArray]:
+    """(frames, n) what moments tell by their covariance, and (frames,) the share left open."""
     # How sure it is changes slowly.
-    places = np.append(np.arange(0, length - 1, _EVERY), length - 1)
+    frames, columns, whole = len(across), targets.shape[1], 1.0 + _PASSING
+    places = np.append(np.arange(0, frames - 1, _EVERY), frames - 1)
     asked = across[places].T
-    found = solved(system, np.hstack([np.vstack([left, other.targets - usual]), asked]))
-    columns = left.shape[1]
-    whole = 1.0 + _PASSING
+    found = solved(system, np.hstack([targets, asked]))
     unsure = np.maximum(whole - np.sum(asked * found[:, columns:], axis=0), 0.0) / whole
-    unsure = np.interp(np.arange(length), places, unsure)
-    return across @ found[:, :columns] + usual, _TOO_SURE * unsure[:, None] * variance
+    return across @ found[:, :columns], np.interp(np.arange(frames), places, unsure)
 
 
 def _apart(
-    views: Sequence[tuple[Float32Array, Float32Array]], count: int, usual: int
+    views: Sequence[tuple[Float32Array, float, Float32Array]], count: int, usual: int
 ) -> Float32Array:
-    """(frames, count) distances of all from the first ones, by the mean of several views.
+    """(frames, count) squared distances of all from the first ones, by the sum of several views.
 
-    Each view is (frames, n), with how much each of its columns counts; it counts itself by one over
+    Each view is (frames, n), with how much it counts, and how much each of its columns does, over
     the mean square of the distances it shows between as many of the first as are usual.
     """
-    rows = np.hstack([view for view, _ in views])
+    rows = np.hstack([view for view, *_ in views])
     # Far from the middle differences drown.
     rows -= rows[:usual].mean(axis=0)
     spread = np.einsum("ij,ij->j", rows[:usual], rows[:usual]) / usual
     counting, first = np.empty_like(spread), 0
-    for view, trust in views:
+    for view, weight, trust in views:
         part = slice(first, first + view.shape[1])
         square = 2.0 * float(np.sum(trust**2 * spread[part]))
-        counting[part] = trust * np.float32(np.sqrt(0.5 / max(square, _TINY)))
+        counting[part] = trust * np.float32(np.sqrt(weight / max(square, _TINY)))
         first = part.stop
     rows *= counting
     length = np.einsum("ij,ij->i", rows, rows)
@@ -198,13 +228,12 @@ def _apart(
     squared *= -2
     squared += length[:, None]
     squared += length[:count]
-    np.maximum(squared, 0, out=squared)
-    np.sqrt(squared, out=squared)
-    return np.asarray(squared)
+    return np.asarray(np.maximum(squared, 0, out=squared))
 
 
-def _likeness(far: Float32Array, reach: float) -> Float32Array:
-    """Matérn's covariance of order 3/2, in the place of the distances."""
+def _likeness(squared: Float32Array, reach: float) -> Float32Array:
+    """Matérn's covariance of order 3/2, in the place of the squared distances."""
+    far = np.sqrt(squared, out=squared)
     far *= np.float32(-np.sqrt(3.0) / reach)
     falls = np.exp(far)
     np.subtract(1, far, out=far)

@@ -57,8 +57,8 @@ _SURE, _ROUNDS = 2e-3, 2
 # errors count as this share of themselves.
 _FIRM = 0.25
 # Lasting gaps are filled again so many times where they are few and where they are many, once less
-# where it is noisy; from the second time on what comes out counts by this beside what it came from.
-_LOOKS, _MANY, _AGAIN = (4, 2), 150, 0.8
+# where it is noisy.
+_LOOKS, _MANY = (4, 2), 150
 # Brief gaps, known better once all is smooth, make it worth to smooth a second time from there.
 _ROUNDS_WHERE_BRIEF = 2
 # Shares of what two earlier steps made in the mean of what was seen and smoothed in three ways.
@@ -269,9 +269,6 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
         near = replace(filled, values=columns_of(features, channels)[:, usable])
         compared = FEW_MOMENTS if look < looks else SOME_MOMENTS if many else MOMENTS
         filled = filled_by(values, noise=left * level, near=near, compared=compared)
-        share = 1.0 if look == 1 else _AGAIN
-        told = share * filled.values + (1.0 - share) * near.values
-        filled = replace(filled, values=np.where(known, filled.values, told))
         filled = filled if look < looks else hung(filled)
         features, bones = settled(filled, 1 if many and look < looks else rounds)
     if level > _NOISY:

@@ -13,7 +13,7 @@ from markermend.poses.solving import solved
 
 # Frames in a row that share their slopes: for this long, but so many at least; groups of them that
 # are solved at once.
-_ALIKE_S, _ALIKE, _AT_ONCE = 0.13, 8, 32
+_ALIKE_S, _ALIKE, _AT_ONCE = 0.085, 8, 32
 
 
 def settle(
