@@ -10,9 +10,9 @@ import numpy as np
 from markermend.errors import FileFormatError
 from markermend.files.plausible import FARTHEST
 from markermend.files.text import read_lines
+from markermend.files.units import MILLIMETRES
 from markermend.poses.skeleton import ROOT, Segment, Skeleton
 
-_MM_PER_INCH = 25.4
 _DOFS = ("rx", "ry", "rz", "tx", "ty", "tz", "l")
 _MOST_SEGMENTS = 10_000
 # A unit of length may go so many times into an inch, or be so many.
@@ -74,7 +74,7 @@ def read_asf(path: Path) -> Skeleton:
     if len(set(names)) != len(names) or ROOT in names:
         raise FileFormatError(f"{path.name} is damaged: two bones have the same name.")
     segments = _hang([root, *bones], _hierarchy(sections.get("hierarchy", []), path), path)
-    return Skeleton(segments, _MM_PER_INCH / unit, degrees, position, path)
+    return Skeleton(segments, MILLIMETRES["in"] / unit, degrees, position, path)
 
 
 def _sections(path: Path) -> dict[str, list[tuple[int, list[str]]]]:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from markermend.arrays import FloatArray
+from markermend.files.units import MILLIMETRES
 from markermend.poses.nuitrack import twins
 from markermend.poses.pose import parents_first
 
@@ -15,8 +16,8 @@ from markermend.poses.pose import parents_first
 # Most BVH files of the CMU database are in the units of its skeletons, of 1/0.45 inches.
 _UNITS = (
     (10.0, 1000.0, "metres"),
-    (54.0, 25.4 / 0.45, "1/0.45 inches (as in files of the CMU database)"),
-    (129.0, 25.4, "inches"),
+    (54.0, MILLIMETRES["in"] / 0.45, "1/0.45 inches (as in files of the CMU database)"),
+    (129.0, MILLIMETRES["in"], "inches"),
     (648.0, 10.0, "centimetres"),
     (np.inf, 1.0, "millimetres"),
 )

@@ -22,7 +22,7 @@ class Borders:
 
     Attributes
     ----------
-    path : (frames, n) what the gap hides, over the whole recording, filled
+    path : (frames, n) what the gap hides, over the whole recording, filled, without NaN
     mirrored : the same of the other side of the body, as a mirror shows it, where there is one
     start, stop : the gap, which does not last throughout
     rate : frames per second
@@ -58,21 +58,21 @@ class Borders:
         Parameters
         ----------
         place : in the gap, in frames from its beginning
-        frames : moments
-        mirrored : moments of the other side of the body
+        frames : (moments,) when that was, in frames
+        mirrored : (others,) the same of the other side of the body; none without a mirror
 
         Returns
         -------
-        (frames + mirrored + 1, k) places, and as many speeds: those as long before and after each
-        moment as a border is before and after the place; last those at the borders themselves.
+        (moments + others + 1, k) places, and as many speeds, without NaN, in units of the path:
+        those as long before and after each moment as a border is before and after the place; last
+        those at the borders themselves.
         """
         back, on = place + 1, self.stop - self.start - place
         before, after = frames - back, frames + on
         # What the gap hides is taken to be as at its borders.
-        inside = [(f >= self.start) & (f < self.stop) for f in (before, after)]
         before, after = (
-            np.where(inside[0], self.start - 1, before),
-            np.where(inside[1], self.stop, after),
+            np.where((there >= self.start) & (there < self.stop), border, there)
+            for there, border in ((before, self.start - 1), (after, self.stop))
         )
         rows = [self._at(self.path, before, after)]
         if self.mirrored is not None:

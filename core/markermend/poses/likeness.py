@@ -185,8 +185,8 @@ def by_likeness(
         system[mine, its] *= _SAME_WAY
         system[its, mine] *= _SAME_WAY
         across[:, its] *= _SAME_WAY
-        told, doubt = _told(system + lasting[:count], across + lasting[those], targets)
-        values[part] += share[:, None].astype(np.float32) * told
+        found, doubt = _told(system + lasting[:count], across + lasting[those], targets)
+        values[part] += share[:, None].astype(np.float32) * found
         unsure[part] += share * doubt
     return values + usual, _TOO_SURE * unsure[:, None] * variance
 
