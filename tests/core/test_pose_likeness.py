@@ -1,5 +1,7 @@
 """Filling long gaps by alike moments of the same recording."""
 
+from collections.abc import Sequence
+
 import numpy as np
 import pytest
 
@@ -44,13 +46,13 @@ def filled(
     hidden: np.ndarray,
     frames: np.ndarray,
     noise: float = 0.0,
-    mirrored: Telling | None = None,
+    others: Sequence[Telling] = (),
     borders: Borders | None = None,
 ) -> tuple[np.ndarray, np.ndarray]:
     moved = moving(np.float32(poses), RATE)[START:STOP]
     given = (np.float32(x) for x in (trust, weights))
     own = telling(poses, hidden, frames)
-    return by_likeness(moved, START, own, *given, RATE, noise, mirrored, borders)
+    return by_likeness(moved, START, own, *given, RATE, noise, others, borders)
 
 
 def telling(poses: np.ndarray, hidden: np.ndarray, frames: np.ndarray) -> Telling:
@@ -118,19 +120,23 @@ def test_the_other_side_tells_of_movement_that_this_side_did_not_show() -> None:
     poses, hidden = movement()
     frames, elsewhere = np.r_[START - 15 : START, STOP : STOP + 15], np.arange(0, 250, 3)
     off = {}
-    for name, mirrored in (
-        ("alone", None),
-        ("both", telling(poses, hidden, elsewhere)),
-        ("aslant", telling(poses, hidden + np.array([0.8, -0.5]), elsewhere)),
+    both = telling(poses, hidden, elsewhere)
+    aslant = telling(poses, hidden + np.array([0.8, -0.5]), elsewhere)
+    for name, others in (
+        ("alone", []),
+        ("both", [both]),
+        ("aslant", [aslant]),
+        ("each aslant", [both, aslant]),
     ):
         found, variance = filled(
-            poses, np.ones(12), np.zeros((12, 2)), hidden, frames, mirrored=mirrored
+            poses, np.ones(12), np.zeros((12, 2)), hidden, frames, others=others
         )
         off[name] = float(np.abs(found - hidden[START:STOP]).mean())
         assert np.all(variance > 0)
     assert off["both"] < 0.7 * off["alone"]
     # That it is carried a little differently does not matter.
     assert off["aslant"] < 1.3 * off["both"]
+    assert off["each aslant"] < 1.3 * off["both"]
 
 
 def test_where_a_limb_was_before_tells_which_way_it_goes() -> None:
@@ -145,7 +151,7 @@ def test_where_a_limb_was_before_tells_which_way_it_goes() -> None:
     for name in ("alone", "beside"):
         path = np.float32(hidden)
         path[START:STOP] = 0.0
-        borders = Borders(path, None, START, STOP, RATE) if name == "beside" else None
+        borders = Borders(path, START, STOP, RATE) if name == "beside" else None
         found, variance = filled(
             poses, np.ones(12), np.zeros((12, 1)), hidden, frames, borders=borders
         )
@@ -157,13 +163,14 @@ def test_where_a_limb_was_before_tells_which_way_it_goes() -> None:
 @pytest.mark.parametrize("gap", [(0, 40), (300, 301), (300, 345), (860, 900)])
 def test_every_frame_of_a_gap_is_told_from_places_that_count_for_one(gap: tuple[int, int]) -> None:
     path = np.float32(np.random.default_rng(4).normal(size=(900, 3)))
-    borders = Borders(path, path, *gap, RATE)
+    borders = Borders(path, *gap, RATE)
     whole, frames = np.zeros(gap[1] - gap[0]), np.array([5, 500, 895])
     for place, part, share in borders.looks():
         whole[part] += share
-        (places, much), (speeds, little) = borders.views(place, frames, frames)
+        others = [(frames, path), (frames[:2], path[:100])]
+        (places, much), (speeds, little) = borders.views(place, frames, others)
         sides = int(gap[0] > 0) + int(gap[1] < 900)
-        assert places.shape == speeds.shape == (7, 3 * sides)
+        assert places.shape == speeds.shape == (9, 3 * sides)
         assert 0 < little < much <= 1.0
         assert not np.isnan(places).any()
     assert whole == pytest.approx(1.0)
@@ -172,10 +179,10 @@ def test_every_frame_of_a_gap_is_told_from_places_that_count_for_one(gap: tuple[
 def test_what_a_gap_hides_is_not_looked_at() -> None:
     path = np.zeros((900, 1), dtype=np.float32)
     path[START:STOP] = np.nan
-    borders = Borders(path, None, START, STOP, RATE)
+    borders = Borders(path, START, STOP, RATE)
     frames = np.r_[0:START, STOP:900]
     for place, *_ in borders.looks():
-        places, _ = borders.views(place, frames, frames[:0])[0]
+        places, _ = borders.views(place, frames, [])[0]
         assert not np.isnan(places).any()
 
 

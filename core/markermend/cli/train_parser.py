@@ -25,7 +25,7 @@ def add_training(parser: argparse.ArgumentParser) -> None:
         "sudden": _add_sudden,
         "slow": _add_slow,
         "prior": _add_prior,
-        "segments": _add_prior,
+        "segments": _add_segments,
         "pose": _add_pose,
     }
     names = parser.add_subparsers(dest="model", metavar="MODEL", required=True)
@@ -75,6 +75,16 @@ def _add_sudden(p: argparse.ArgumentParser) -> None:
 
 
 def _add_prior(p: argparse.ArgumentParser) -> None:
+    _add_segments(p)
+    p.add_argument(
+        "--no-recordings",
+        action="store_true",
+        help="keep how joints move together, but not the recordings, which tell more of whoever"
+        " they show",
+    )
+
+
+def _add_segments(p: argparse.ArgumentParser) -> None:
     p.add_argument("poses", metavar="POSE", nargs="+", help="clean skeleton recordings")
     add_output(p)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +21,8 @@ def run_prior(options: argparse.Namespace) -> int:
     poses = _read(options)
     with Bar() as bar:
         prior = learn_prior(list(poses.values()), names=list(poses), progress=bar)
+    if options.no_recordings:
+        prior = replace(prior, remembered=())
     save_prior(prior, Path(options.output))
     frames = sum(pose.frames for pose in poses.values())
     say(f"Learnt from {count(frames, 'pose')} in {count(len(poses), 'recording')}.")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,13 +24,11 @@ class Borders:
     Attributes
     ----------
     path : (frames, n) what the gap hides, over the whole recording, filled, without NaN
-    mirrored : the same of the other side of the body, as a mirror shows it, where there is one
     start, stop : the gap, which does not last throughout
     rate : frames per second
     """
 
     path: Float32Array
-    mirrored: Float32Array | None
     start: int
     stop: int
     rate: float
@@ -51,7 +50,7 @@ class Borders:
         return found
 
     def views(
-        self, place: int, frames: IntArray, mirrored: IntArray
+        self, place: int, frames: IntArray, others: Sequence[tuple[IntArray, Float32Array]]
     ) -> list[tuple[Float32Array, float]]:
         """What moments and the gap are compared by, and how much it counts.
 
@@ -59,7 +58,8 @@ class Borders:
         ----------
         place : in the gap, in frames from its beginning
         frames : (moments,) when that was, in frames
-        mirrored : (others,) the same of the other side of the body; none without a mirror
+        others : moments of others, such as the other side of the body: when that was, and where
+            theirs was over their whole recording, as ``path``
 
         Returns
         -------
@@ -75,8 +75,7 @@ class Borders:
             for there, border in ((before, self.start - 1), (after, self.stop))
         )
         rows = [self._at(self.path, before, after)]
-        if self.mirrored is not None:
-            rows.append(self._at(self.mirrored, mirrored - back, mirrored + on))
+        rows += [self._at(path, then - back, then + on) for then, path in others]
         rows.append(self._at(self.path, np.array([self.start - 1]), np.array([self.stop])))
         inner = min(min(back, on) / (_INSIDE_S * self.rate), 1.0)
         places, speeds = (np.vstack(parts) for parts in zip(*rows, strict=True))
@@ -90,7 +89,7 @@ class Borders:
         places, speeds = [], []
         for there, frames, way in (
             (self.start > 0, before, -step),
-            (self.stop <= last, after, step),
+            (self.stop < len(self.path), after, step),
         ):
             if there:
                 at = path[np.clip(frames, 0, last)]

@@ -21,6 +21,7 @@ from markermend.poses.bridging import (
     time_variance,
 )
 from markermend.poses.covariance import Moments, learn, pooled
+from markermend.poses.crossing import cross_short
 from markermend.poses.gaps import Gap, by_lasting, gaps_of
 from markermend.poses.likeness import (
     FEW_MOMENTS,
@@ -32,6 +33,7 @@ from markermend.poses.likeness import (
     some_of,
     weights_of,
 )
+from markermend.poses.remembered import Performances
 from markermend.poses.sides import Mirror
 from markermend.poses.solving import solved
 
@@ -45,7 +47,6 @@ BRIEF_S = 0.3
 _BRIEF, _LONG = 0.85, 0.5
 # Added to variances before regressing: absolute, and of a channel hidden part of the time.
 _RIDGE, _LEVEL_RIDGE, _DOUBT = 1e-4, 1e-3, 0.1
-_SHORT_RIDGE = 1e-6
 # Share of the whole variance that is added where that is not enough.
 _ILL = 1e-6
 _MOSTLY_HIDDEN = 0.999
@@ -97,9 +98,10 @@ class _Look:
     so_far : (channels, frames + 1) in how many of the frames before a channel is known
     covariances : length of a gap to those that levels and deviations are regressed with
     rate, cross, noise : as :func:`fill` has them
-    compared : moments that are asked besides those beside a gap, and mirrored ones
+    compared : moments that are asked besides those beside a gap, mirrored ones, others' ones
     joints : (channels,) number of the joint that each is of
     mirror : of all channels, where there is one
+    performed : of the same body in other recordings, where there are any
     """
 
     estimate: Float32Array
@@ -111,9 +113,10 @@ class _Look:
     rate: float
     cross: Callable[[int], FloatArray]
     noise: float
-    compared: tuple[int, int]
+    compared: tuple[int, int, int]
     joints: IntArray
     mirror: Mirror | None
+    performed: Performances | None
     _frames_of: dict[bytes, IntArray] = field(default_factory=dict)
 
     def frames_of(self, channels: IntArray) -> IntArray:
@@ -136,8 +139,9 @@ def fill(
     rough: bool = False,
     begun: Filled | None = None,
     near: Filled | None = None,
-    compared: tuple[int, int] = FEW_MOMENTS,
+    compared: tuple[int, int, int] = FEW_MOMENTS,
     joints: IntArray | None = None,
+    performed: Performances | None = None,
 ) -> Filled:
     """Fill the gaps of all channels.
 
@@ -154,10 +158,12 @@ def fill(
     rough : to look for noise: once, and short gaps by time alone
     begun : what a rough look made, which gaps that last are filled from
     near : what was made of an earlier result, to fill lasting gaps once more from it
-    compared : moments of the recording that are compared with such a gap, as it is and mirrored
+    compared : moments of the recording that are compared with such a gap, as it is and mirrored,
+        and of what is performed
     joints : (channels,) number of the joint that each is of; what tells more of a gap by a
         regression counts more in comparing moments, all of a joint alike. None where each channel
         stands for itself
+    performed : other recordings of the same body, with what stands beside it
 
     Notes
     -----
@@ -184,6 +190,7 @@ def fill(
             near=near and near.and_more(beside),
             compared=compared,
             joints=np.append(joints, np.full(more, joints.max() + 1)),
+            performed=performed,
         )
         return whole.but(more)
     cross = straight if rough or noise > 0 else bridge
@@ -196,7 +203,7 @@ def fill(
     if not rough and near is None:
         shortest = [gap for gap in gaps if gap.length <= short]
         moments = pooled(learn(base, rate, range(1, short + 1)), prior)
-        _cross_short(base, variance, known, shortest, moments, rate, cross)
+        cross_short(base, variance, known, shortest, moments, rate, cross)
     lengthy = [gap for gap in gaps if gap.length > short]
     brief, again = (lengthy, []) if rough else by_lasting(lengthy, len(known), BRIEF_S * rate)
     estimate = base.copy() if near is None else np.where(known, base, near.values)
@@ -223,50 +230,12 @@ def fill(
             compared,
             joints,
             mirror,
+            performed,
         )
         estimate = estimate.copy()
         for gap in some:
             estimate[gap.part], variance[gap.part] = _fill_gap(gap, look)
     return Filled(np.where(known, values, estimate), variance, base, gaps, len(again))
-
-
-def _cross_short(
-    base: FloatArray,
-    variance: FloatArray,
-    known: BoolArray,
-    gaps: Iterable[Gap],
-    moments: Moments,
-    rate: float,
-    cross: Callable[[int], FloatArray],
-) -> None:
-    """Let short gaps of ``base``, crossed by time, stray as the others tell.
-
-    One inverse serves all: with precisions P the unknown given the known is -P_uu⁻¹ P_uk k, of
-    covariance P_uu⁻¹, and few channels are unknown at a time.
-    """
-    frames = len(base)
-    for length in sorted({gap.stop - gap.start for gap in gaps}):
-        some = [g for g in gaps if g.stop - g.start == length]
-        some = [g for g in some if g.start >= SIDE and g.stop + SIDE <= frames]
-        covariance = moments.within_s(length / rate)
-        precision = np.linalg.inv(covariance + _SHORT_RIDGE * np.eye(len(covariance)))
-        starts = np.array([gap.start for gap in some], dtype=int)[:, None]
-        inside = starts + np.arange(length)
-        hidden: BoolArray = np.any(~known[inside], axis=1)
-        bridges = np.einsum("ls,gsc->glc", cross(length), base[starts + around(0, length)])
-        told = np.where(hidden[:, None], 0.0, base[inside] - bridges) @ precision
-        counts = hidden.sum(axis=1)
-        for count in np.unique(counts).tolist():
-            alike = np.flatnonzero(counts == count)
-            unknown = np.nonzero(hidden[alike])[1].reshape(-1, count)
-            left = np.linalg.inv(precision[unknown[:, :, None], unknown[:, None]])
-            strays = np.take_along_axis(told[alike], unknown[:, None], axis=2) @ left
-            spread = np.diagonal(left, axis1=1, axis2=2)
-            for n, place in enumerate(alike.tolist()):
-                gap = some[place]
-                own = np.searchsorted(unknown[n], gap.channels)
-                base[gap.part] = bridges[place][:, gap.channels] - strays[n][:, own]
-                variance[gap.part] = spread[n, own]
 
 
 def _covariances(
@@ -313,7 +282,7 @@ def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
                 by,
                 rate,
                 look.noise,
-                _mirrored(look.moved, look, gap, by),
+                [*_mirrored(look.moved, look, gap, by), *_performed(look, gap, trust, by)],
                 _borders(look, gap),
             )
             return look.estimate[start:stop] @ by + strays, variance
@@ -354,22 +323,40 @@ def _telling(
     return Telling(moved, poses[:, gap.channels] - poses @ by, frames)
 
 
-def _mirrored(moved: Float32Array, look: _Look, gap: Gap, by: Float32Array) -> Telling | None:
+def _mirrored(moved: Float32Array, look: _Look, gap: Gap, by: Float32Array) -> list[Telling]:
     """Moments in which the other side of the body was seen, mirrored."""
-    if look.mirror is None:
-        return None
-    there = look.frames_of(look.mirror.twins[gap.channels])
-    return _telling(some_of(there, look.compared[1]), moved, look, gap, by, look.mirror)
+    mirror = look.mirror
+    if mirror is None:
+        return []
+    twins = mirror.twins[gap.channels]
+    there = some_of(look.frames_of(twins), look.compared[1])
+    path = look.estimate[:, twins] * mirror.signs[gap.channels] if _asks(look) else None
+    return [replace(_telling(there, moved, look, gap, by, mirror), path=path)]
+
+
+def _performed(look: _Look, gap: Gap, trust: Float32Array, by: Float32Array) -> list[Telling]:
+    """Moments of other recordings of the same body, recording by recording."""
+    others, most = look.performed, look.compared[2]
+    if others is None or look.moved is None or not most:
+        return []
+    found = []
+    for path, chosen in others.nearest(look.moved[gap.start : gap.stop], trust, most):
+        poses, frames = others.paths[path], others.frames[chosen]
+        targets = poses[np.ix_(frames, gap.channels)] - poses[frames] @ by
+        found.append(Telling(others.moved[chosen], targets, frames, poses[:, gap.channels]))
+    return found
 
 
 def _borders(look: _Look, gap: Gap) -> Borders | None:
-    """The borders of a gap, in the look that most moments are compared in; few are too few."""
-    if look.compared != MOMENTS:
+    """The borders of a gap, where they are asked of."""
+    if not _asks(look):
         return None
-    path, mirror, other = look.estimate[:, gap.channels], look.mirror, None
-    if mirror is not None:
-        other = look.estimate[:, mirror.twins[gap.channels]] * mirror.signs[gap.channels]
-    return Borders(path, other, gap.start, gap.stop, look.rate)
+    return Borders(look.estimate[:, gap.channels], gap.start, gap.stop, look.rate)
+
+
+def _asks(look: _Look) -> bool:
+    """Whether borders are asked of: where most moments are compared; few are too few."""
+    return look.compared == MOMENTS
 
 
 def _regress(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 
 import numpy as np
 
@@ -12,8 +13,8 @@ from markermend.arrays import Float32Array, FloatArray, IntArray
 from markermend.poses.borders import Borders
 from markermend.poses.solving import solved
 
-MOMENTS, SOME_MOMENTS, FEW_MOMENTS = (250, 200), (100, 60), (30, 20)
-"""Of a whole recording compared with a gap, as it is and mirrored.
+MOMENTS, SOME_MOMENTS, FEW_MOMENTS = (250, 200, 200), (100, 60, 80), (30, 20, 0)
+"""Of a whole recording compared with a gap, as it is and mirrored, and of others of the same body.
 
 Some are enough where gaps are so many that time counts, few where gaps are filled again.
 """
@@ -28,9 +29,9 @@ _LASTS_S, _PASSING, _CHANCE = 0.45, np.float32(0.2), 0.001
 # this power of how many times as many, and less of what these show is taken for chance.
 _A_JOINT, _REACH = 11, 0.75
 _LEAST_MOMENTS = 30
-# The other side of the body: how much alike it moves, what its chance has more, and how sure it is
-# that it moves about where this one does.
-_SAME_WAY, _MIRRORED_CHANCE, _ASKEW = np.float32(0.85), 0.02, np.float32(2.0)
+# The other side of the body, and other recordings of it: how much alike they move, what their
+# chance has more, and how sure it is that they move about where this one does.
+_SAME_WAY, _OTHERS_CHANCE, _ASKEW = np.float32(0.85), 0.02, np.float32(2.0)
 # After so many times as long nothing is left of it (1e-12).
 _FORGOTTEN = 15.0
 # What is divided by is at least so much.
@@ -103,11 +104,14 @@ class Telling:
     moved : (moments, 2 · channels) rows of :func:`moving`, without NaN
     targets : (moments, n) what is to be predicted, as it was then
     frames : (moments,) when that was, in frames
+    path : (frames, n) what a gap hides, over the whole recording that they are of, without NaN;
+        needed for others' moments where borders are compared
     """
 
     moved: Float32Array
     targets: Float32Array
     frames: IntArray
+    path: Float32Array | None = None
 
 
 def by_likeness(
@@ -118,7 +122,7 @@ def by_likeness(
     weights: Float32Array,
     rate: float,
     noise: float = 0.0,
-    mirrored: Telling | None = None,
+    others: Sequence[Telling] = (),
     borders: Borders | None = None,
 ) -> tuple[Float32Array, Float32Array]:
     """Predict what was not seen by a Gaussian process over poses and time.
@@ -132,7 +136,8 @@ def by_likeness(
     weights : (channels, n) regression of what is to be predicted on poses; 0 as in ``trust``
     rate : frames per second
     noise : standard deviation of what targets stray by chance
-    mirrored : moments in which the other side of the body was seen, as a mirror shows them
+    others : moments in which the other side of the body was seen, as a mirror shows them, and those
+        of other recordings, each by themselves
     borders : of the gap, by which moments are compared, too
 
     Returns
@@ -147,44 +152,50 @@ def by_likeness(
     Half of a difference is of all that is seen, half of what the regression makes of it, which
     leaves out what a limb has no part in. Where more than a joint is gone, poses further away tell,
     too. The other side of the body moves much the same way, but for a constant and for what is
-    particular to a time. Where what is hidden was before and after tells less the nearer a border
-    is, since what stands beside it tells more there.
+    particular to a time; so does the same body in another recording. Where what is hidden was
+    before and after tells less the nearer a border is, since what stands beside it tells more
+    there.
     """
-    other = mirrored or Telling(own.moved[:0], own.targets[:0], own.frames[:0])
     moments, length = len(own.frames), len(moved)
-    count, inside = moments + len(other.frames), np.arange(start, start + length)
-    rows = np.vstack([own.moved, other.moved, moved])
+    ends = np.cumsum([moments, *(len(other.frames) for other in others)]).tolist()
+    theirs = [slice(*both) for both in pairwise(ends)]
+    count, inside = ends[-1], np.arange(start, start + length)
+    rows = np.vstack([own.moved, *(other.moved for other in others), moved])
     told = (rows.reshape(-1, len(trust)) @ weights).reshape(len(rows), -1)
     # Those that tell with each other, and below them those inside with those that tell.
     far = _apart([(rows, 0.5, np.tile(trust, 2)), (told, 0.5, _ALIKE)], count, moments)
     reach = reach_of(own.targets.shape[1])
-    mine, its = slice(0, moments), slice(moments, count)
+    mine = slice(0, moments)
     lasts = _LASTS_S * rate
     lasting = np.zeros_like(far)
     lasting[mine, mine] = _PASSING * _nearness(own.frames, own.frames, lasts)
     lasting[count:, mine] = _PASSING * _nearness(inside, own.frames, lasts)
-    lasting[its, its] = _PASSING * _nearness(other.frames, other.frames, lasts) + _ASKEW
+    for its, other in zip(theirs, others, strict=True):
+        lasting[its, its] = _PASSING * _nearness(other.frames, other.frames, lasts) + _ASKEW
     usual = own.targets.mean(axis=0)
     left = own.targets - usual
     variance = np.mean(left**2, axis=0)
     spread = max(float(variance.mean()), noise**2, _TINY)
     chance = np.full(count, _CHANCE / reach**2 + noise**2 / spread, dtype=np.float32)
-    chance[its] += _MIRRORED_CHANCE
+    chance[moments:] += _OTHERS_CHANCE
     lasting[np.diag_indices(count)] += chance
-    targets = np.vstack([left, other.targets - usual])
+    targets = np.vstack([left, *(other.targets - usual for other in others)])
     values, unsure = np.zeros((length, left.shape[1]), dtype=np.float32), np.zeros(length)
     looks = [(0, slice(0, length), np.ones(length))] if borders is None else borders.looks()
     for place, part, share in looks:
         those = slice(count + part.start, count + part.stop)
         system, across = far[:count], far[those]
         if borders is not None:
-            views = borders.views(place, own.frames, other.frames)
+            ways = [(other.frames, other.path) for other in others if other.path is not None]
+            views = borders.views(place, own.frames, ways)
             more = _apart([(*view, _ALIKE) for view in views], count, moments)
             system, across = system + more[:count], across + more[count:]
         system, across = _likeness(system, reach), _likeness(across, reach)
-        system[mine, its] *= _SAME_WAY
-        system[its, mine] *= _SAME_WAY
-        across[:, its] *= _SAME_WAY
+        for its in theirs:
+            for rest in (slice(0, its.start), slice(its.stop, count)):
+                system[its, rest] *= _SAME_WAY
+                system[rest, its] *= _SAME_WAY
+            across[:, its] *= _SAME_WAY
         found, doubt = _told(system + lasting[:count], across + lasting[those], targets)
         values[part] += share[:, None].astype(np.float32) * found
         unsure[part] += share * doubt

@@ -2,24 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from importlib.resources import files
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.errors import DataError, FileFormatError
 from markermend.files.npz import read_arrays, write_arrays
 from markermend.poses.bridging import bridged
-from markermend.poses.channels import steadied, to_channels
+from markermend.poses.channels import Channels, steadied, to_channels
 from markermend.poses.covariance import LENGTHS_S, Moments, averaged, learn
 from markermend.poses.normal import FEATURES, bone_lengths
 from markermend.poses.nuitrack import mirrored, to_nuitrack, usual_name
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import lengths_of
+from markermend.poses.remembered import REMEMBERED_HZ, Remembered, resampled, shortened
+from markermend.poses.stance import IN_MIRROR, stance
 from markermend.poses.turnless import turned_as_parents, turnless
 from markermend.progress import Progress, quiet
 
@@ -49,10 +53,12 @@ class Prior:
     ----------
     joints : names, the root first
     moments : of all joints but the root, :data:`FEATURES` each
+    remembered : the recordings that were learnt from, which tell most of who is recorded again
     """
 
     joints: tuple[str, ...]
     moments: Moments
+    remembered: tuple[Remembered, ...] = ()
 
 
 def learn_prior(
@@ -72,20 +78,42 @@ def learn_prior(
     DataError
         when there is none, joints differ, or one was never seen, or has no rotation and is no end
     """
-    if not poses:
-        raise DataError("A prior needs at least one recording to learn from.")
-    parts: list[Moments] = []
-    joints = None
+    parts = []
     for n, pose in enumerate(poses):
         (progress or quiet)(n / len(poses), f"Learning from recording {n + 1}")
-        body = _usual(pose)
-        if joints is not None and body.joints != joints:
-            raise DataError("All recordings a prior learns from must have the same joints.")
-        joints = body.joints
-        part = learn(_filled(body, names[n] if names else f"Recording {n + 1}"), body.rate)
-        parts.append(part.signed_like(parts[0].mean) if parts else part)
-    assert joints is not None
-    return Prior(joints, averaged(parts, WEIGHT))
+        parts.append(learn_recording(pose, names[n] if names else f"Recording {n + 1}"))
+    return together(parts)
+
+
+def together(priors: Sequence[Prior]) -> Prior:
+    """One prior of several, each by its weight.
+
+    Raises
+    ------
+    DataError
+        when there is none, or joints differ
+    """
+    if not priors:
+        raise DataError("A prior needs at least one recording to learn from.")
+    joints = priors[0].joints
+    if any(prior.joints != joints for prior in priors):
+        raise DataError("All recordings a prior learns from must have the same joints.")
+    usual = priors[0].moments.mean
+    moments = averaged([prior.moments.signed_like(usual) for prior in priors], WEIGHT)
+    return Prior(joints, moments, shortened([one for prior in priors for one in prior.remembered]))
+
+
+def learn_recording(pose: Pose, name: str) -> Prior:
+    """What one recording tells, which weighs as many poses as it has; see :func:`learn_prior`."""
+    body = _usual(pose)
+    channels = _channels_of(body, name)
+    values = bridged(channels.values, channels.known)
+    bones, columns = _bones_of(body), np.hstack([values, stance(channels.normal)])
+    remembered: tuple[Remembered, ...] = ()
+    if not np.isnan(bones).any():
+        moved = resampled(columns, body.rate, REMEMBERED_HZ)
+        remembered = (Remembered(moved, np.asarray(bones, dtype=np.float32)),)
+    return Prior(body.joints, learn(values, body.rate), remembered)
 
 
 def _usual(pose: Pose) -> Pose:
@@ -96,8 +124,14 @@ def _usual(pose: Pose) -> Pose:
         return pose
 
 
-def _filled(pose: Pose, name: str) -> FloatArray:
-    """(frames, channels) without NaN."""
+def _bones_of(pose: Pose) -> FloatArray:
+    """(joints,) length of the bone of each joint but the root; NaN for those never seen."""
+    lengths = bone_lengths(pose.positions, pose.parents)
+    return np.asarray(lengths[[j for j in range(len(lengths)) if j != pose.order[0]]])
+
+
+def _channels_of(pose: Pose, name: str) -> Channels:
+    """The columns of a recording that every joint was seen in."""
     # Ends of chains, as heads of a Kinect, have no rotation, and turn with what they hang on.
     ends = {*range(len(pose.joints))} - {*pose.parents}
     unseen = [joint for i, joint in enumerate(pose.joints) if not pose.seen[:, i].any()]
@@ -116,7 +150,7 @@ def _filled(pose: Pose, name: str) -> FloatArray:
             f"{name} never shows a joint together with all those that hang on it, and a prior"
             " learns how it is turned from that; leave this recording out."
         )
-    return bridged(channels.values, channels.known)
+    return channels
 
 
 def fitting(pose: Pose, prior: Prior) -> tuple[Moments, bool] | None:
@@ -138,10 +172,8 @@ def fitting(pose: Pose, prior: Prior) -> tuple[Moments, bool] | None:
     shared = [joint for joint, name in enumerate(names) if name in prior.joints]
     if sorted(names[j] for j in shared) != sorted(prior.joints) or names[root] != prior.joints[0]:
         return None
-    at = {name: i for i, name in enumerate(prior.joints[1:])}
-    order = np.array([at.get(name, -1) for j, name in enumerate(names) if j != root])
-    columns: IntArray = (order[:, None] * FEATURES + np.arange(FEATURES)).ravel()
-    moments = prior.moments.of(columns)
+    order = _order_of(pose, prior)
+    moments = prior.moments.of(_columns(order))
     size = _size(pose, shared, moments.mean)
     if size != 1.0:
         moments = moments.longer(size)
@@ -151,6 +183,38 @@ def fitting(pose: Pose, prior: Prior) -> tuple[Moments, bool] | None:
     apart = [_apart(body, moments) for body in (some, mirrored(some))]
     limit = _ALIKE if pose.frames > 1 else _ALIKE_ONCE
     return (moments, apart[1] < apart[0]) if min(apart) < limit else None
+
+
+def remembered_of(pose: Pose, prior: Prior) -> list[Remembered]:
+    """What a prior remembers of the body that a recording shows, told by its bones.
+
+    Parameters
+    ----------
+    pose : a recording that the prior fits, right-handed
+    prior : of the same joints; of others it remembers nothing
+
+    Returns
+    -------
+    recordings in the order of the joints of this one
+    """
+    order = _order_of(pose, prior)
+    if (order < 0).any() or len(order) != len(prior.joints) - 1:
+        return []
+    own = _bones_of(pose)
+    recordings = (one.of(_columns(order)) for one in prior.remembered)
+    return [one for one in recordings if one.of_body(own)]
+
+
+def _order_of(pose: Pose, prior: Prior) -> IntArray:
+    """(joints,) place of each joint but the root among the prior's, -1 where it has none."""
+    at = {name: i for i, name in enumerate(prior.joints[1:])}
+    others = [joint for i, joint in enumerate(pose.joints) if i != pose.order[0]]
+    return np.array([at.get(usual_name(joint), -1) for joint in others], dtype=int)
+
+
+def _columns(order: IntArray) -> IntArray:
+    """Columns of joints in another order."""
+    return np.asarray((order[:, None] * FEATURES + np.arange(FEATURES)).ravel())
 
 
 def _size(pose: Pose, shared: Sequence[int], mean: FloatArray) -> float:
@@ -238,6 +302,10 @@ def save_prior(prior: Prior, path: Path) -> None:
         "whole": moments.whole[upper].astype(np.float32),
         "within": moments.within[:, upper[0], upper[1]].astype(np.float32),
     }
+    if prior.remembered:
+        arrays["recordings"] = np.vstack([one.poses for one in prior.remembered])
+        arrays["frames"] = np.array([len(one.poses) for one in prior.remembered])
+        arrays["bones"] = np.stack([one.bones for one in prior.remembered])
     write_arrays(path, arrays)
 
 
@@ -259,11 +327,25 @@ def load_prior(path: Path) -> Prior:
         within = _square(arrays["within"], len(mean))
         if len(within) != len(LENGTHS_S):
             raise ValueError("it knows other lengths")
+        remembered = _read_recordings(arrays, len(mean))
     except (ValueError, KeyError) as error:
         raise FileFormatError(
             f"{path.name} holds no prior of poses; “markermend train prior” writes one."
         ) from error
-    return Prior(joints, Moments(mean, whole, within, WEIGHT, np.full(len(within), WEIGHT)))
+    moments = Moments(mean, whole, within, WEIGHT, np.full(len(within), WEIGHT))
+    return Prior(joints, moments, remembered)
+
+
+def _read_recordings(arrays: Mapping[str, NDArray[Any]], channels: int) -> tuple[Remembered, ...]:
+    """What :func:`save_prior` wrote of recordings; nothing where it wrote none."""
+    if "recordings" not in arrays:
+        return ()
+    poses, frames, bones = (arrays[name] for name in ("recordings", "frames", "bones"))
+    wide = channels + len(IN_MIRROR)
+    if poses.shape != (frames.sum(), wide) or bones.shape != (len(frames), channels // FEATURES):
+        raise ValueError("its recordings do not fit")
+    parts = np.split(poses.astype(np.float32), np.cumsum(frames)[:-1])
+    return tuple(Remembered(*one) for one in zip(parts, bones.astype(np.float32), strict=True))
 
 
 def _square(upper: FloatArray, size: int) -> FloatArray:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -33,8 +34,9 @@ from markermend.poses.loose_root import with_loose_root, without_loose_root
 from markermend.poses.normal import FEATURES, denormalise
 from markermend.poses.nuitrack import mirrored
 from markermend.poses.pose import Pose
-from markermend.poses.prior import Prior, fitting, shipped_prior
+from markermend.poses.prior import Prior, fitting, remembered_of, shipped_prior
 from markermend.poses.quaternion import signed_like, unit
+from markermend.poses.remembered import Remembered, performances
 from markermend.poses.settling import settle, settle_in_time
 from markermend.poses.sides import mirror_of
 from markermend.poses.smoothing import (
@@ -149,7 +151,9 @@ def restore(
         pose = without_one_turn(mended)
         fit = fitting(pose, prior) if prior is not None else None
         moments, left_handed = fit or (None, False)
-        restored = _restore(mirrored(pose) if left_handed else pose, moments, tell)
+        shown = mirrored(pose) if left_handed else pose
+        remembered = remembered_of(shown, prior) if prior is not None and fit is not None else ()
+        restored = _restore(shown, moments, tell, remembered)
         if moments is None or moments.told is not None:
             restored = _tried(restored, moments, part(tell, 0.9, 1.0))
     if left_handed:
@@ -195,18 +199,21 @@ def _untold(moments: Moments | None, pose: Pose) -> BoolArray:
     return untold
 
 
-def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
-    """Restore with moments of the recording's own channels."""
+def _restore(
+    pose: Pose, prior: Moments | None, tell: Progress, remembered: Sequence[Remembered] = ()
+) -> Restored:
+    """Restore with moments of the recording's channels, and what is remembered of the body."""
     channels = steadied(to_channels(pose), pose.rate)
     channels, off_mm = linked_channels(channels, known_joints(channels, pose), pose.parents)
     usable = np.asarray(channels.known.any(axis=0))
     values, known = channels.values[:, usable], channels.known[:, usable]
-    mirror = None
+    mirror = performed = None
     if prior is not None:
         usual = np.where(channels.known, channels.values, 0.0).sum(axis=0)
         prior = prior.signed_like(usual)
         if usable.all():
             mirror = mirror_of([pose.joints[j] for j in channels.joints], usual, IN_MIRROR)
+            performed = performances([one.signed_like(usual) for one in remembered], pose.rate)
         else:
             prior = prior.of(usable)
     beside = stance(channels.normal)
@@ -217,6 +224,7 @@ def _restore(pose: Pose, prior: Moments | None, tell: Progress) -> Restored:
         prior=prior,
         beside=beside,
         mirror=mirror,
+        performed=performed,
         joints=np.flatnonzero(usable) // FEATURES,
     )
     tell(0.1, "Looking for noise")
