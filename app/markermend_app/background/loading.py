@@ -20,7 +20,7 @@ from markermend.review.priority import badness
 from markermend.review.session import Session
 from markermend.review.standing import Standing, standings
 from markermend.take import Take
-from markermend_app import detection, settings
+from markermend_app import detection, own_prior, settings
 from markermend_app.background.preview import AUTO
 from markermend_app.background.proposals import Key
 from markermend_app.columns import lay_out
@@ -218,6 +218,8 @@ def _read(path: Path, progress: Progress) -> Take:
     take: Take = read(path, progress=progress)
     if take.frames == 0:
         raise DataError(f"“{path.name}” has no frames, so that there is nothing to review in it.")
+    if take.skeleton:
+        own_prior.heed()
     return take
 
 

@@ -26,6 +26,15 @@ def open_filter() -> str:
     return f"{takes}: {named} ({patterns});;{everything} (*)"
 
 
+def skeleton_filter() -> str:
+    """Skeleton recordings that Markermend reads, in Qt's notation."""
+    from markermend.files.pose import READABLE
+
+    patterns = " ".join(f"*{e} *{e.upper()}" for e in READABLE)
+    named = tr("Skeleton recordings")
+    return f"{named} ({patterns})"
+
+
 def export_filter(take: Take, proposed: str = "") -> str:
     """Files a take can be written as, one filter each, in Qt's notation; the proposed one first."""
     from markermend.plugins.formats import writable

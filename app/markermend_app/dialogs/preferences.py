@@ -27,11 +27,12 @@ from PySide6.QtWidgets import (
 )
 
 from markermend.artifact import Kind
-from markermend_app import detection, languages, settings, units
+from markermend_app import detection, languages, own_prior, settings, units
 from markermend_app.actions import shortcuts
 from markermend_app.actions.shortcut_sheet import ShortcutSheet
 from markermend_app.dialogs.help_key import help_in
 from markermend_app.dialogs.params_form import inset
+from markermend_app.dialogs.prior_choice import PriorChoice
 from markermend_app.style import theme
 from markermend_app.wheel import leave_wheel
 from markermend_app.words import tr
@@ -50,6 +51,7 @@ OFFERED = (
     detection.PRESET,
     detection.SENSITIVITY,
     detection.PROCESSES,
+    own_prior.SETTING,
     AUTOSAVE,
 )
 """Names of the settings this page changes."""
@@ -78,6 +80,7 @@ class Preferences(QDialog):
         self._looks()
         self._shown()
         self._detection()
+        self._skeletons()
         self._work()
         scroll = QScrollArea()
         scroll.setWidget(self._page)
@@ -187,6 +190,13 @@ class Preferences(QDialog):
         )
         self.dial.valueChanged.connect(self._dialled)
 
+    def _skeletons(self) -> None:
+        self._heading(self.tr("Skeleton recordings"))
+        self.prior = PriorChoice()
+        self._row(self.tr("How bodies move"), self.prior)
+        self.prior.changed.connect(self.changed)
+        self.finished.connect(self.prior.stop)
+
     def _work(self) -> None:
         self._heading(self.tr("Work"))
         self.autosave = QSpinBox()
@@ -267,6 +277,7 @@ class Preferences(QDialog):
             self.autosave.setValue(round(settings.number(AUTOSAVE, AUTOSAVE_MIN)))
             self.processes.setValue(max(0, round(settings.number(detection.PROCESSES, -1))))
         self._read_detection()
+        self.prior.read()
         self._paint_kinds()
         self._tell_keys()
 

@@ -159,7 +159,7 @@ def fitting(pose: Pose, prior: Prior) -> tuple[Moments, bool] | None:
     Parameters
     ----------
     pose : the recording
-    prior : of joints with usual names, such as Nuitrack's
+    prior : of joints with the same names, or with usual ones, such as Nuitrack's
 
     Returns
     -------
@@ -167,8 +167,7 @@ def fitting(pose: Pose, prior: Prior) -> tuple[Moments, bool] | None:
     have it; None where joints of the prior are missing, or stand elsewhere than bodies have them.
     Of joints that the recording has besides nothing is told.
     """
-    names = [usual_name(joint) for joint in pose.joints]
-    root = pose.order[0]
+    names, root = _names(pose, prior), pose.order[0]
     shared = [joint for joint, name in enumerate(names) if name in prior.joints]
     if sorted(names[j] for j in shared) != sorted(prior.joints) or names[root] != prior.joints[0]:
         return None
@@ -208,8 +207,15 @@ def remembered_of(pose: Pose, prior: Prior) -> list[Remembered]:
 def _order_of(pose: Pose, prior: Prior) -> IntArray:
     """(joints,) place of each joint but the root among the prior's, -1 where it has none."""
     at = {name: i for i, name in enumerate(prior.joints[1:])}
-    others = [joint for i, joint in enumerate(pose.joints) if i != pose.order[0]]
-    return np.array([at.get(usual_name(joint), -1) for joint in others], dtype=int)
+    others = [name for i, name in enumerate(_names(pose, prior)) if i != pose.order[0]]
+    return np.array([at.get(name, -1) for name in others], dtype=int)
+
+
+def _names(pose: Pose, prior: Prior) -> list[str]:
+    """Names of a recording's joints: as they are where the prior has these, else the usual ones."""
+    if set(prior.joints) <= set(pose.joints):
+        return list(pose.joints)
+    return [usual_name(joint) for joint in pose.joints]
 
 
 def _columns(order: IntArray) -> IntArray:

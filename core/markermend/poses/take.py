@@ -20,8 +20,9 @@ from markermend.mesh.model import Group, Mesh
 from markermend.poses.faults import FAULTS, SWAPPED
 from markermend.poses.guessing import INFERRED
 from markermend.poses.normal import bone_lengths
+from markermend.poses.own_prior import prior_for
 from markermend.poses.pose import Pose
-from markermend.poses.prior import shipped_prior
+from markermend.poses.prior import Prior
 from markermend.poses.quaternion import lengths_of
 from markermend.poses.restore import Restored, restore
 from markermend.poses.swinging import swung
@@ -35,6 +36,7 @@ _LITTLE, _AGREES = 0.25, 0.1
 _MOST_TRIED = 12
 
 _RESTORED: WeakKeyDictionary[Pose, Restored] = WeakKeyDictionary()
+_PRIORS: WeakKeyDictionary[Pose, Prior] = WeakKeyDictionary()
 
 
 def as_take(pose: Pose, path: Path) -> Take:
@@ -167,7 +169,7 @@ def told_and_moved(
     hidden = elsewhere & ~sure
     if not hidden.any():
         return told, sure
-    prior = shipped_prior()
+    prior = _prior_of(pose)
     try:
         tried = restore(_hidden(pose, hidden), prior=prior, progress=progress)
     except DataError:
@@ -236,10 +238,10 @@ def changed_joints(take: Take) -> BoolArray:
 
 
 def restored(pose: Pose, progress: Progress | None = None) -> Restored:
-    """A recording restored with the prior that comes with Markermend; worked out once."""
+    """A recording restored with the prior that is chosen, or Markermend's own; worked out once."""
     known = _RESTORED.get(pose)
     if known is None:
-        known = _RESTORED[pose] = restore(pose, prior=shipped_prior(), progress=progress)
+        known = _RESTORED[pose] = restore(pose, prior=_prior_of(pose), progress=progress)
     return known
 
 
@@ -260,7 +262,15 @@ def restored_without(
         return told
     hidden = np.zeros(told.filled.shape, dtype=bool)
     hidden[rows, columns] = True
-    return restore(_hidden(pose, hidden), prior=shipped_prior(), progress=progress)
+    return restore(_hidden(pose, hidden), prior=_prior_of(pose), progress=progress)
+
+
+def _prior_of(pose: Pose) -> Prior:
+    """What a recording is restored with: the same each time, also when another is chosen."""
+    known = _PRIORS.get(pose)
+    if known is None:
+        known = _PRIORS[pose] = prior_for(pose)
+    return known
 
 
 def at_hand(pose: Pose) -> BoolArray:

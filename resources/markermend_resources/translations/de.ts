@@ -3480,6 +3480,10 @@
         <translation>Alle Dateien</translation>
     </message>
     <message>
+        <source>Skeleton recordings</source>
+        <translation>Skelettaufnahmen</translation>
+    </message>
+    <message>
         <source>No take is open</source>
         <translation>Keine Aufnahme ist offen</translation>
     </message>
@@ -4840,6 +4844,14 @@
         <translation>Höher findet ab der nächsten Suche mehr und schlägt öfter falschen Alarm.</translation>
     </message>
     <message>
+        <source>Skeleton recordings</source>
+        <translation>Skelettaufnahmen</translation>
+    </message>
+    <message>
+        <source>How bodies move</source>
+        <translation>Wie sich Körper bewegen</translation>
+    </message>
+    <message>
         <source>Work</source>
         <translation>Arbeit</translation>
     </message>
@@ -4908,6 +4920,65 @@ Schließen Sie sie, um dies für die nächste Aufnahme festzulegen.</translation
     <message>
         <source>Keys as in {0}</source>
         <translation>Tasten wie in {0}</translation>
+    </message>
+</context>
+<context>
+    <name>PriorChoice</name>
+    <message>
+        <source>How bodies move</source>
+        <translation>Wie sich Körper bewegen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>As Markermend knows it</source>
+        <translation>Wie Markermend es kennt</translation>
+    </message>
+    <message>
+        <source>As {0} tells</source>
+        <translation>Wie {0} es lehrt</translation>
+    </message>
+    <message>
+        <source>As {0} told, which is gone</source>
+        <translation>Wie {0} es lehrte (fehlt jetzt)</translation>
+    </message>
+    <message>
+        <source>As another file tells…</source>
+        <translation>Wie eine andere Datei es lehrt …</translation>
+    </message>
+    <message>
+        <source>Learn from recordings…</source>
+        <translation>Aus Aufnahmen lernen …</translation>
+    </message>
+    <message>
+        <source>Used for skeletons with the joints it was learnt from, opened from now on; for others, what Markermend knows.</source>
+        <translation>Gilt für Skelette mit den gelernten Gelenken, die ab jetzt geöffnet werden; für andere gilt, was Markermend kennt.</translation>
+    </message>
+    <message>
+        <source>Clean recordings of a performer tell most of how that one moves in gaps.</source>
+        <translation>Saubere Aufnahmen einer Person lehren am meisten, wie sie sich in Lücken bewegt.</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Clean recordings to learn from</source>
+        <translation>Saubere Aufnahmen, aus denen gelernt wird</translation>
+    </message>
+    <message>
+        <source>Learning</source>
+        <translation>Lernen</translation>
+    </message>
+    <message>
+        <source>Keep how they move in</source>
+        <translation>Gelerntes speichern in</translation>
+    </message>
+    <message>
+        <source>Priors</source>
+        <translation>Gelernte Bewegung</translation>
     </message>
 </context>
 <context>

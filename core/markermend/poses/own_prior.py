@@ -1,0 +1,83 @@
+"""Which prior skeleton recordings under review are restored with: the user's own where it fits."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from markermend.errors import FileFormatError
+from markermend.progress import Progress, part, quiet
+
+if TYPE_CHECKING:
+    from markermend.poses.pose import Pose
+    from markermend.poses.prior import Prior
+
+_chosen: Path | None = None
+
+
+def choose_prior(path: Path | None) -> None:
+    """Let recordings that are restored from now on be so with a prior of the user's own.
+
+    Parameters
+    ----------
+    path : what ``markermend train prior`` or :func:`learn_files` wrote; None for Markermend's own.
+        It is read when it is needed.
+    """
+    global _chosen
+    _chosen = path
+
+
+def prior_for(pose: Pose) -> Prior:
+    """The prior that was chosen, where it can be read and fits a recording, or Markermend's."""
+    from markermend.poses.prior import fitting, shipped_prior
+
+    own = None if _chosen is None else _own(_chosen)
+    return own if own is not None and fitting(pose, own) is not None else shipped_prior()
+
+
+def learn_files(paths: Sequence[Path], target: Path, *, progress: Progress | None = None) -> Prior:
+    """Learn a prior from the clean recordings in files, and write it.
+
+    Parameters
+    ----------
+    paths : skeleton recordings of the same joints
+    target : file to write, whole or not at all
+    progress : told the share done; may raise to stop
+
+    Raises
+    ------
+    MarkermendError
+        when a file cannot be read or written, or nothing can be learnt from the recordings
+    """
+    from markermend.files.pose import read_pose
+    from markermend.poses.prior import learn_prior, save_prior
+
+    tell, poses = progress or quiet, []
+    for n, path in enumerate(paths):
+        tell(0.4 * n / len(paths), f"Reading {path.name}")
+        poses.append(read_pose(path))
+    names = [path.name for path in paths]
+    prior = learn_prior(poses, names=names, progress=part(tell, 0.4, 0.9))
+    tell(0.9, f"Writing {target.name}")
+    save_prior(prior, target)
+    return prior
+
+
+def _own(path: Path) -> Prior | None:
+    try:
+        changed = path.stat().st_mtime_ns
+    except OSError:
+        return None
+    return _read(path, changed)
+
+
+@lru_cache(maxsize=1)
+def _read(path: Path, _changed: int) -> Prior | None:
+    from markermend.poses.prior import load_prior
+
+    try:
+        return load_prior(path)
+    except FileFormatError:
+        return None

@@ -1,0 +1,175 @@
+"""How bodies move, chosen in the preferences: a file, or what is learnt from recordings."""
+
+from __future__ import annotations
+
+import time
+
+import pytest
+from driving import WAIT
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFileDialog, QMessageBox
+
+from markermend.poses import own_prior as engine
+from markermend.poses.prior import load_prior, save_prior, shipped_prior
+from markermend_app import own_prior, settings
+from markermend_app.dialogs.preferences import Preferences
+
+
+@pytest.fixture(autouse=True)
+def forgotten():
+    """Nobody else is restored by what a test chose."""
+    yield
+    engine.choose_prior(None)
+
+
+@pytest.fixture
+def page(qtbot, window):
+    """The page, as the window opens it."""
+    made = Preferences(window)
+    qtbot.addWidget(made)
+    made.show()
+    return made
+
+
+@pytest.fixture
+def prior(tmp_path):
+    """A prior in a file."""
+    path = tmp_path / "anna.npz"
+    save_prior(shipped_prior(), path)
+    return path
+
+
+def choose(page, text):
+    """Choose an entry as a hand does."""
+    box = page.prior.box
+    place = box.findText(text)
+    assert place >= 0
+    box.setCurrentIndex(place)
+    box.activated.emit(place)
+
+
+def answer(monkeypatch, **answers):
+    """What is answered to each file dialog."""
+    for name, given in answers.items():
+        monkeypatch.setattr(QFileDialog, name, lambda *_, given=given: (given, ""))
+
+
+def test_at_first_it_is_as_markermend_knows_it(page):
+    assert page.prior.box.currentText() == "As Markermend knows it"
+    assert settings.text(own_prior.SETTING, "") == ""
+
+
+def test_a_file_is_kept_and_named_and_left_again(page, prior, qtbot, monkeypatch):
+    answer(monkeypatch, getOpenFileName=str(prior))
+    with qtbot.waitSignal(page.changed, timeout=WAIT) as changed:
+        choose(page, "As another file tells…")
+    assert changed.args == [own_prior.SETTING]
+    assert settings.text(own_prior.SETTING, "") == str(prior)
+    assert page.prior.box.currentText() == "As anna.npz tells"
+    assert "opened from now on" in page.prior.about.text()
+    choose(page, "As Markermend knows it")
+    assert settings.text(own_prior.SETTING, "") == ""
+    assert page.prior.box.findText("As anna.npz tells") < 0
+
+
+def test_what_is_no_prior_is_refused_and_what_was_kept_stays(
+    page, prior, tmp_path, qtbot, monkeypatch
+):
+    settings.remember(own_prior.SETTING, str(prior))
+    page.prior.read()
+    (tmp_path / "other.npz").write_bytes(b"nothing")
+    answer(monkeypatch, getOpenFileName=str(tmp_path / "other.npz"))
+    said = []
+    monkeypatch.setattr(QMessageBox, "exec", lambda box: said.append(box.text()))
+    choose(page, "As another file tells…")
+    qtbot.waitUntil(lambda: bool(said), timeout=WAIT)
+    assert "holds no prior" in said[0]
+    assert settings.text(own_prior.SETTING, "") == str(prior)
+    assert page.prior.box.currentText() == "As anna.npz tells"
+    assert page.prior.box.isEnabled()
+
+
+def test_who_names_no_file_changes_nothing(page, monkeypatch):
+    answer(monkeypatch, getOpenFileName="", getOpenFileNames=[], getSaveFileName="")
+    for entry in ("As another file tells…", "Learn from recordings…"):
+        choose(page, entry)
+        assert page.prior.box.currentText() == "As Markermend knows it"
+        assert page.prior.box.isEnabled()
+
+
+def test_a_file_that_is_gone_is_told(page, prior):
+    settings.remember(own_prior.SETTING, str(prior))
+    prior.unlink()
+    page.prior.read()
+    assert page.prior.box.currentText() == "As anna.npz told, which is gone"
+
+
+def test_recordings_are_learnt_from_and_used_for_what_is_opened_next(
+    page, window, broken, shared_data, tmp_path, qtbot, monkeypatch
+):
+    names = [str(shared_data / "poses" / name) for name in ("02_02.amc", "02_03.amc")]
+    target = tmp_path / "learnt"
+    answer(monkeypatch, getOpenFileNames=names, getSaveFileName=str(target))
+    with qtbot.waitSignal(page.changed, timeout=WAIT):
+        choose(page, "Learn from recordings…")
+        assert not page.prior.box.isEnabled()
+    target = target.with_suffix(".npz")
+    assert len(load_prior(target).remembered) == 2
+    assert page.prior.box.currentText() == "As learnt.npz tells"
+    page.close()
+    window.commands.open_path(broken)
+    qtbot.waitUntil(lambda: window.document.current is not None, timeout=3 * WAIT)
+    pose = window.document.session.original.source.layout
+    assert len(engine.prior_for(pose).remembered) == 2
+
+
+def test_learning_is_cancelled_by_the_button_and_by_leaving(
+    page, shared_data, tmp_path, qtbot, monkeypatch
+):
+    names = [str(shared_data / "poses" / "02_02.amc")]
+    target = tmp_path / "learnt.npz"
+    answer(monkeypatch, getOpenFileNames=names, getSaveFileName=str(target))
+    begun = []
+
+    def wait(paths, target, *, progress):
+        begun.append(paths)
+        while True:
+            progress(0.5, "")
+            time.sleep(0.01)
+
+    monkeypatch.setattr(engine, "learn_files", wait)
+    for leave in (
+        lambda: qtbot.mouseClick(page.prior.cancel, Qt.MouseButton.LeftButton),
+        page.reject,
+    ):
+        begun.clear()
+        choose(page, "Learn from recordings…")
+        qtbot.waitUntil(lambda: bool(begun) and page.prior.bar.value() == 500, timeout=WAIT)
+        leave()
+        qtbot.waitUntil(lambda: not page.prior._lane.busy, timeout=WAIT)
+        assert page.prior.box.isEnabled()
+        assert settings.text(own_prior.SETTING, "") == ""
+    assert not target.exists()
+
+
+def test_a_file_whose_ending_is_added_is_not_replaced_unasked(page, prior, broken, monkeypatch):
+    target = prior.with_suffix("")
+    answer(monkeypatch, getOpenFileNames=[str(broken)], getSaveFileName=str(target))
+    before, asked = prior.read_bytes(), []
+
+    def question(_parent, _title, text):
+        asked.append(text)
+        return QMessageBox.StandardButton.No
+
+    monkeypatch.setattr(QMessageBox, "question", question)
+    choose(page, "Learn from recordings…")
+    assert asked == ["anna.npz is there already. Replace it?"]
+    assert prior.read_bytes() == before
+    assert page.prior.box.isEnabled()
+
+
+def test_defaults_are_markermends_own(page, prior):
+    settings.remember(own_prior.SETTING, str(prior))
+    page.prior.read()
+    page._restore()
+    assert page.prior.box.currentText() == "As Markermend knows it"

@@ -1,0 +1,128 @@
+"""The prior that a user chose: learnt from files, used where it fits, ours where it does not."""
+
+from __future__ import annotations
+
+import pytest
+from arms import arm, hide
+from numpy.testing import assert_allclose, assert_array_equal
+
+import markermend as mm
+from markermend.cli import main
+from markermend.errors import Cancelled, DataError, FileFormatError
+from markermend.poses.own_prior import choose_prior, learn_files, prior_for
+from markermend.poses.prior import load_prior, save_prior, shipped_prior
+from markermend.poses.restore import restore
+from markermend.poses.take import pose_of, restored, restored_without
+
+
+@pytest.fixture(autouse=True)
+def forgotten():
+    """Nobody else is restored by what a test chose."""
+    yield
+    choose_prior(None)
+
+
+@pytest.fixture
+def recordings(tmp_path):
+    """Two recordings of one body."""
+    paths = [tmp_path / f"swing_{n}.csv" for n in range(2)]
+    for n, path in enumerate(paths):
+        mm.write_pose(arm(frames=300 + 50 * n), path)
+    return paths
+
+
+@pytest.fixture
+def prior(recordings, tmp_path):
+    """A prior of that body, in a file."""
+    path = tmp_path / "p.npz"
+    learn_files(recordings, path)
+    return path
+
+
+@pytest.fixture
+def recording(tmp_path):
+    """The same body, two joints of which are not seen for a while."""
+    path = tmp_path / "damaged.csv"
+    mm.write_pose(hide(hide(arm(), slice(200, 260), 2), slice(200, 260), 3), path)
+    return path
+
+
+def test_what_files_show_is_learnt_and_told_how_far(recordings, tmp_path) -> None:
+    shares = []
+    learn_files(recordings, tmp_path / "p.npz", progress=lambda share, _: shares.append(share))
+    assert shares == sorted(shares)
+    assert 0 <= shares[0] < 0.5 < shares[-1] <= 1
+    prior = load_prior(tmp_path / "p.npz")
+    assert prior.joints == ("root", "a", "b", "c", "d")
+    assert len(prior.remembered) == 2
+
+
+def test_who_stops_learning_keeps_what_was_there(recordings, prior) -> None:
+    before = prior.read_bytes()
+
+    def stop(share: float, _: str) -> None:
+        if share > 0.5:
+            raise Cancelled
+
+    with pytest.raises(Cancelled):
+        learn_files(recordings[:1], prior, progress=stop)
+    assert prior.read_bytes() == before
+
+
+def test_files_that_cannot_be_learnt_from_are_named(recordings, prior, tmp_path) -> None:
+    with pytest.raises(FileFormatError, match="there"):
+        learn_files([tmp_path / "not_there.csv"], tmp_path / "q.npz")
+    blind = hide(arm(), slice(None), 4)
+    mm.write_pose(blind, recordings[1])
+    with pytest.raises(DataError, match=r"swing_1\.csv never shows d"):
+        learn_files(recordings, tmp_path / "q.npz")
+    assert not (tmp_path / "q.npz").exists()
+
+
+def test_a_recording_under_review_is_restored_by_what_was_chosen(recording, prior) -> None:
+    choose_prior(prior)
+    pose = pose_of(mm.read(recording))
+    wanted = restore(pose, prior=load_prior(prior)).pose.positions
+    assert_array_equal(restored(pose).pose.positions, wanted)
+    assert not (wanted == restore(pose, prior=shipped_prior()).pose.positions).all()
+
+
+def test_it_is_the_same_for_as_long_as_a_recording_is_open(recording, prior) -> None:
+    pose = pose_of(mm.read(recording))
+    restored(pose)
+    by_ours = restored_without(pose, [2], slice(50, 80)).pose.positions
+    choose_prior(prior)
+    assert_array_equal(restored_without(pose, [2], slice(50, 80)).pose.positions, by_ours)
+    again = pose_of(mm.read(recording))
+    assert not (restored_without(again, [2], slice(50, 80)).pose.positions == by_ours).all()
+
+
+def test_where_it_does_not_fit_or_is_gone_ours_is_used(recording, prior, tmp_path) -> None:
+    pose = pose_of(mm.read(recording))
+    choose_prior(prior)
+    assert prior_for(pose).joints == pose.joints
+    for other in (tmp_path / "gone.npz", recording):
+        choose_prior(other)
+        assert prior_for(pose) is shipped_prior()
+    save_prior(shipped_prior(), prior)
+    choose_prior(prior)
+    assert prior_for(pose) is shipped_prior()
+
+
+def test_what_was_written_anew_is_read_anew(recordings, recording, prior) -> None:
+    pose = pose_of(mm.read(recording))
+    choose_prior(prior)
+    before = prior_for(pose)
+    assert prior_for(pose) is before
+    learn_files(recordings[:1], prior)
+    assert len(prior_for(pose).remembered) == 1
+
+
+def test_a_prior_of_ones_own_skeleton_serves_the_command_line(
+    recordings, recording, tmp_path, capsys
+) -> None:
+    prior, done = tmp_path / "own.npz", tmp_path / "done.csv"
+    assert main(["train", "prior", *map(str, recordings), "-o", str(prior)]) == 0
+    assert main(["denoise", str(recording), "-o", str(done), "--prior", str(prior)]) == 0
+    assert "does not fit" not in capsys.readouterr().err
+    assert_allclose(mm.read_pose(done).positions, arm().positions, atol=30.0)
