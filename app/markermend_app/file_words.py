@@ -34,6 +34,8 @@ ODDITIES = (
     "Rows are out of order, or very many are missing (after row {0}, for one); those that are there"
     " were read one after the other.",
     "The file marks every sample as invalid, yet has coordinates; they were read as valid.",
+    "{0} is gone or holds no prior, so that Markermend's own is used.",
+    "{0} does not fit this recording, whose joints are others or stand elsewhere, and is not used.",
     "The file tells no unit of length; by the size of things metres were assumed.",
     "The file tells no unit of length; by the size of things millimetres were assumed.",
     "The file tells no unit of length; by the size of things {0} were assumed.",

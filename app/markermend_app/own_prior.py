@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
+from markermend.take import Take
 from markermend_app import settings
 
 SETTING = "prior"
 """Name of the setting: path of a prior, or nothing for what comes with Markermend."""
 
 
-def heed() -> None:
-    """Restore skeleton recordings that are read from now on by what was chosen."""
+def heeded(take: Take) -> Take:
+    """A skeleton recording that is to be restored by what was chosen, or says why it is not."""
     # Only who opens a skeleton has to wait until all about poses is loaded.
-    from markermend.poses.own_prior import choose_prior
+    from markermend.poses.own_prior import choose_prior, why_not_used
+    from markermend.poses.take import pose_of
 
     path = settings.text(SETTING, "")
     choose_prior(Path(path) if path else None)
+    why = why_not_used(pose_of(take))
+    return replace(take, warnings=(why, *take.warnings)) if why else take

@@ -5,14 +5,20 @@ from __future__ import annotations
 import time
 
 import pytest
+from arms import arm
 from driving import WAIT
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
+import markermend as mm
+from markermend.batch.review import ToReview
 from markermend.poses import own_prior as engine
 from markermend.poses.prior import load_prior, save_prior, shipped_prior
+from markermend.progress import quiet
 from markermend_app import own_prior, settings
+from markermend_app.background import loading
 from markermend_app.dialogs.preferences import Preferences
+from markermend_app.telling import told
 
 
 @pytest.fixture(autouse=True)
@@ -48,6 +54,11 @@ def choose(page, text):
     box.activated.emit(place)
 
 
+def press(qtbot, button):
+    """Press a button as a hand does."""
+    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+
+
 def answer(monkeypatch, **answers):
     """What is answered to each file dialog."""
     for name, given in answers.items():
@@ -62,14 +73,17 @@ def test_at_first_it_is_as_markermend_knows_it(page):
 def test_a_file_is_kept_and_named_and_left_again(page, prior, qtbot, monkeypatch):
     answer(monkeypatch, getOpenFileName=str(prior))
     with qtbot.waitSignal(page.changed, timeout=WAIT) as changed:
-        choose(page, "As another file tells…")
+        press(qtbot, page.prior.file)
     assert changed.args == [own_prior.SETTING]
     assert settings.text(own_prior.SETTING, "") == str(prior)
     assert page.prior.box.currentText() == "As anna.npz tells"
     assert "opened from now on" in page.prior.about.text()
     choose(page, "As Markermend knows it")
     assert settings.text(own_prior.SETTING, "") == ""
-    assert page.prior.box.findText("As anna.npz tells") < 0
+    assert "ten minutes" in page.prior.about.text()
+    # It can be taken up again.
+    choose(page, "As anna.npz tells")
+    assert settings.text(own_prior.SETTING, "") == str(prior)
 
 
 def test_what_is_no_prior_is_refused_and_what_was_kept_stays(
@@ -81,7 +95,7 @@ def test_what_is_no_prior_is_refused_and_what_was_kept_stays(
     answer(monkeypatch, getOpenFileName=str(tmp_path / "other.npz"))
     said = []
     monkeypatch.setattr(QMessageBox, "exec", lambda box: said.append(box.text()))
-    choose(page, "As another file tells…")
+    press(qtbot, page.prior.file)
     qtbot.waitUntil(lambda: bool(said), timeout=WAIT)
     assert "holds no prior" in said[0]
     assert settings.text(own_prior.SETTING, "") == str(prior)
@@ -89,10 +103,10 @@ def test_what_is_no_prior_is_refused_and_what_was_kept_stays(
     assert page.prior.box.isEnabled()
 
 
-def test_who_names_no_file_changes_nothing(page, monkeypatch):
+def test_who_names_no_file_changes_nothing(page, qtbot, monkeypatch):
     answer(monkeypatch, getOpenFileName="", getOpenFileNames=[], getSaveFileName="")
-    for entry in ("As another file tells…", "Learn from recordings…"):
-        choose(page, entry)
+    for button in (page.prior.file, page.prior.learn):
+        press(qtbot, button)
         assert page.prior.box.currentText() == "As Markermend knows it"
         assert page.prior.box.isEnabled()
 
@@ -111,7 +125,7 @@ def test_recordings_are_learnt_from_and_used_for_what_is_opened_next(
     target = tmp_path / "learnt"
     answer(monkeypatch, getOpenFileNames=names, getSaveFileName=str(target))
     with qtbot.waitSignal(page.changed, timeout=WAIT):
-        choose(page, "Learn from recordings…")
+        press(qtbot, page.prior.learn)
         assert not page.prior.box.isEnabled()
     target = target.with_suffix(".npz")
     assert len(load_prior(target).remembered) == 2
@@ -143,7 +157,7 @@ def test_learning_is_cancelled_by_the_button_and_by_leaving(
         page.reject,
     ):
         begun.clear()
-        choose(page, "Learn from recordings…")
+        press(qtbot, page.prior.learn)
         qtbot.waitUntil(lambda: bool(begun) and page.prior.bar.value() == 500, timeout=WAIT)
         leave()
         qtbot.waitUntil(lambda: not page.prior._lane.busy, timeout=WAIT)
@@ -152,7 +166,9 @@ def test_learning_is_cancelled_by_the_button_and_by_leaving(
     assert not target.exists()
 
 
-def test_a_file_whose_ending_is_added_is_not_replaced_unasked(page, prior, broken, monkeypatch):
+def test_a_file_whose_ending_is_added_is_not_replaced_unasked(
+    page, prior, broken, qtbot, monkeypatch
+):
     target = prior.with_suffix("")
     answer(monkeypatch, getOpenFileNames=[str(broken)], getSaveFileName=str(target))
     before, asked = prior.read_bytes(), []
@@ -162,7 +178,7 @@ def test_a_file_whose_ending_is_added_is_not_replaced_unasked(page, prior, broke
         return QMessageBox.StandardButton.No
 
     monkeypatch.setattr(QMessageBox, "question", question)
-    choose(page, "Learn from recordings…")
+    press(qtbot, page.prior.learn)
     assert asked == ["anna.npz is there already. Replace it?"]
     assert prior.read_bytes() == before
     assert page.prior.box.isEnabled()
@@ -173,3 +189,50 @@ def test_defaults_are_markermends_own(page, prior):
     page.prior.read()
     page._restore()
     assert page.prior.box.currentText() == "As Markermend knows it"
+
+
+def test_keys_walk_through_what_there_is_and_ask_nothing(page, prior, qtbot, monkeypatch):
+    def unasked(*_):
+        raise AssertionError("a file dialog opened")
+
+    for name in ("getOpenFileName", "getOpenFileNames", "getSaveFileName"):
+        monkeypatch.setattr(QFileDialog, name, unasked)
+    settings.remember(own_prior.SETTING, str(prior))
+    page.prior.read()
+    box = page.prior.box
+    for pressed, shown in (
+        (Qt.Key.Key_Up, "As Markermend knows it"),
+        (Qt.Key.Key_Down, "As anna.npz tells"),
+        (Qt.Key.Key_End, "As anna.npz tells"),
+        (Qt.Key.Key_Home, "As Markermend knows it"),
+    ):
+        qtbot.keyClick(box, pressed)
+        assert box.currentText() == shown
+    assert settings.text(own_prior.SETTING, "") == ""
+
+
+def test_a_recording_that_it_does_not_fit_says_so_when_it_is_opened(broken, tmp_path):
+    path = tmp_path / "arms.npz"
+    mm.write_pose(arm(), tmp_path / "arm.csv")
+    engine.learn_files([tmp_path / "arm.csv"], path)
+    for name, why in ((path, "arms.npz does not fit"), (tmp_path / "x.npz", "is gone")):
+        settings.remember(own_prior.SETTING, str(name))
+        file = loading.load(broken, quiet)
+        file.close()
+        take = file.session.original
+        assert why in take.warnings[0]
+        assert told(take.warnings[0]) == take.warnings[0]
+        assert engine.prior_for(take.source.layout) is shipped_prior()
+
+
+def test_what_was_made_ahead_with_another_prior_is_made_anew(broken, prior):
+    ahead = loading.prepare(ToReview(broken, broken.name), quiet)
+
+    def taken_as_it_is():
+        opened = loading.open_prepared(ahead, quiet)
+        opened.file.close()
+        return opened.file.session.original is ahead.take
+
+    assert taken_as_it_is()
+    settings.remember(own_prior.SETTING, str(prior))
+    assert not taken_as_it_is()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from arms import arm, hide
 from numpy.testing import assert_allclose, assert_array_equal
@@ -9,8 +10,10 @@ from numpy.testing import assert_allclose, assert_array_equal
 import markermend as mm
 from markermend.cli import main
 from markermend.errors import Cancelled, DataError, FileFormatError
-from markermend.poses.own_prior import choose_prior, learn_files, prior_for
-from markermend.poses.prior import load_prior, save_prior, shipped_prior
+from markermend.poses.hanging import untold_joints
+from markermend.poses.own_prior import choose_prior, fits, learn_files, prior_for, why_not_used
+from markermend.poses.pose import Pose
+from markermend.poses.prior import fitting, load_prior, save_prior, shipped_prior
 from markermend.poses.restore import restore
 from markermend.poses.take import pose_of, restored, restored_without
 
@@ -126,3 +129,47 @@ def test_a_prior_of_ones_own_skeleton_serves_the_command_line(
     assert main(["denoise", str(recording), "-o", str(done), "--prior", str(prior)]) == 0
     assert "does not fit" not in capsys.readouterr().err
     assert_allclose(mm.read_pose(done).positions, arm().positions, atol=30.0)
+
+
+def under_a_root(pose: Pose) -> Pose:
+    """The same body hung on a root that is no part of it, as animation programs have it."""
+    still = np.zeros((pose.frames, 1, 3)), np.tile([0.0, 0.0, 0.0, 1.0], (pose.frames, 1, 1))
+    parents = (-1, *(parent + 1 for parent in pose.parents))
+    positions, rotations = (
+        np.concatenate([one, own], axis=1)
+        for one, own in zip(still, (pose.positions, pose.rotations), strict=True)
+    )
+    confidence = np.concatenate([np.ones((pose.frames, 1)), pose.confidence], axis=1)
+    return Pose(positions, rotations, ("Reference", *pose.joints), parents, pose.rate, confidence)
+
+
+def test_a_root_that_is_no_part_of_the_body_is_left_out_of_it(tmp_path) -> None:
+    path = tmp_path / "p.npz"
+    mm.write_pose(under_a_root(arm()), tmp_path / "a.csv")
+    prior = learn_files([tmp_path / "a.csv"], path)
+    assert prior.joints == ("root", "a", "b", "c", "d")
+    choose_prior(path)
+    damaged = under_a_root(hide(hide(arm(), slice(200, 260), 2), slice(200, 260), 3))
+    assert fits(damaged, prior)
+    assert prior_for(damaged).joints == prior.joints
+    assert why_not_used(damaged) == ""
+    with_it, without = (restore(damaged, prior=p).pose.positions for p in (prior, None))
+    assert not (with_it == without).all()
+
+
+def test_joints_of_ones_own_are_told_by_what_they_hang_on_with_a_prior_too(arms_prior) -> None:
+    pose = hide(arm(), slice(200, 260), 3)
+    names = {joint: n for n, joint in enumerate(pose.joints)}
+    moments, _ = fitting(pose, arms_prior)
+    for known in (moments, None):
+        untold = untold_joints(pose, known)
+        assert not untold[names["root"]]
+        assert untold[[names[joint] for joint in "abcd"]].all()
+    off = np.linalg.norm(restore(pose, prior=arms_prior).pose.positions - arm().positions, axis=2)
+    assert off[200:260, 3].mean() < 1.0
+
+
+@pytest.fixture
+def arms_prior(prior):
+    """A prior of the arm."""
+    return load_prior(prior)

@@ -87,7 +87,7 @@ class Prepared:
     Attributes
     ----------
     item : the take
-    stamp : size and time of its file when it was read
+    stamp : size and time of its file when it was read, and how bodies move
     take : as read
     mesh : the body's structure
     found : artifacts, or None where it was not searched
@@ -97,7 +97,7 @@ class Prepared:
     """
 
     item: ToReview
-    stamp: tuple[int, int]
+    stamp: tuple[int, int, str]
     take: Take
     mesh: Mesh
     found: tuple[Artifact, ...] | None
@@ -218,18 +218,17 @@ def _read(path: Path, progress: Progress) -> Take:
     take: Take = read(path, progress=progress)
     if take.frames == 0:
         raise DataError(f"“{path.name}” has no frames, so that there is nothing to review in it.")
-    if take.skeleton:
-        own_prior.heed()
-    return take
+    return own_prior.heeded(take) if take.skeleton else take
 
 
-def _stamp(path: Path) -> tuple[int, int]:
-    """What changes with a file: its size and time."""
+def _stamp(path: Path) -> tuple[int, int, str]:
+    """What a take that is read depends on: its file's size and time, and how bodies move."""
+    moving = settings.text(own_prior.SETTING, "")
     try:
         told = path.stat()
     except OSError:
-        return 0, 0
-    return told.st_size, told.st_mtime_ns
+        return 0, 0, moving
+    return told.st_size, told.st_mtime_ns, moving
 
 
 def takes_folder(open_take: Path | None) -> Path:

@@ -371,6 +371,7 @@ class Preferences(QDialog):
 
     def _restore(self) -> None:
         """Forget all that was chosen on this page."""
+        self.prior.stop()
         for name in OFFERED:
             settings.remember(name, None)
         self._read()

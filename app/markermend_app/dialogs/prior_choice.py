@@ -26,7 +26,6 @@ from markermend_app.dialogs import ask as dialogs
 from markermend_app.dialogs.file_filters import skeleton_filter
 from markermend_app.own_prior import SETTING
 
-_OTHER, _LEARN = "another file", "learn"
 _ENDING = ".npz"
 
 
@@ -42,11 +41,21 @@ class PriorChoice(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._lane = Lane("learning", self)
+        self._lane, self._last = Lane("learning", self), ""
         self._lane.progressed.connect(self._progressed)
         self.box = QComboBox()
         self.box.setAccessibleName(self.tr("How bodies move"))
-        self.box.activated.connect(lambda _: self._chosen())
+        self.box.activated.connect(lambda _: self._keep(self.box.currentData()))
+        self.file = QPushButton(self.tr("From a file…"))
+        self.file.clicked.connect(self._ask_file)
+        self.learn = QPushButton(self.tr("Learn…"))
+        self.learn.setToolTip(self.tr("Learn from clean recordings"))
+        self.learn.clicked.connect(self._ask_recordings)
+        choice = QHBoxLayout()
+        choice.setSpacing(8)
+        choice.addWidget(self.box, 1)
+        choice.addWidget(self.file)
+        choice.addWidget(self.learn)
         self.about = QLabel()
         self.about.setProperty("role", "small")
         self.about.setWordWrap(True)
@@ -67,31 +76,31 @@ class PriorChoice(QWidget):
         self._foot.addWidget(work)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(self.box)
+        column.addLayout(choice)
         column.addWidget(self._foot)
         self.setFocusProxy(self.box)
 
     def read(self) -> None:
-        """Show what holds now."""
+        """Show what holds now; what held before can be chosen again."""
         kept = settings.text(SETTING, "")
+        self._last = kept or self._last
         self.box.clear()
         self.box.addItem(self.tr("As Markermend knows it"), "")
-        if kept:
-            name = Path(kept).name
-            there = is_there(Path(kept))
+        if self._last:
+            there = is_there(Path(self._last))
             text = self.tr("As {0} tells") if there else self.tr("As {0} told, which is gone")
-            self.box.addItem(text.format(name), kept)
-            self.box.setCurrentIndex(1)
-        self.box.insertSeparator(self.box.count())
-        self.box.addItem(self.tr("As another file tells…"), _OTHER)
-        self.box.addItem(self.tr("Learn from recordings…"), _LEARN)
+            self.box.addItem(text.format(Path(self._last).name), self._last)
+        self.box.setCurrentIndex(1 if kept else 0)
         self.about.setText(
             self.tr(
                 "Used for skeletons with the joints it was learnt from, opened from now on; "
                 "for others, what Markermend knows."
             )
             if kept
-            else self.tr("Clean recordings of a performer tell most of how that one moves in gaps.")
+            else self.tr(
+                "Clean recordings of a performer tell most of how that one moves in gaps. "
+                "Up to ten minutes of them are kept in the file."
+            )
         )
 
     def stop(self) -> None:
@@ -100,17 +109,6 @@ class PriorChoice(QWidget):
         self._work(False)
 
     # What is chosen
-
-    def _chosen(self) -> None:
-        wanted = self.box.currentData()
-        # What asks for a file holds nothing until one was given.
-        self.read()
-        if wanted == _OTHER:
-            self._ask_file()
-        elif wanted == _LEARN:
-            self._ask_recordings()
-        else:
-            self._keep(wanted)
 
     def _keep(self, path: str) -> None:
         settings.remember(SETTING, path or None)
@@ -192,7 +190,8 @@ class PriorChoice(QWidget):
     def _work(self, working: bool) -> None:
         """Show the bar while something is done, else what holds."""
         self.bar.setValue(0)
-        self.box.setEnabled(not working)
+        for field in (self.box, self.file, self.learn):
+            field.setEnabled(not working)
         self._foot.setCurrentIndex(1 if working else 0)
 
     def _progressed(self, share: float, _doing: str) -> None:

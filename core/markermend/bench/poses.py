@@ -157,14 +157,16 @@ def unseen(clips: Mapping[str, Pose]) -> Iterator[tuple[str, Pose, Prior]]:
     DataError
         when all clips show one subject
     """
-    for name, pose, prior, _ in left_out(clips):
+    for name, pose, prior, _ in left_out(clips, known_too=False):
         yield name, pose, prior
 
 
-def left_out(clips: Mapping[str, Pose]) -> Iterator[tuple[str, Pose, Prior, Prior | None]]:
+def left_out(
+    clips: Mapping[str, Pose], *, known_too: bool = True
+) -> Iterator[tuple[str, Pose, Prior, Prior | None]]:
     """Each recording's 17 joints, what everybody else tells, and what all other recordings tell.
 
-    The last is None where no other recording shows the same person.
+    The last is None where no other recording shows the same person, or nobody asks for it.
 
     Raises
     ------
@@ -180,8 +182,10 @@ def left_out(clips: Mapping[str, Pose]) -> Iterator[tuple[str, Pose, Prior, Prio
         own = [name for name in bodies if subject_of(name) == subject]
         prior = together([part for name, part in parts.items() if name not in own])
         for name in own:
-            rest = together([part for other, part in parts.items() if other != name])
-            yield name, bodies[name], prior, rest if len(own) > 1 else None
+            knowing = None
+            if known_too and len(own) > 1:
+                knowing = together([part for other, part in parts.items() if other != name])
+            yield name, bodies[name], prior, knowing
 
 
 @dataclass(frozen=True, eq=False)

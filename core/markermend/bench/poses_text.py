@@ -14,10 +14,15 @@ from markermend.bench.scales import SCALES, occlusion_scales
 
 
 def poses_table(rows: Sequence[Row]) -> list[str]:
-    """Mean absolute error of every method in every case, subjects never seen, poses pooled."""
+    """Mean absolute error of every method in every case, poses pooled.
+
+    Subjects were never seen, but where a method's name says so.
+    """
+    known = KNOWN.removeprefix(", ")
     lines = [
-        "Mean absolute error over all features; whoever is shown was left out of learning,"
-        f" except where it says “{KNOWN.removeprefix(', ')}”: there only the recording itself was."
+        "Mean absolute error over all features; whoever is shown was left out of learning, except"
+        f" where it says “{known}”: there only the recording itself was, of people whom others"
+        " show, too."
     ]
     for case in dict.fromkeys(row.case for row in rows):
         here = [row for row in rows if row.case == case]

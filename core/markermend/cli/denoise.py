@@ -30,7 +30,8 @@ from markermend.poses.restore import Restored
 def run(options: argparse.Namespace) -> int:
     """Restore one recording."""
     from markermend.files.pose import WRITABLE
-    from markermend.poses.prior import NOT_FITTING, fitting, load_prior, shipped_prior
+    from markermend.poses.own_prior import fits
+    from markermend.poses.prior import NOT_FITTING, load_prior, shipped_prior
     from markermend.poses.restore import restore
 
     if STDOUT in (options.pose, options.output):
@@ -50,7 +51,7 @@ def run(options: argparse.Namespace) -> int:
     if options.network is not None:
         return _by_network(pose, options)
     prior = shipped_prior() if options.prior is None else load_prior(Path(options.prior))
-    if options.prior is not None and fitting(pose, prior) is None:
+    if options.prior is not None and not fits(pose, prior):
         warn(f"{Path(options.prior).name}: {NOT_FITTING}")
     with Bar() as bar:
         restored = restore(pose, prior=prior, progress=bar)

@@ -26,7 +26,8 @@ def run_prior(options: argparse.Namespace) -> int:
     save_prior(prior, Path(options.output))
     frames = sum(pose.frames for pose in poses.values())
     say(f"Learnt from {count(frames, 'pose')} in {count(len(poses), 'recording')}.")
-    say(f"Written: {options.output}, {count(len(prior.joints), 'joint')}.")
+    kept = f", {count(len(prior.remembered), 'recording')} among it" if prior.remembered else ""
+    say(f"Written: {options.output}, {count(len(prior.joints), 'joint')}{kept}.")
     return 0
 
 

@@ -343,7 +343,8 @@ def _performed(look: _Look, gap: Gap, trust: Float32Array, by: Float32Array) -> 
     for path, chosen in others.nearest(look.moved[gap.start : gap.stop], trust, most):
         poses, frames = others.paths[path], others.frames[chosen]
         targets = poses[np.ix_(frames, gap.channels)] - poses[frames] @ by
-        found.append(Telling(others.moved[chosen], targets, frames, poses[:, gap.channels]))
+        way = poses[:, gap.channels] if _asks(look) else None
+        found.append(Telling(others.moved[chosen], targets, frames, way))
     return found
 
 

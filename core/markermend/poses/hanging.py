@@ -13,9 +13,12 @@ from functools import partial
 import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray
+from markermend.poses.covariance import Moments
 from markermend.poses.filling import fill
 from markermend.poses.likeness import MOMENTS
 from markermend.poses.normal import FEATURES
+from markermend.poses.nuitrack import JOINTS, usual_name
+from markermend.poses.pose import Pose
 from markermend.poses.quaternion import inverse, lengths_of, multiply, turn, unit, unrolled
 
 # Squared errors of what the whole body tells are larger than is said, the more so the less of it
@@ -23,6 +26,21 @@ from markermend.poses.quaternion import inverse, lengths_of, multiply, turn, uni
 _TOO_SURE_S = 8.0
 # Nothing is surer than this, squared.
 _SURE = 1e-9
+
+
+def untold_joints(pose: Pose, moments: Moments | None) -> BoolArray:
+    """(joints,) bool, those that are told by what they hang on, too; never the root.
+
+    Where a prior tells of the 17 usual joints these are nearer without. Others, as of hands, or of
+    a skeleton of one's own, come nearer, whether or not a prior tells of them.
+    """
+    untold = np.array([usual_name(joint) not in JOINTS for joint in pose.joints])
+    others = np.arange(len(untold)) != pose.order[0]
+    if moments is None:
+        untold[:] = True
+    elif moments.told is not None:
+        untold[others] |= ~moments.told[::FEATURES]
+    return np.asarray(untold & others)
 
 
 def by_parents(

@@ -79,12 +79,19 @@ def some_of(there: IntArray, most: int) -> IntArray:
     return there[:: max(-(-len(there) // most), 1)]
 
 
-def moving(poses: Float32Array, rate: float) -> Float32Array:
-    """(frames, 2 · channels) poses, and how they change, which count alike in comparing them."""
-    frames = np.arange(len(poses))
-    lag = max(round(_MOVES_S * rate), 1)
-    change = poses[np.minimum(frames + lag, len(poses) - 1)] - poses[np.maximum(frames - lag, 0)]
-    return np.hstack([poses, change])
+def moving(poses: Float32Array, rate: float, frames: IntArray | None = None) -> Float32Array:
+    """(frames, 2 · channels) poses, and how they change, which count alike in comparing them.
+
+    Parameters
+    ----------
+    poses : (n, channels)
+    rate : frames per second
+    frames : (frames,) those that are asked for; None for all
+    """
+    asked = np.arange(len(poses)) if frames is None else frames
+    lag, last = max(round(_MOVES_S * rate), 1), len(poses) - 1
+    change = poses[np.minimum(asked + lag, last)] - poses[np.maximum(asked - lag, 0)]
+    return np.hstack([poses if frames is None else poses[frames], change])
 
 
 def weights_of(by: Float32Array, joints: IntArray) -> Float32Array:

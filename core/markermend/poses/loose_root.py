@@ -18,6 +18,11 @@ if TYPE_CHECKING:
 _USUAL = (10.0, 90.0)
 
 
+def body_of(pose: Pose) -> Pose:
+    """The body alone: a recording without its root, where that is no part of it."""
+    return without_loose_root(pose) or pose
+
+
 def without_loose_root(pose: Pose) -> Pose | None:
     """The body alone; None where its root is a part of it.
 

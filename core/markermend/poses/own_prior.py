@@ -31,10 +31,38 @@ def choose_prior(path: Path | None) -> None:
 
 def prior_for(pose: Pose) -> Prior:
     """The prior that was chosen, where it can be read and fits a recording, or Markermend's."""
-    from markermend.poses.prior import fitting, shipped_prior
+    from markermend.poses.prior import shipped_prior
 
     own = None if _chosen is None else _own(_chosen)
-    return own if own is not None and fitting(pose, own) is not None else shipped_prior()
+    return own if own is not None and fits(pose, own) else shipped_prior()
+
+
+def fits(pose: Pose, prior: Prior) -> bool:
+    """Whether a prior serves a recording."""
+    from markermend.poses.loose_root import body_of
+    from markermend.poses.prior import fitting
+
+    return fitting(body_of(pose), prior) is not None
+
+
+def why_not_used(pose: Pose) -> str:
+    """Why a recording is restored by Markermend's own prior though another was chosen, or nothing.
+
+    Parameters
+    ----------
+    pose : the recording
+    """
+    if _chosen is None:
+        return ""
+    own = _own(_chosen)
+    if own is None:
+        return f"{_chosen.name} is gone or holds no prior, so that Markermend's own is used."
+    if fits(pose, own):
+        return ""
+    return (
+        f"{_chosen.name} does not fit this recording, whose joints are others or stand elsewhere,"
+        " and is not used."
+    )
 
 
 def learn_files(paths: Sequence[Path], target: Path, *, progress: Progress | None = None) -> Prior:
@@ -56,11 +84,11 @@ def learn_files(paths: Sequence[Path], target: Path, *, progress: Progress | Non
 
     tell, poses = progress or quiet, []
     for n, path in enumerate(paths):
-        tell(0.4 * n / len(paths), f"Reading {path.name}")
-        poses.append(read_pose(path))
+        one = part(tell, 0.4 * n / len(paths), 0.4 * (n + 1) / len(paths))
+        poses.append(read_pose(path, progress=one))
     names = [path.name for path in paths]
     prior = learn_prior(poses, names=names, progress=part(tell, 0.4, 0.9))
-    tell(0.9, f"Writing {target.name}")
+    tell(0.9, "Writing")
     save_prior(prior, target)
     return prior
 

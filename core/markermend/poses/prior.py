@@ -18,6 +18,7 @@ from markermend.files.npz import read_arrays, write_arrays
 from markermend.poses.bridging import bridged
 from markermend.poses.channels import Channels, steadied, to_channels
 from markermend.poses.covariance import LENGTHS_S, Moments, averaged, learn
+from markermend.poses.loose_root import body_of
 from markermend.poses.normal import FEATURES, bone_lengths
 from markermend.poses.nuitrack import mirrored, to_nuitrack, usual_name
 from markermend.poses.pose import Pose
@@ -53,7 +54,7 @@ class Prior:
     ----------
     joints : names, the root first
     moments : of all joints but the root, :data:`FEATURES` each
-    remembered : the recordings that were learnt from, which tell most of who is recorded again
+    remembered : up to ten minutes of the recordings, which tell most of who is recorded again
     """
 
     joints: tuple[str, ...]
@@ -112,16 +113,16 @@ def learn_recording(pose: Pose, name: str) -> Prior:
     remembered: tuple[Remembered, ...] = ()
     if not np.isnan(bones).any():
         moved = resampled(columns, body.rate, REMEMBERED_HZ)
-        remembered = (Remembered(moved, np.asarray(bones, dtype=np.float32)),)
+        remembered = (Remembered(moved, np.asarray(bones / bones.mean(), dtype=np.float32)),)
     return Prior(body.joints, learn(values, body.rate), remembered)
 
 
 def _usual(pose: Pose) -> Pose:
-    """The 17 joints where a recording has them, the recording itself where not."""
+    """The 17 joints where a recording has them, the body itself where not."""
     try:
         return to_nuitrack(pose)
     except DataError:
-        return pose
+        return body_of(pose)
 
 
 def _bones_of(pose: Pose) -> FloatArray:
@@ -190,7 +191,7 @@ def remembered_of(pose: Pose, prior: Prior) -> list[Remembered]:
     Parameters
     ----------
     pose : a recording that the prior fits, right-handed
-    prior : of the same joints; of others it remembers nothing
+    prior : of exactly the same joints; of a body that has more or fewer it remembers nothing
 
     Returns
     -------
@@ -334,7 +335,7 @@ def load_prior(path: Path) -> Prior:
         if len(within) != len(LENGTHS_S):
             raise ValueError("it knows other lengths")
         remembered = _read_recordings(arrays, len(mean))
-    except (ValueError, KeyError) as error:
+    except (ValueError, KeyError, TypeError) as error:
         raise FileFormatError(
             f"{path.name} holds no prior of poses; “markermend train prior” writes one."
         ) from error
@@ -350,6 +351,8 @@ def _read_recordings(arrays: Mapping[str, NDArray[Any]], channels: int) -> tuple
     wide = channels + len(IN_MIRROR)
     if poses.shape != (frames.sum(), wide) or bones.shape != (len(frames), channels // FEATURES):
         raise ValueError("its recordings do not fit")
+    if (frames < 1).any() or not (np.isfinite(poses).all() and (bones > 0).all()):
+        raise ValueError("its recordings are damaged")
     parts = np.split(poses.astype(np.float32), np.cumsum(frames)[:-1])
     return tuple(Remembered(*one) for one in zip(parts, bones.astype(np.float32), strict=True))
 

@@ -20,6 +20,8 @@ _MOST = 18_000
 # those of the CMU database's first three people by 0.04 to 0.07. Who is taken for another by
 # mistake tells a little, too.
 _SAME_BODY = 0.035
+# So much of a body must be known to tell it from others.
+_LEAST_BONES, _LEAST_SHARE = 3, 0.5
 # Moments of all recordings that the nearest ones are looked for among.
 _LOOKED_AT = 2000
 # Places in a gap that moments are near to.
@@ -36,7 +38,7 @@ class Remembered:
     ----------
     poses : (frames, joints · 7 + beside) at :data:`REMEMBERED_HZ`, without NaN: joints but the
         root, then what :func:`markermend.poses.stance.stance` tells
-    bones : (joints,) length of each joint's bone over the mean length
+    bones : (joints,) length of each joint's bone, over their mean
     """
 
     poses: Float32Array
@@ -45,7 +47,7 @@ class Remembered:
     def of_body(self, bones: FloatArray) -> bool:
         """Whether a body with such bones is the same; NaN for those that are not known."""
         known = ~np.isnan(bones)
-        if not known.any():
+        if known.sum() < _LEAST_BONES or known.mean() < _LEAST_SHARE:
             return False
         own, its = (x[known] / x[known].mean() for x in (self.bones, bones))
         return float(np.sqrt(np.mean((own - its) ** 2))) < _SAME_BODY
@@ -82,7 +84,8 @@ def shortened(recordings: Sequence[Remembered]) -> tuple[Remembered, ...]:
         frames = len(one.poses)
         kept = min(frames, frames * _MOST // max(whole, 1)) if whole > _MOST else frames
         first = (frames - kept) // 2
-        found.append(replace(one, poses=one.poses[first : first + kept]))
+        if kept:
+            found.append(replace(one, poses=one.poses[first : first + kept]))
     return tuple(found)
 
 
@@ -130,7 +133,7 @@ class Performances:
         most : moments
         """
         counts = np.tile(trust, 2) ** 2
-        some = moved[:: max(len(moved) // _PROBES, 1)]
+        some = moved[np.unique(np.linspace(0, len(moved) - 1, _PROBES).astype(int))]
         squared = (self.moved**2 @ counts)[:, None] - 2 * (self.moved @ (some * counts).T)
         squared += np.sum(some**2 * counts, axis=1)
         near = squared.min(axis=1)
@@ -151,5 +154,5 @@ def performances(recordings: Sequence[Remembered], rate: float) -> Performances 
     step = max(-(-sum(map(len, paths)) // _LOOKED_AT), 1)
     frames = [np.arange(0, len(path), step) for path in paths]
     which = np.repeat(np.arange(len(paths)), [len(some) for some in frames])
-    moved = [moving(path, rate)[some] for path, some in zip(paths, frames, strict=True)]
+    moved = [moving(path, rate, some) for path, some in zip(paths, frames, strict=True)]
     return Performances(paths, which, np.concatenate(frames), np.vstack(moved))

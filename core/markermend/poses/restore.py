@@ -27,7 +27,7 @@ from markermend.poses.expecting import left_of_noise, limbs_doubted, with_root_e
 from markermend.poses.faults import Fault, mend_faults
 from markermend.poses.filling import BRIEF_S, Filled, fill
 from markermend.poses.guessing import INFERRED, guessed, restored_beside_guesses
-from markermend.poses.hanging import by_parents
+from markermend.poses.hanging import by_parents, untold_joints
 from markermend.poses.likeness import FEW_MOMENTS, MOMENTS, SOME_MOMENTS
 from markermend.poses.linking import linked_channels
 from markermend.poses.loose_root import with_loose_root, without_loose_root
@@ -47,7 +47,7 @@ from markermend.poses.smoothing import (
     smooth_again,
 )
 from markermend.poses.stance import IN_MIRROR, stance
-from markermend.poses.trials import enough_around, hidden_in, trials_of
+from markermend.poses.trials import tried
 from markermend.poses.turnless import with_one_turn, without_one_turn
 from markermend.progress import Progress, part, quiet
 
@@ -154,49 +154,17 @@ def restore(
         shown = mirrored(pose) if left_handed else pose
         remembered = remembered_of(shown, prior) if prior is not None and fit is not None else ()
         restored = _restore(shown, moments, tell, remembered)
-        if moments is None or moments.told is not None:
-            restored = _tried(restored, moments, part(tell, 0.9, 1.0))
+        untold = untold_joints(shown, moments)
+        if untold.any():
+            restored = tried(
+                restored, untold, lambda some: _restore(some, moments, part(tell, 0.9, 1.0))
+            )
     if left_handed:
         restored = replace(restored, pose=mirrored(restored.pose))
     if pose is not mended:
         restored = replace(restored, pose=with_one_turn(restored.pose, mended))
     error = with_root_errors(restored.error_mm, restored.filled, restored.pose, faults, pose)
     return replace(restored, error_mm=error, faults=faults)
-
-
-def _tried(restored: Restored, moments: Moments | None, tell: Progress) -> Restored:
-    """Expect the errors that are made where something known is hidden.
-
-    A body's covariances fit the recording that they were learnt from, and so say too little of
-    what they foretell elsewhere in it. Others' recordings keep them from that; of joints that these
-    do not tell of it is tried, on stretches as long, of the same joints, as some that were filled.
-    """
-    whole, rows = restored.pose, enough_around(restored.filled)
-    trials = trials_of(restored.filled[rows], whole.rate)
-    if not trials:
-        return restored
-    positions, rotations = whole.positions[rows], whole.rotations[rows]
-    hidden = hidden_in(trials, len(positions), len(whole.joints))
-    known = whole.with_samples(positions, rotations, np.where(hidden, 0.0, 1.0))
-    again = _restore(known, moments, tell)
-    away = np.sum((again.pose.positions - positions) ** 2, axis=2)
-    error = restored.error_mm.copy()
-    untold = _untold(moments, whole)
-    for joints in (untold, ~untold):
-        # Of a root, which everything is measured from, no error is expected.
-        judged = hidden & (again.error_mm > 0) & joints
-        if judged.any():
-            more = float(np.sqrt(np.sum(away[judged]) / np.sum(again.error_mm[judged] ** 2)))
-            error[restored.filled & joints] *= max(more, 1.0)
-    return replace(restored, error_mm=error)
-
-
-def _untold(moments: Moments | None, pose: Pose) -> BoolArray:
-    """(joints,) bool, those that others' recordings tell nothing of."""
-    untold = np.ones(len(pose.joints), dtype=bool)
-    if moments is not None and moments.told is not None:
-        untold[[j for j in range(len(untold)) if j != pose.order[0]]] = ~moments.told[::FEATURES]
-    return untold
 
 
 def _restore(
@@ -207,6 +175,7 @@ def _restore(
     channels, off_mm = linked_channels(channels, known_joints(channels, pose), pose.parents)
     usable = np.asarray(channels.known.any(axis=0))
     values, known = channels.values[:, usable], channels.known[:, usable]
+    hangs = untold_joints(pose, prior)[list(channels.joints)].repeat(FEATURES)[usable]
     mirror = performed = None
     if prior is not None:
         usual = np.where(channels.known, channels.values, 0.0).sum(axis=0)
@@ -249,7 +218,7 @@ def _restore(
     variance = np.full(channels.values.shape, np.nan)
 
     def hung(filled: Filled) -> Filled:
-        if (prior is not None and prior.told is None) or known.all():
+        if not hangs.any() or known.all():
             return filled
         whole[:, usable] = filled.values
         unsure = np.full(whole.shape, np.nan)
@@ -258,7 +227,7 @@ def _restore(
         body = pose.parents, pose.order, pose.rate
         told, doubt = by_parents(*given, *body, beside, left * level)
         told, doubt = (columns_of(x, channels)[:, usable] for x in (told, doubt))
-        kept = known if prior is None or prior.told is None else known | prior.told
+        kept = known | ~hangs
         doubt = np.where(kept, filled.variance, doubt)
         return replace(filled, values=np.where(kept, filled.values, told), variance=doubt)
 

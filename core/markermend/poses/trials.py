@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from markermend.arrays import BoolArray, IntArray, free_starts, runs
+
+if TYPE_CHECKING:
+    from markermend.poses.pose import Pose
+    from markermend.poses.restore import Restored
 
 # Gaps tried at most; shorter ones are crossed by time, of which single frames tell enough.
 _MOST, _LEAST_S = 12, 0.1
@@ -101,3 +106,37 @@ def hidden_in(trials: Sequence[Trial], frames: int, joints: int) -> BoolArray:
     for trial in trials:
         hidden[trial.start : trial.stop, trial.joints] = True
     return hidden
+
+
+def tried(restored: Restored, untold: BoolArray, again: Callable[[Pose], Restored]) -> Restored:
+    """Expect the errors that are made where something known is hidden.
+
+    Parameters
+    ----------
+    restored : what was made of a recording
+    untold : (joints,) bool, those that others' recordings do not tell of
+    again : restores a recording in the same way
+
+    Notes
+    -----
+    A body's covariances fit the recording that they were learnt from, and so say too little of
+    what they foretell elsewhere in it. Others' recordings keep them from that; of joints that these
+    do not tell of it is tried, on stretches as long, of the same joints, as some that were filled.
+    """
+    whole, rows = restored.pose, enough_around(restored.filled)
+    trials = trials_of(restored.filled[rows], whole.rate)
+    if not trials:
+        return restored
+    positions, rotations = whole.positions[rows], whole.rotations[rows]
+    hidden = hidden_in(trials, len(positions), len(whole.joints))
+    known = whole.with_samples(positions, rotations, np.where(hidden, 0.0, 1.0))
+    found = again(known)
+    away = np.sum((found.pose.positions - positions) ** 2, axis=2)
+    error = restored.error_mm.copy()
+    for joints in (untold, ~untold):
+        # Of a root, which everything is measured from, no error is expected.
+        judged = hidden & (found.error_mm > 0) & joints
+        if judged.any():
+            more = float(np.sqrt(np.sum(away[judged]) / np.sum(found.error_mm[judged] ** 2)))
+            error[restored.filled & joints] *= max(more, 1.0)
+    return replace(restored, error_mm=error)

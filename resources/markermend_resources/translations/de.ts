@@ -2076,6 +2076,10 @@
         <translation>Die Datei nennt jeden Wert ungültig, hat aber Koordinaten; sie wurden als gültig gelesen.</translation>
     </message>
     <message>
+        <source>{0} is gone or holds no prior, so that Markermend&apos;s own is used.</source>
+        <translation>{0} fehlt oder lehrt keine Bewegung; es gilt, was Markermend kennt.</translation>
+    </message>
+    <message>
         <source>The file tells no unit of length; by the size of things metres were assumed.</source>
         <translation>Die Datei nennt keine Längeneinheit; der Größe nach wurden Meter angenommen.</translation>
     </message>
@@ -3122,6 +3126,10 @@
     <message>
         <source>Rows are out of order, or very many are missing (after row {0}, for one); those that are there were read one after the other.</source>
         <translation>Zeilen stehen nicht in ihrer Reihenfolge, oder sehr viele fehlen (etwa nach Zeile {0}); die vorhandenen wurden eine nach der anderen gelesen.</translation>
+    </message>
+    <message>
+        <source>{0} does not fit this recording, whose joints are others or stand elsewhere, and is not used.</source>
+        <translation>{0} passt nicht zu dieser Aufnahme, deren Gelenke andere sind oder anderswo stehen, und wird nicht verwendet.</translation>
     </message>
     <message>
         <source>Found before the export</source>
@@ -4929,6 +4937,18 @@ Schließen Sie sie, um dies für die nächste Aufnahme festzulegen.</translation
         <translation>Wie sich Körper bewegen</translation>
     </message>
     <message>
+        <source>From a file…</source>
+        <translation>Aus einer Datei …</translation>
+    </message>
+    <message>
+        <source>Learn…</source>
+        <translation>Lernen …</translation>
+    </message>
+    <message>
+        <source>Learn from clean recordings</source>
+        <translation>Aus sauberen Aufnahmen lernen</translation>
+    </message>
+    <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
@@ -4945,20 +4965,12 @@ Schließen Sie sie, um dies für die nächste Aufnahme festzulegen.</translation
         <translation>Wie {0} es lehrte (fehlt jetzt)</translation>
     </message>
     <message>
-        <source>As another file tells…</source>
-        <translation>Wie eine andere Datei es lehrt …</translation>
-    </message>
-    <message>
-        <source>Learn from recordings…</source>
-        <translation>Aus Aufnahmen lernen …</translation>
+        <source>Clean recordings of a performer tell most of how that one moves in gaps. Up to ten minutes of them are kept in the file.</source>
+        <translation>Saubere Aufnahmen einer Person lehren am meisten, wie sie sich in Lücken bewegt. Bis zu zehn Minuten davon stehen in der Datei.</translation>
     </message>
     <message>
         <source>Used for skeletons with the joints it was learnt from, opened from now on; for others, what Markermend knows.</source>
         <translation>Gilt für Skelette mit den gelernten Gelenken, die ab jetzt geöffnet werden; für andere gilt, was Markermend kennt.</translation>
-    </message>
-    <message>
-        <source>Clean recordings of a performer tell most of how that one moves in gaps.</source>
-        <translation>Saubere Aufnahmen einer Person lehren am meisten, wie sie sich in Lücken bewegt.</translation>
     </message>
     <message>
         <source>Reading</source>
