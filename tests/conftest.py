@@ -8,6 +8,8 @@ from pathlib import Path
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+# Some containers turn byte code off; each of the many processes would compile us anew.
+os.environ["PYTHONDONTWRITEBYTECODE"] = ""
 
 import pytest
 
@@ -27,6 +29,16 @@ def own_user_folder(tmp_path_factory, monkeypatch):
     folder = tmp_path_factory.mktemp("user")
     monkeypatch.setattr("platformdirs.user_data_path", lambda *_, **__: folder)
     monkeypatch.setattr("platformdirs.user_config_path", lambda *_, **__: folder / "config")
+
+
+@pytest.fixture(scope="module")
+def restored_once():
+    """Restore each recording once: many tests read, search and write the same."""
+    from restoring import restore_once
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("markermend.poses.take.restore", restore_once)
+        yield
 
 
 @pytest.fixture(scope="session")
