@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import os
+from functools import cache
 from pathlib import Path
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -26,9 +27,9 @@ def pytest_collection_finish() -> None:
 @pytest.fixture(autouse=True)
 def own_user_folder(tmp_path_factory, monkeypatch):
     """Keep what would go into the user's own folders in one that is thrown away."""
-    folder = tmp_path_factory.mktemp("user")
-    monkeypatch.setattr("platformdirs.user_data_path", lambda *_, **__: folder)
-    monkeypatch.setattr("platformdirs.user_config_path", lambda *_, **__: folder / "config")
+    folder = cache(lambda: tmp_path_factory.mktemp("user"))
+    monkeypatch.setattr("platformdirs.user_data_path", lambda *_, **__: folder())
+    monkeypatch.setattr("platformdirs.user_config_path", lambda *_, **__: folder() / "config")
 
 
 @pytest.fixture(scope="module")

@@ -29,7 +29,7 @@ def test_the_difference_is_judged_pair_by_pair_where_both_filled() -> None:
 
 
 def test_both_ways_fill_the_same_gaps() -> None:
-    take = simulate_clean(duration_s=25, rate=50, seed=1, labels=list(MARKER_SET)[::3])
+    take = simulate_clean(duration_s=25, rate=50, seed=1, labels=list(MARKER_SET)[::2])
     three, ten = compare_constraints({"walk": take}, simulations=2, seed=0)
     assert (three.cases, ten.cases) == (2, 2)
     assert three.on_mm != three.off_mm
