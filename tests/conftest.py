@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import gc
 import os
+from functools import cache
 from pathlib import Path
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+# Some containers turn byte code off; each of the many processes would compile us anew.
+os.environ["PYTHONDONTWRITEBYTECODE"] = ""
 
 import pytest
 
@@ -24,9 +27,19 @@ def pytest_collection_finish() -> None:
 @pytest.fixture(autouse=True)
 def own_user_folder(tmp_path_factory, monkeypatch):
     """Keep what would go into the user's own folders in one that is thrown away."""
-    folder = tmp_path_factory.mktemp("user")
-    monkeypatch.setattr("platformdirs.user_data_path", lambda *_, **__: folder)
-    monkeypatch.setattr("platformdirs.user_config_path", lambda *_, **__: folder / "config")
+    folder = cache(lambda: tmp_path_factory.mktemp("user"))
+    monkeypatch.setattr("platformdirs.user_data_path", lambda *_, **__: folder())
+    monkeypatch.setattr("platformdirs.user_config_path", lambda *_, **__: folder() / "config")
+
+
+@pytest.fixture(scope="module")
+def restored_once():
+    """Restore each recording once: many tests read, search and write the same."""
+    from restoring import restore_once
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("markermend.poses.take.restore", restore_once)
+        yield
 
 
 @pytest.fixture(scope="session")

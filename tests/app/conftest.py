@@ -26,6 +26,17 @@ from markermend_app.rows import Rows
 from markermend_app.style import theme
 
 
+@pytest.fixture(scope="module", autouse=True)
+def quick_restoring(restored_once):
+    """Windows restore the recordings of each other."""
+
+
+@pytest.fixture(autouse=True)
+def plots_of_the_smoothing_dialog(monkeypatch):
+    """Make them when a dialog wants them; tests of that dialog let them be made ahead."""
+    monkeypatch.setattr("markermend_app.verbs.smoothing.Smoothing._make_ahead", lambda self: None)
+
+
 @pytest.fixture(autouse=True)
 def own_settings(tmp_path, monkeypatch):
     """Keep settings of the tests in a folder of their own."""

@@ -21,6 +21,11 @@ MARKERS = 8
 
 
 @pytest.fixture
+def plots_of_the_smoothing_dialog():
+    """Let the window make them ahead, as it does."""
+
+
+@pytest.fixture
 def window(review, damaged):
     """The window on the damaged take, T10 foremost, the first 150 frames in view."""
     made = review(*damaged)

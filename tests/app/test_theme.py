@@ -48,6 +48,26 @@ def test_text_is_readable(look: theme.Theme):
         assert _contrast(color, look.plot) > 2.4
 
 
+def test_a_look_that_is_worn_already_polishes_nothing_anew(qapp, qtbot):
+    theme.apply(qapp, "light")
+    polished = []
+
+    class Watched(QLabel):
+        def changeEvent(self, event):
+            if event.type() == QEvent.Type.StyleChange:
+                polished.append(event)
+
+    label = Watched()
+    qtbot.addWidget(label)
+    label.show()
+    polished.clear()
+    theme.recolour(qapp)
+    theme.apply(qapp, "light")
+    assert not polished
+    theme.apply(qapp, "dark")
+    assert polished
+
+
 @pytest.mark.parametrize("name", ["light", "dark", "contrast"])
 def test_badges_can_be_read_also_where_they_step_back(qapp, name):
     theme.apply(qapp, name)

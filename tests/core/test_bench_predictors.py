@@ -31,7 +31,7 @@ QUICK = ("polynomial", "polynomial with own past", "network, 45 steps", "local r
 
 @pytest.fixture(scope="module")
 def performer():
-    return simulate_clean(duration_s=16.0, seed=3, labels=LABELS)
+    return simulate_clean(duration_s=10.0, seed=3, labels=LABELS)
 
 
 @pytest.fixture(scope="module")

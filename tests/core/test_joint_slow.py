@@ -172,7 +172,9 @@ def test_a_drift_is_found_and_named(performer, kind, length):
 
 
 def test_a_clean_performance_does_not_drift(performer):
-    found = mm.detect(performer, method="joint", params=JointParams(jobs=1))
+    # Every second marker: all of the body, in half the time.
+    some = only(performer, performer.labels[::2])
+    found = mm.detect(some, method="joint", params=JointParams(jobs=1))
     assert [a for a in found if a.kind is Kind.SLOW] == []
 
 
@@ -246,7 +248,7 @@ def test_few_frames_or_markers_are_passed_over():
 
 
 def test_examples_are_seeded_and_of_both_sorts():
-    take = simulate_clean(duration_s=6.0, seed=3, labels=LABELS)
+    take = simulate_clean(duration_s=4.0, seed=3, labels=LABELS)
     first, again = (examples_of(take, (), rounds=1, seed=1) for _ in range(2))
     assert np.array_equal(first.features, again.features)
     assert np.array_equal(first.drawn, again.drawn)

@@ -16,6 +16,8 @@ from markermend.poses.guessing import INFERRED
 from markermend.poses.nuitrack import to_nuitrack
 from markermend.poses.take import changed_joints, pose_of, restored
 
+pytestmark = pytest.mark.usefixtures("restored_once")
+
 ASF = "02.asf"
 
 

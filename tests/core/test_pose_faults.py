@@ -190,8 +190,9 @@ def test_of_a_root_that_jumps_nothing_else_is_lost(walk, zero):
 
 def test_whoever_jumps_is_wrong_wherever_bones_happen_to_reach(walk):
     random, right, tries = np.random.default_rng(3), 0, 40
+    walk = walk.with_samples(walk.positions[:600], walk.rotations[:600])
     for _ in range(tries):
-        joint, start = int(random.integers(1, len(walk.joints))), int(random.integers(2, 1500))
+        joint, start = int(random.integers(1, len(walk.joints))), int(random.integers(2, 500))
         away = random.normal(size=3)
         positions = np.array(walk.positions)
         positions[start : start + 50, joint] += away / np.sqrt(away @ away) * 300.0

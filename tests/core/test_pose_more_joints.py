@@ -82,7 +82,7 @@ def test_what_is_not_told_of_moves_with_the_rest_as_the_recording_has_it():
 
 
 def test_a_prior_of_fewer_joints_brings_hidden_joints_nearer(body, prior):
-    short = slice(0, round(8 * body.rate), 4)
+    short = slice(0, round(5 * body.rate), 4)
     samples = body.positions[short], body.rotations[short], body.confidence[short]
     truth = Pose(*samples[:2], body.joints, body.parents, body.rate / 4, samples[2])
     (case,) = (c for c in CASES if c.slow and c.kind == "occlusions")
@@ -102,7 +102,7 @@ def test_a_prior_of_fewer_joints_brings_hidden_joints_nearer(body, prior):
 
 def test_live_a_prior_of_fewer_joints_brings_hidden_joints_nearer(prior, shared_data):
     body = with_hands(mm.read_pose(shared_data / "poses" / "01_05.amc"))
-    rng, frames = np.random.default_rng(2), round(6 * body.rate)
+    rng, frames = np.random.default_rng(2), round(4 * body.rate)
     confidence = np.ones(body.confidence.shape)
     for start in range(60, frames, 60):
         confidence[start : start + 30, rng.permutation(np.arange(1, 25))[:3]] = 0.0

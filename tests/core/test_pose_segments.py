@@ -22,6 +22,8 @@ from markermend.poses.segments import (
     to_cmu,
 )
 
+pytestmark = pytest.mark.usefixtures("restored_once")
+
 
 @pytest.fixture(scope="module")
 def clips(shared_data):

@@ -18,6 +18,8 @@ from markermend.poses.restore import restore
 from markermend.poses.swinging import carried, swung
 from markermend.poses.take import as_pose, pose_of, restored_without
 
+pytestmark = pytest.mark.usefixtures("restored_once")
+
 UNTURNED = (0.0, 0.0, 0.0, 1.0)
 
 

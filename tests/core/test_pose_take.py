@@ -17,6 +17,8 @@ from markermend.poses.nuitrack import JOINTS, to_nuitrack
 from markermend.poses.take import at_hand, changed_joints, pose_of
 from markermend.repairs import advise, evidence_for, propose
 
+pytestmark = pytest.mark.usefixtures("restored_once")
+
 HIDDEN = slice(200, 230)
 
 

@@ -110,10 +110,10 @@ def test_beside_a_gap_longer_than_all_that_is_known_errors_are_tried_on_less(sta
     assert spline.error_mm is not None
 
 
-@pytest.mark.parametrize("method", ["linear", "spline", "pma"])
-def test_a_measured_error_comes_with_a_band_that_holds(method: str) -> None:
-    # Every second marker: PMA asks all of them.
-    take = simulate_clean(duration_s=20.0, rate=100.0, seed=3, labels=list(MARKER_SET)[::2])
+# Not every marker: PMA asks all of them.
+@pytest.mark.parametrize(("method", "every"), [("linear", 2), ("spline", 2), ("pma", 3)])
+def test_a_measured_error_comes_with_a_band_that_holds(method: str, every: int) -> None:
+    take = simulate_clean(duration_s=20.0, rate=100.0, seed=3, labels=list(MARKER_SET)[::every])
     inside, rng = [], np.random.default_rng(0)
     for length in (6, 20, 50):
         for _ in range(6):
@@ -171,7 +171,7 @@ def test_curves_say_how_far_off_they_may_be() -> None:
 def test_expected_errors_follow_the_true_ones_on_real_takes(shared_data: Path) -> None:
     if not BENCH.is_file():
         pytest.skip(f"the gap list is not here ({BENCH})")
-    cases = [c for c in read_cases(BENCH) if c.take == "85_12" and c.length <= 120][::8]
+    cases = [c for c in read_cases(BENCH) if c.take == "85_12" and c.length <= 120][::12]
     take = read_named("85_12", shared_data)
     expected, true, seconds = [], [], []
     for case in cases:
@@ -204,18 +204,18 @@ def swaying_take(frames: int = 700) -> Take:
 
 
 def test_a_marker_is_followed_where_the_body_is_not_seen() -> None:
-    take = swaying_take()
+    take = swaying_take(500)
     positions = take.positions.copy()
-    positions[250:400, [0, 2, 3, 4]] = np.nan
+    positions[180:290, [0, 2, 3, 4]] = np.nan
     holed = Take(positions, take.labels, take.rate)
-    gap = Artifact("M0", "xyz", 250, 400, Kind.GAP)
+    gap = Artifact("M0", "xyz", 180, 290, Kind.GAP)
     best = advise(evidence_for(holed), gap)[0]
     assert best.method == "pattern"
     assert best.trials == 2
     chosen = propose(holed, gap)
     assert chosen.method == "pattern"
     assert "Only one other marker" in chosen.reason
-    off = np.linalg.norm(chosen.patches[0].values - take.positions[250:400, 0], axis=1).mean()
+    off = np.linalg.norm(chosen.patches[0].values - take.positions[180:290, 0], axis=1).mean()
     assert off < 5.0
 
 

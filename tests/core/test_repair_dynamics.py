@@ -163,7 +163,7 @@ def test_it_crosses_a_blackout(name: str) -> None:
 
 
 def test_advice_measures_them_in_a_blackout_only() -> None:
-    take = body()
+    take = body(320)
     gap = Artifact("B", "xyz", 200, 230, Kind.GAP)
     for gone, offered in (([1], False), ([0, 1, 2, 3, 4, 5], True), ([1, 2, 3, 4], True)):
         positions = take.positions.copy()

@@ -10,6 +10,8 @@ from markermend.artifact import Artifact, Kind
 from markermend.poses.nuitrack import JOINTS, to_nuitrack
 from markermend.repairs import advise, compared, evidence_for, propose
 
+pytestmark = pytest.mark.usefixtures("restored_once")
+
 
 @pytest.fixture(scope="module")
 def walk(shared_data):

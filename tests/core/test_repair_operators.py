@@ -279,7 +279,7 @@ def test_the_deviation_of_a_bridge_is_measured() -> None:
 def replayed(shared_data: Path) -> dict[tuple[int, str], GapRow]:
     if not BENCH.is_file():
         pytest.skip(f"the gap list is not here ({BENCH})")
-    cases = [c for c in read_cases(BENCH) if c.length in (10, 120)][::6]
+    cases = [c for c in read_cases(BENCH) if c.length in (10, 120)][::9]
     takes = {n: read_named(n, shared_data) for n in {c.take for c in cases}}
     rows = summarise(replay(cases, takes, OPERATORS), reference=None)
     return {(r.length, r.method): r for r in rows}

@@ -194,7 +194,7 @@ def replayed(shared_data: Path) -> dict[tuple[int, str], GapRow]:
     if not BENCH.is_file():
         pytest.skip(f"the gap list is not here ({BENCH})")
     cases = [c for c in read_cases(BENCH) if c.protocol == "skurowski2021"]
-    cases = [c for c in cases if c.length in (10, 100)][::6]
+    cases = [c for c in cases if c.length in (10, 100)][::18]
     takes = {n: read_named(n, shared_data) for n in {c.take for c in cases}}
     methods = ["ffnn_lin", "ffnn_tanh", "spline", "makima", "pchip", "linear"]
     return {(r.length, r.method): r for r in summarise(replay(cases, takes, methods))}

@@ -174,7 +174,7 @@ def test_references_that_change_during_the_gap_are_taken_in_turn() -> None:
 def test_error_is_that_of_the_original_code(shared_data: Path) -> None:
     if not BENCH.is_file():
         pytest.skip(f"the gap list is not here ({BENCH})")
-    cases = [c for c in read_cases(BENCH) if c.length >= 50 and c.protocol != "pma10"][::8]
+    cases = [c for c in read_cases(BENCH) if c.length >= 50 and c.protocol != "pma10"][::16]
     takes = {n: read_named(n, shared_data) for n in {c.take for c in cases}}
     rows = summarise(replay(cases, takes, ["pma"]))
     error = np.mean([r.error_mm for r in rows])

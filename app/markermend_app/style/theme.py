@@ -246,7 +246,10 @@ def _wear(app: QApplication, theme: Theme) -> None:
     if font.pointSize() != BASE_PT:
         font.setPointSize(BASE_PT)
         app.setFont(font)
-    app.setStyleSheet(stylesheet(theme))
+    sheet = stylesheet(theme)
+    # Every widget is polished anew for a sheet, also for the same.
+    if sheet != app.styleSheet():
+        app.setStyleSheet(sheet)
     watcher.changed.emit()
 
 
