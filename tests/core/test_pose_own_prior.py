@@ -16,6 +16,7 @@ from markermend.poses.pose import Pose
 from markermend.poses.prior import fitting, load_prior, save_prior, shipped_prior
 from markermend.poses.restore import restore
 from markermend.poses.take import pose_of, restored, restored_without
+from markermend.simulation import simulate
 
 
 @pytest.fixture(autouse=True)
@@ -173,3 +174,27 @@ def test_joints_of_ones_own_are_told_by_what_they_hang_on_with_a_prior_too(arms_
 def arms_prior(prior):
     """A prior of the arm."""
     return load_prior(prior)
+
+
+def test_commands_on_takes_restore_by_a_prior_of_ones_own(recording, prior, tmp_path, capsys):
+    done, usual = tmp_path / "done.csv", tmp_path / "usual.csv"
+    assert main(["fill", str(recording), "-o", str(done), "--prior", str(prior)]) == 0
+    assert main(["clean", str(recording), "-o", str(usual)]) == 0
+    wanted = restore(mm.read_pose(recording), prior=load_prior(prior)).pose.positions
+    assert_allclose(mm.read_pose(done).positions, wanted, atol=1e-3)
+    assert not np.allclose(mm.read_pose(usual).positions, wanted, atol=0.1)
+    assert not capsys.readouterr().err
+    assert main(["detect", str(recording), "--prior", str(prior)]) == 0
+
+
+def test_commands_say_why_a_prior_is_not_used(recording, tmp_path, capsys):
+    other = tmp_path / "ours.npz"
+    save_prior(shipped_prior(), other)
+    assert main(["detect", str(recording), "--prior", str(other)]) == 0
+    assert "ours.npz does not fit this recording" in capsys.readouterr().err
+    assert main(["detect", str(recording), "--prior", str(recording)]) == 1
+    assert "holds no prior" in capsys.readouterr().err
+    take, _ = simulate(duration_s=2.0)
+    mm.write(take, tmp_path / "walk.c3d")
+    assert main(["detect", str(tmp_path / "walk.c3d"), "--prior", str(other)]) == 1
+    assert "is for skeleton recordings" in capsys.readouterr().err

@@ -24,6 +24,7 @@ from markermend.cli.console import (
 )
 from markermend.cli.detect import find, summary
 from markermend.cli.detection import choose, refuse_choice
+from markermend.cli.recordings import heed_prior
 from markermend.cli.repairing import left_over, listing, seen_again, summary_table
 from markermend.errors import DataError, ExportError
 from markermend.outcome import cleaned_document, outcomes
@@ -38,6 +39,7 @@ def run(options: argparse.Namespace) -> int:
     listed = None if options.artifacts is None else read_artifacts(options.artifacts)
     chosen = choose(options)
     take = read_take(options.take)
+    heed_prior(take, options.prior)
     if listed is not None:
         _check_list(options.artifacts, listed[1], take)
     frames = chosen_frames(take, options)

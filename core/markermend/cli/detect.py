@@ -27,6 +27,7 @@ from markermend.cli.console import (
     write_text,
 )
 from markermend.cli.detection import choose, refuse_choice
+from markermend.cli.recordings import heed_prior
 from markermend.mesh import Mesh
 from markermend.progress import Progress
 from markermend.take import Take
@@ -51,6 +52,7 @@ def run(options: argparse.Namespace) -> int:
     check_outputs([options.json, options.csv], source=options.take, force=options.force)
     chosen = choose(options)
     take = read_take(options.take)
+    heed_prior(take, options.prior)
     frames = chosen_frames(take, options)
     with Bar() as bar:
         found = find(take, None, options, chosen, bar)

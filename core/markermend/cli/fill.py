@@ -17,6 +17,7 @@ from markermend.cli.console import (
     say,
     written,
 )
+from markermend.cli.recordings import heed_prior
 from markermend.cli.repairing import left_over, listing, seen_again, summary_table
 from markermend.cli.settings import settings_of
 from markermend.errors import MethodError
@@ -32,6 +33,7 @@ def run(options: argparse.Namespace) -> int:
     check_take_output(options.output, source=options.take)
     params = _params(options)
     take = read_take(options.take)
+    heed_prior(take, options.prior)
     frames = chosen_frames(take, options)
     gaps = find_gaps(take) if frames is None else within(find_gaps(take), frames)
     longest = take.frames if options.max_gap is None else options.max_gap.frames(take.rate)

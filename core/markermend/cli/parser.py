@@ -129,6 +129,7 @@ def _add_detect(p: argparse.ArgumentParser) -> None:
     add_frames(p, "list what reaches into these frames only")
     _json(p)
     p.add_argument("--csv", metavar="FILE", help="write a table as CSV; “-” for standard output")
+    _prior(p)
     _force(p)
 
 
@@ -167,6 +168,7 @@ def _add_clean(p: argparse.ArgumentParser) -> None:
     p.add_argument(
         "--report", metavar="FILE", help="write a report to read, print and mail: one HTML file"
     )
+    _prior(p)
     _force(p)
 
 
@@ -190,6 +192,7 @@ def _add_fill(p: argparse.ArgumentParser) -> None:
     )
     add_frames(p, "fill gaps that reach into these frames only")
     p.add_argument("--list", action="store_true", help="show every single gap")
+    _prior(p)
     _force(p)
 
 
@@ -229,9 +232,7 @@ def _add_denoise(p: argparse.ArgumentParser) -> None:
         " tells it",
     )
     p.add_argument("--skeleton", metavar="ASF", help="skeleton of an AMC that is not beside it")
-    p.add_argument(
-        "--prior", metavar="FILE", help="how bodies move, of “train prior”, instead of our own"
-    )
+    _prior(p)
     p.add_argument(
         "--network",
         metavar=("FILE", "NAME"),
@@ -346,6 +347,14 @@ def _output(p: argparse.ArgumentParser) -> None:
         required=True,
         help="take to write; its ending says the format: .c3d, .trc, .csv, or a plugin's; of joints"
         " also .amc, .bvh",
+    )
+
+
+def _prior(p: argparse.ArgumentParser) -> None:
+    p.add_argument(
+        "--prior",
+        metavar="FILE",
+        help="how bodies of skeletons move, of “train prior”, instead of our own",
     )
 
 
