@@ -19,11 +19,13 @@ from markermend.poses.nuitrack import mirrored, to_nuitrack
 from markermend.poses.pose import Pose
 from markermend.poses.prior import (
     Prior,
+    beside_ours,
     learn_prior,
     learn_recording,
     load_prior,
     remembered_of,
     save_prior,
+    shipped_prior,
     together,
 )
 from markermend.poses.remembered import (
@@ -224,3 +226,22 @@ def test_a_prior_that_others_get_holds_no_recordings(shared_data, tmp_path) -> N
     assert len(load_prior(path).remembered) == 1
     assert main(["train", "prior", clip, "-o", str(path), "--no-recordings", "--force"]) == 0
     assert load_prior(path).remembered == ()
+
+
+def test_what_left_handed_recordings_tell_is_the_same(clips) -> None:
+    one, other = (learn_recording(pose, "") for pose in (clips["02_01"], mirrored(clips["02_01"])))
+    assert_allclose(other.moments.mean, one.moments.mean, atol=1e-9)
+    assert_allclose(other.remembered[0].poses, one.remembered[0].poses, atol=1e-5)
+
+
+def test_beside_ours_a_few_recordings_count_for_half(clips, prior) -> None:
+    ours, few = shipped_prior(), learn_prior([clips["02_01"]])
+    both = beside_ours(few)
+    assert both.remembered
+    theirs = few.moments.signed_like(ours.moments.mean)
+    assert_allclose(both.moments.mean, 0.5 * (ours.moments.mean + theirs.mean))
+    # Whoever stands elsewhere is another body, and so is one with other joints.
+    moved = replace(few.moments, mean=few.moments.mean + 2.0)
+    assert beside_ours(replace(few, moments=moved)).moments is moved
+    fewer = replace(few, joints=("root", *few.joints[1:]))
+    assert beside_ours(fewer) is fewer

@@ -31,7 +31,7 @@ def run(options: argparse.Namespace) -> int:
     """Restore one recording."""
     from markermend.files.pose import WRITABLE
     from markermend.poses.own_prior import fits
-    from markermend.poses.prior import NOT_FITTING, load_prior, shipped_prior
+    from markermend.poses.prior import NOT_FITTING, beside_ours, load_prior, shipped_prior
     from markermend.poses.restore import restore
 
     if STDOUT in (options.pose, options.output):
@@ -50,7 +50,9 @@ def run(options: argparse.Namespace) -> int:
         warn(f"{Path(options.pose).name}: {oddity}")
     if options.network is not None:
         return _by_network(pose, options)
-    prior = shipped_prior() if options.prior is None else load_prior(Path(options.prior))
+    prior = (
+        shipped_prior() if options.prior is None else beside_ours(load_prior(Path(options.prior)))
+    )
     if options.prior is not None and not fits(pose, prior):
         warn(f"{Path(options.prior).name}: {NOT_FITTING}")
     with Bar() as bar:
@@ -137,12 +139,14 @@ def _by_network(pose: Pose, options: argparse.Namespace) -> int:
 def _follow(options: argparse.Namespace) -> int:
     """Clean poses while they come."""
     from markermend.files.pose_stream import follow
-    from markermend.poses.prior import load_prior, shipped_prior
+    from markermend.poses.prior import beside_ours, load_prior, shipped_prior
 
     if options.pose != options.output:
         raise ExportError("A stream is “-” on both sides: markermend denoise - -o -")
     _refuse(options, ("network", "cmu", "list", "skeleton", "unit"), "a stream")
-    prior = shipped_prior() if options.prior is None else load_prior(Path(options.prior))
+    prior = (
+        shipped_prior() if options.prior is None else beside_ours(load_prior(Path(options.prior)))
+    )
 
     if sys.stdin is None or output_is_closed():
         raise ExportError(

@@ -354,7 +354,7 @@ def _prior(p: argparse.ArgumentParser) -> None:
     p.add_argument(
         "--prior",
         metavar="FILE",
-        help="how bodies of skeletons move, of “train prior”, instead of our own",
+        help="how bodies of skeletons move, of “train prior”, beside what we know of 17 joints",
     )
 
 

@@ -103,9 +103,9 @@ def _own(path: Path) -> Prior | None:
 
 @lru_cache(maxsize=1)
 def _read(path: Path, _changed: int) -> Prior | None:
-    from markermend.poses.prior import load_prior
+    from markermend.poses.prior import beside_ours, load_prior
 
     try:
-        return load_prior(path)
+        return beside_ours(load_prior(path))
     except FileFormatError:
         return None

@@ -118,11 +118,13 @@ def learn_recording(pose: Pose, name: str) -> Prior:
 
 
 def _usual(pose: Pose) -> Pose:
-    """The 17 joints where a recording has them, the body itself where not."""
+    """The 17 joints where a recording has them, right-handed; the body itself where not."""
     try:
-        return to_nuitrack(pose)
+        body = to_nuitrack(pose)
     except DataError:
         return body_of(pose)
+    fits = fitting(body, shipped_prior())
+    return mirrored(body) if fits is not None and fits[1] else body
 
 
 def _bones_of(pose: Pose) -> FloatArray:
@@ -291,6 +293,20 @@ def _apart(pose: Pose, moments: Moments) -> float:
     if moments.told is not None:
         seen &= moments.told[::FEATURES]
     return float(np.mean(np.sqrt(np.sum(away[seen, :3] ** 2, axis=1)))) if seen.any() else np.inf
+
+
+def beside_ours(own: Prior) -> Prior:
+    """What a prior of the user's own and Markermend's tell together, where they know one body.
+
+    A few recordings tell little of how bodies move at large, and Markermend's nothing of whom they
+    show; both count alike.
+    """
+    ours = shipped_prior()
+    if own.joints != ours.joints:
+        return own
+    places = (prior.moments.mean.reshape(-1, FEATURES)[:, :_TURN] for prior in (own, ours))
+    apart = float(np.mean(lengths_of(np.subtract(*places))))
+    return together([ours, own]) if apart < _ALIKE else own
 
 
 @lru_cache(maxsize=1)
