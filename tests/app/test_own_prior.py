@@ -17,6 +17,7 @@ from markermend.poses.prior import load_prior, save_prior, shipped_prior
 from markermend.progress import quiet
 from markermend_app import own_prior, settings
 from markermend_app.background import loading
+from markermend_app.dialogs.file_filters import skeleton_filter
 from markermend_app.dialogs.preferences import Preferences
 from markermend_app.telling import told
 
@@ -236,3 +237,9 @@ def test_what_was_made_ahead_with_another_prior_is_made_anew(broken, prior):
     assert taken_as_it_is()
     settings.remember(own_prior.SETTING, str(prior))
     assert not taken_as_it_is()
+
+
+def test_recordings_are_offered_to_learn_from_and_no_poses_at_rest():
+    assert "CSV, BVH, AMC" in skeleton_filter()
+    assert "*.AMC" in skeleton_filter()
+    assert "asf" not in skeleton_filter().lower()

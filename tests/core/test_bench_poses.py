@@ -9,7 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 import markermend as mm
-from markermend.bench.poses import CASES, Row, compare
+from markermend.bench.poses import CASES, KNOWN, Row, compare, left_out, unseen
 from markermend.bench.poses_network import error_of
 from markermend.bench.poses_text import hidden_table, movements_table, poses_csv, poses_table
 from markermend.cli import main
@@ -25,6 +25,24 @@ from markermend.poses.restore import restore
 def clips(shared_data):
     folder = shared_data / "poses"
     return {name: to_nuitrack(mm.read_pose(folder / f"{name}.amc")) for name in ("02_01", "03_02")}
+
+
+def test_who_is_shown_is_known_where_others_show_the_same_person(shared_data):
+    folder, some = shared_data / "poses", {}
+    for name in ("02_01", "02_02", "03_02"):
+        pose = to_nuitrack(mm.read_pose(folder / f"{name}.amc"))
+        some[name] = pose.with_samples(pose.positions[:150], pose.rotations[:150])
+    knows = {name: knowing for name, _, _, knowing in left_out(some)}
+    assert {name: prior and len(prior.remembered) for name, prior in knows.items()} == {
+        "02_01": 2,
+        "02_02": 2,
+        "03_02": None,
+    }
+    assert all(len(prior.remembered) for _, _, prior in unseen(some))
+    rows = compare(some, cases=CASES[:1])
+    named = [row.clip for row in rows if row.method == f"restore{KNOWN}"]
+    assert named == ["02_01", "02_02"]
+    assert "“who is shown known”" in poses_table(rows)[0]
 
 
 def test_errors_are_the_papers():

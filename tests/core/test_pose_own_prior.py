@@ -10,7 +10,8 @@ from numpy.testing import assert_allclose, assert_array_equal
 import markermend as mm
 from markermend.cli import main
 from markermend.errors import Cancelled, DataError, FileFormatError
-from markermend.poses.hanging import untold_joints
+from markermend.poses.hanging import hanging_joints
+from markermend.poses.nuitrack import to_nuitrack
 from markermend.poses.own_prior import choose_prior, fits, learn_files, prior_for, why_not_used
 from markermend.poses.pose import Pose
 from markermend.poses.prior import fitting, load_prior, save_prior, shipped_prior
@@ -163,9 +164,9 @@ def test_joints_of_ones_own_are_told_by_what_they_hang_on_with_a_prior_too(arms_
     names = {joint: n for n, joint in enumerate(pose.joints)}
     moments, _ = fitting(pose, arms_prior)
     for known in (moments, None):
-        untold = untold_joints(pose, known)
-        assert not untold[names["root"]]
-        assert untold[[names[joint] for joint in "abcd"]].all()
+        hanging = hanging_joints(pose, known)
+        assert not hanging[names["root"]]
+        assert hanging[[names[joint] for joint in "abcd"]].all()
     off = np.linalg.norm(restore(pose, prior=arms_prior).pose.positions - arm().positions, axis=2)
     assert off[200:260, 3].mean() < 1.0
 
@@ -185,6 +186,16 @@ def test_commands_on_takes_restore_by_a_prior_of_ones_own(recording, prior, tmp_
     assert not np.allclose(mm.read_pose(usual).positions, wanted, atol=0.1)
     assert not capsys.readouterr().err
     assert main(["detect", str(recording), "--prior", str(prior)]) == 0
+
+
+def test_denoise_restores_by_ours_what_a_prior_does_not_fit(shared_data, prior, tmp_path, capsys):
+    pose = to_nuitrack(mm.read_pose(shared_data / "poses" / "02_02.amc"))
+    path, done = tmp_path / "walk.csv", tmp_path / "done.csv"
+    mm.write_pose(hide(pose, slice(100, 140), pose.joints.index("left_elbow")), path)
+    assert main(["denoise", str(path), "-o", str(done), "--prior", str(prior)]) == 0
+    assert "p.npz does not fit this recording" in capsys.readouterr().err
+    wanted = mm.denoise(mm.read_pose(path)).positions
+    assert_allclose(mm.read_pose(done).positions, wanted, atol=1e-3)
 
 
 def test_commands_say_why_a_prior_is_not_used(recording, tmp_path, capsys):

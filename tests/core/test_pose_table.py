@@ -243,7 +243,7 @@ def test_a_prior_that_does_not_fit_is_said(tmp_path, shared_data, capsys):
     words = ("--prior", tmp_path / "p.npz")
     capsys.readouterr()
     assert run("denoise", path, *words, "-o", tmp_path / "out.csv") == 0
-    assert "p.npz: The prior does not fit this recording" in capsys.readouterr().err
+    assert "p.npz does not fit this recording" in capsys.readouterr().err
     mm.write_pose(to_nuitrack(mm.read_pose(poses / "02_01.amc")), tmp_path / "body.csv")
     assert run("denoise", tmp_path / "body.csv", *words, "-o", tmp_path / "two.csv") == 0
     assert "does not fit" not in capsys.readouterr().err

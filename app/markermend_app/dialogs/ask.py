@@ -22,6 +22,7 @@ from markermend.errors import MarkermendError
 from markermend.files import Export
 from markermend.take import Take
 from markermend_app import units
+from markermend_app.background.loading import is_there
 from markermend_app.telling import told
 from markermend_app.words import tr as _tr
 
@@ -171,7 +172,24 @@ def ask_float(parent: QWidget, problem: str) -> bool:
 def ask_replace(parent: QWidget, target: Path) -> bool:
     """Ask before another file is replaced."""
     text = _tr("{0} is there already. Replace it?").format(target.name)
-    return QMessageBox.question(parent, _tr("Export"), text) == Buttons.Yes
+    return QMessageBox.question(parent, _tr("Replace"), text) == Buttons.Yes
+
+
+def with_ending(parent: QWidget, name: str, ending: str) -> Path | None:
+    """The file of a name to be saved under, with its ending; None where another is to stay there.
+
+    Parameters
+    ----------
+    parent : of what is asked
+    name : as a file dialog gave it
+    ending : with its dot, in small letters
+    """
+    target = Path(name)
+    if target.suffix.lower() == ending:
+        return target
+    target = target.with_name(f"{target.name}{ending}")
+    # The file dialog has asked about the name without the ending only.
+    return None if is_there(target) and not ask_replace(parent, target) else target
 
 
 def ask_replace_source(parent: QWidget, target: Path) -> bool:

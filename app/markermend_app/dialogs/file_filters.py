@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from PySide6.QtWidgets import QFileDialog
 
 from markermend.take import Take
@@ -20,19 +22,23 @@ def open_filter() -> str:
     from markermend.plugins.formats import OURS, SKELETONS, formats
 
     endings = [*(f".{name}" for name in OURS), *SKELETONS, *formats()]
-    patterns = " ".join(f"*{e} *{e.upper()}" for e in endings)
-    takes, everything = tr("Takes"), tr("All files")
-    named = ", ".join(e[1:].upper() for e in endings)
-    return f"{takes}: {named} ({patterns});;{everything} (*)"
+    everything = tr("All files")
+    takes = tr("Takes")
+    return f"{_of_endings(takes, endings)};;{everything} (*)"
 
 
 def skeleton_filter() -> str:
-    """Skeleton recordings that Markermend reads, in Qt's notation."""
-    from markermend.files.pose import READABLE
+    """Files that hold recordings of skeletons, as :func:`open_filter` has it; no poses at rest."""
+    from markermend.files.pose import WRITABLE
 
-    patterns = " ".join(f"*{e} *{e.upper()}" for e in READABLE)
-    named = tr("Skeleton recordings")
-    return f"{named} ({patterns})"
+    return _of_endings(tr("Skeleton recordings"), WRITABLE)
+
+
+def _of_endings(what: str, endings: Sequence[str]) -> str:
+    """One filter; the name has each ending once, the patterns in small and large letters."""
+    patterns = " ".join(f"*{e} *{e.upper()}" for e in endings)
+    named = ", ".join(e[1:].upper() for e in endings)
+    return f"{what}: {named} ({patterns})"
 
 
 def export_filter(take: Take, proposed: str = "") -> str:

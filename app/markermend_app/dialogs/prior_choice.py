@@ -23,7 +23,7 @@ from markermend_app import settings
 from markermend_app.background.jobs import Lane
 from markermend_app.background.loading import is_there
 from markermend_app.dialogs import ask as dialogs
-from markermend_app.dialogs.file_filters import skeleton_filter
+from markermend_app.dialogs.file_filters import WITHOUT_PATTERNS, skeleton_filter
 from markermend_app.own_prior import SETTING
 
 _ENDING = ".npz"
@@ -132,7 +132,12 @@ class PriorChoice(QWidget):
     def _ask_recordings(self) -> None:
         """Ask what to learn from and where to keep it, and learn."""
         names, _ = QFileDialog.getOpenFileNames(
-            self, self.tr("Clean recordings to learn from"), "", skeleton_filter()
+            self,
+            self.tr("Clean recordings to learn from"),
+            "",
+            skeleton_filter(),
+            "",
+            WITHOUT_PATTERNS,
         )
         if not names:
             return
@@ -152,20 +157,9 @@ class PriorChoice(QWidget):
         """Ask where to keep what is learnt; never over another file unasked."""
         proposed = paths[0].with_name(f"prior{_ENDING}")
         name, _ = QFileDialog.getSaveFileName(
-            self,
-            self.tr("Keep how they move in"),
-            str(proposed),
-            f"{self.tr('Priors')} (*{_ENDING})",
+            self, self.tr("Keep how they move in"), str(proposed), self._kinds()
         )
-        if not name:
-            return None
-        target = Path(name)
-        if target.suffix.lower() != _ENDING:
-            target = target.with_name(f"{target.name}{_ENDING}")
-            # The file dialog has asked about the name without the ending only.
-            if is_there(target) and not dialogs.ask_replace(self, target):
-                return None
-        return target
+        return dialogs.with_ending(self, name, _ENDING) if name else None
 
     def _kinds(self) -> str:
         named = self.tr("Priors")

@@ -142,15 +142,8 @@ class Centring(QObject):
         name, _ = QFileDialog.getSaveFileName(
             dialog, self.tr("Save joint centres"), str(proposed), "CSV (*.csv)"
         )
-        if not name:
-            return None
-        target = Path(name)
-        if target.suffix.lower() != ".csv":
-            target = target.with_name(f"{target.name}.csv")
-            # The file dialog has asked about the name without the ending only.
-            if is_there(target) and not dialogs.ask_replace(dialog, target):
-                return None
-        if source is not None and is_there(target) and same_file(target, source):
+        target = dialogs.with_ending(dialog, name, ".csv") if name else None
+        if target and source is not None and is_there(target) and same_file(target, source):
             text = self.tr("{0} is the take itself; choose another name.")
             dialogs.show_problem(dialog, ExportError(text.format(target.name)))
             return None

@@ -36,7 +36,6 @@ MOVEMENT_S = 5.0
 NEARER = ", nearer of q and -q"
 """What is added to the name of a method whose error does not depend on signs of rotations."""
 
-
 KNOWN = ", who is shown known"
 """What is added where other recordings of the same person were learnt from, too."""
 

@@ -22,6 +22,7 @@ from markermend.cli.console import (
     table,
     warn,
 )
+from markermend.cli.recordings import prior_asked_for
 from markermend.errors import ExportError, MethodError
 from markermend.poses import Pose
 from markermend.poses.restore import Restored
@@ -30,8 +31,6 @@ from markermend.poses.restore import Restored
 def run(options: argparse.Namespace) -> int:
     """Restore one recording."""
     from markermend.files.pose import WRITABLE
-    from markermend.poses.own_prior import fits
-    from markermend.poses.prior import NOT_FITTING, beside_ours, load_prior, shipped_prior
     from markermend.poses.restore import restore
 
     if STDOUT in (options.pose, options.output):
@@ -50,11 +49,7 @@ def run(options: argparse.Namespace) -> int:
         warn(f"{Path(options.pose).name}: {oddity}")
     if options.network is not None:
         return _by_network(pose, options)
-    prior = (
-        shipped_prior() if options.prior is None else beside_ours(load_prior(Path(options.prior)))
-    )
-    if options.prior is not None and not fits(pose, prior):
-        warn(f"{Path(options.prior).name}: {NOT_FITTING}")
+    prior = prior_asked_for(pose, options.prior)
     with Bar() as bar:
         restored = restore(pose, prior=prior, progress=bar)
     off_mm = mm.write_pose(_as_asked(restored.pose, options), options.output)
@@ -139,14 +134,13 @@ def _by_network(pose: Pose, options: argparse.Namespace) -> int:
 def _follow(options: argparse.Namespace) -> int:
     """Clean poses while they come."""
     from markermend.files.pose_stream import follow
-    from markermend.poses.prior import beside_ours, load_prior, shipped_prior
+    from markermend.poses.own_prior import own_prior
+    from markermend.poses.prior import shipped_prior
 
     if options.pose != options.output:
         raise ExportError("A stream is “-” on both sides: markermend denoise - -o -")
     _refuse(options, ("network", "cmu", "list", "skeleton", "unit"), "a stream")
-    prior = (
-        shipped_prior() if options.prior is None else beside_ours(load_prior(Path(options.prior)))
-    )
+    prior = shipped_prior() if options.prior is None else own_prior(Path(options.prior))
 
     if sys.stdin is None or output_is_closed():
         raise ExportError(

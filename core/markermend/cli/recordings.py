@@ -13,6 +13,7 @@ from markermend.take import Take
 
 if TYPE_CHECKING:
     from markermend.poses import Pose
+    from markermend.poses.prior import Prior
 
 
 def read_by_name(paths: Iterable[str]) -> dict[str, Pose]:
@@ -44,17 +45,34 @@ def heed_prior(take: Take, path: str | None) -> None:
     MarkermendError
         when the file holds no prior, or the take has markers
     """
-    if not take.skeleton:
-        if path is not None:
-            raise MethodError("--prior is for skeleton recordings, and this take has markers.")
-        return
-    from markermend.poses.own_prior import choose_prior, why_not_used
-    from markermend.poses.prior import load_prior
-    from markermend.poses.take import pose_of
+    if take.skeleton:
+        from markermend.poses.take import pose_of
+
+        prior_asked_for(pose_of(take), path)
+    elif path is not None:
+        raise MethodError("--prior is for skeleton recordings, and this take has markers.")
+
+
+def prior_asked_for(pose: Pose, path: str | None) -> Prior:
+    """The prior in a file where it fits a recording, else Markermend's own, saying why.
+
+    Parameters
+    ----------
+    pose : the recording
+    path : the prior's file; None for Markermend's own
+
+    Raises
+    ------
+    FileFormatError
+        when the file holds no prior
+    """
+    from markermend.poses.own_prior import choose_prior, own_prior, prior_for, why_not_used
 
     choose_prior(None if path is None else Path(path))
     if path is not None:
-        load_prior(Path(path))
-        why = why_not_used(pose_of(take))
-        if why:
-            warn(why)
+        # Where a window would go on, a script is not to go on with another prior than it named.
+        own_prior(Path(path))
+    why = why_not_used(pose)
+    if why:
+        warn(why)
+    return prior_for(pose)

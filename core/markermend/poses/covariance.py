@@ -71,10 +71,7 @@ class Moments:
         ----------
         values : (channels,) a pose or a mean; 0 where it tells nothing
         """
-        signs = np.ones((len(self.mean) // FEATURES, FEATURES))
-        own, there = (x.reshape(signs.shape)[:, _TURN:] for x in (self.mean, values))
-        signs[np.sum(own * there, axis=1) < 0, _TURN:] = -1.0
-        flat = signs.ravel()
+        flat = signs_like(self.mean, values)
         both = flat[:, None] * flat
         return replace(
             self, mean=flat * self.mean, whole=both * self.whole, within=both * self.within
@@ -95,6 +92,19 @@ class Moments:
         whole = np.pad(self.whole, (more, more))
         told = None if self.told is None else np.append(self.told, np.ones(count, dtype=bool))
         return Moments(np.pad(self.mean, more), whole, within, self.weight, self.counts, told)
+
+
+def signs_like(own: FloatArray, values: FloatArray) -> FloatArray:
+    """(channels,) 1 or -1, what features take that rotations have the signs of others.
+
+    Parameters
+    ----------
+    own, values : (channels,) a pose or a mean each; 0 where it tells nothing
+    """
+    signs = np.ones((len(own) // FEATURES, FEATURES))
+    mine, there = (x.reshape(signs.shape)[:, _TURN:] for x in (own, values))
+    signs[np.sum(mine * there, axis=1) < 0, _TURN:] = -1.0
+    return signs.ravel()
 
 
 def nearest_length(seconds: float) -> int:

@@ -28,19 +28,26 @@ _TOO_SURE_S = 8.0
 _SURE = 1e-9
 
 
-def untold_joints(pose: Pose, moments: Moments | None) -> BoolArray:
+def hanging_joints(pose: Pose, moments: Moments | None) -> BoolArray:
     """(joints,) bool, those that are told by what they hang on, too; never the root.
 
+    Parameters
+    ----------
+    pose : a recording
+    moments : of its channels, by a prior that fits; None without one
+
+    Notes
+    -----
     Where a prior tells of the 17 usual joints these are nearer without. Others, as of hands, or of
     a skeleton of one's own, come nearer, whether or not a prior tells of them.
     """
-    untold = np.array([usual_name(joint) not in JOINTS for joint in pose.joints])
-    others = np.arange(len(untold)) != pose.order[0]
+    hanging = np.array([usual_name(joint) not in JOINTS for joint in pose.joints])
+    others = np.arange(len(hanging)) != pose.order[0]
     if moments is None:
-        untold[:] = True
+        hanging[:] = True
     elif moments.told is not None:
-        untold[others] |= ~moments.told[::FEATURES]
-    return np.asarray(untold & others)
+        hanging[others] |= ~moments.told[::FEATURES]
+    return np.asarray(hanging & others)
 
 
 def by_parents(

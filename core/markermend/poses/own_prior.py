@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from markermend.errors import FileFormatError
+from markermend.files.opening import not_opened
 from markermend.progress import Progress, part, quiet
 
 if TYPE_CHECKING:
@@ -33,7 +34,7 @@ def prior_for(pose: Pose) -> Prior:
     """The prior that was chosen, where it can be read and fits a recording, or Markermend's."""
     from markermend.poses.prior import shipped_prior
 
-    own = None if _chosen is None else _own(_chosen)
+    own = _readable()
     return own if own is not None and fits(pose, own) else shipped_prior()
 
 
@@ -54,7 +55,7 @@ def why_not_used(pose: Pose) -> str:
     """
     if _chosen is None:
         return ""
-    own = _own(_chosen)
+    own = _readable()
     if own is None:
         return f"{_chosen.name} is gone or holds no prior, so that Markermend's own is used."
     if fits(pose, own):
@@ -93,19 +94,33 @@ def learn_files(paths: Sequence[Path], target: Path, *, progress: Progress | Non
     return prior
 
 
-def _own(path: Path) -> Prior | None:
+def own_prior(path: Path) -> Prior:
+    """A prior of the user's own, together with Markermend's where both know the 17 joints.
+
+    It is read once, and anew where the file has changed.
+
+    Raises
+    ------
+    FileFormatError
+        when the file is not there or holds no prior
+    """
     try:
         changed = path.stat().st_mtime_ns
-    except OSError:
-        return None
+    except OSError as error:
+        raise not_opened(path, error) from error
     return _read(path, changed)
 
 
-@lru_cache(maxsize=1)
-def _read(path: Path, _changed: int) -> Prior | None:
-    from markermend.poses.prior import beside_ours, load_prior
-
+def _readable() -> Prior | None:
+    """The prior that was chosen, if there is one that can be read."""
     try:
-        return beside_ours(load_prior(path))
+        return None if _chosen is None else own_prior(_chosen)
     except FileFormatError:
         return None
+
+
+@lru_cache(maxsize=1)
+def _read(path: Path, _changed: int) -> Prior:
+    from markermend.poses.prior import beside_ours, load_prior
+
+    return beside_ours(load_prior(path))

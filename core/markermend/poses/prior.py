@@ -105,7 +105,18 @@ def together(priors: Sequence[Prior]) -> Prior:
 
 
 def learn_recording(pose: Pose, name: str) -> Prior:
-    """What one recording tells, which weighs as many poses as it has; see :func:`learn_prior`."""
+    """What one recording tells, which weighs as many poses as it has.
+
+    Parameters
+    ----------
+    pose : as for :func:`learn_prior`
+    name : of the recording, for what is wrong with it
+
+    Raises
+    ------
+    DataError
+        when a joint was never seen, or has no rotation and is no end
+    """
     body = _usual(pose)
     channels = _channels_of(body, name)
     values = bridged(channels.values, channels.known)

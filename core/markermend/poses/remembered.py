@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from markermend.arrays import Float32Array, FloatArray, IntArray
+from markermend.poses.covariance import signs_like
 from markermend.poses.likeness import moving
 from markermend.poses.normal import FEATURES
 
@@ -26,8 +27,6 @@ _LEAST_BONES, _LEAST_SHARE = 3, 0.5
 _LOOKED_AT = 2000
 # Places in a gap that moments are near to.
 _PROBES = 6
-# Where the rotation begins among a joint's features.
-_TURN = 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,7 +44,12 @@ class Remembered:
     bones: Float32Array
 
     def of_body(self, bones: FloatArray) -> bool:
-        """Whether a body with such bones is the same; NaN for those that are not known."""
+        """Whether a body with such bones is the same.
+
+        Parameters
+        ----------
+        bones : (joints,) their lengths in any unit; NaN for those that are not known
+        """
         known = ~np.isnan(bones)
         if known.sum() < _LEAST_BONES or known.mean() < _LEAST_SHARE:
             return False
@@ -53,7 +57,12 @@ class Remembered:
         return float(np.sqrt(np.mean((own - its) ** 2))) < _SAME_BODY
 
     def of(self, columns: IntArray) -> Remembered:
-        """The same with some of the joints' columns, or all in another order."""
+        """The same with some of the joints' columns, or all in another order.
+
+        Parameters
+        ----------
+        columns : (joints · 7,) seven in a row of each joint
+        """
         joints = columns[::FEATURES] // FEATURES
         count = FEATURES * len(self.bones)
         beside = np.arange(count, self.poses.shape[1])
@@ -66,13 +75,8 @@ class Remembered:
         ----------
         values : (joints · 7,) a pose or a mean; 0 where it tells nothing
         """
-        count = len(values)
-        signs = np.ones((count // FEATURES, FEATURES), dtype=np.float32)
-        own = self.poses[:, :count].mean(axis=0).reshape(signs.shape)[:, _TURN:]
-        there = values.reshape(signs.shape)[:, _TURN:]
-        signs[np.sum(own * there, axis=1) < 0, _TURN:] = -1.0
-        poses = self.poses.copy()
-        poses[:, :count] *= signs.ravel()
+        count, poses = len(values), self.poses.copy()
+        poses[:, :count] *= signs_like(poses[:, :count].mean(axis=0), values).astype(np.float32)
         return replace(self, poses=poses)
 
 

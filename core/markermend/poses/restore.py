@@ -27,7 +27,7 @@ from markermend.poses.expecting import left_of_noise, limbs_doubted, with_root_e
 from markermend.poses.faults import Fault, mend_faults
 from markermend.poses.filling import BRIEF_S, Filled, fill
 from markermend.poses.guessing import INFERRED, guessed, restored_beside_guesses
-from markermend.poses.hanging import by_parents, untold_joints
+from markermend.poses.hanging import by_parents, hanging_joints
 from markermend.poses.likeness import FEW_MOMENTS, MOMENTS, SOME_MOMENTS
 from markermend.poses.linking import linked_channels
 from markermend.poses.loose_root import with_loose_root, without_loose_root
@@ -124,8 +124,9 @@ def restore(
     Returns
     -------
     Restored
-        whose expected errors, of joints that no prior tells of, are those made where as much that
-        is known was hidden, which takes up to as long again; so does judging a sensor's guesses
+        whose expected errors, of joints that no prior tells of and of those that are none of the 17
+        usual ones, are those made where as much that is known was hidden, which takes up to as long
+        again; so does judging a sensor's guesses
 
     Raises
     ------
@@ -154,11 +155,12 @@ def restore(
         shown = mirrored(pose) if left_handed else pose
         remembered = remembered_of(shown, prior) if prior is not None and fit is not None else ()
         restored = _restore(shown, moments, tell, remembered)
-        untold = untold_joints(shown, moments)
-        if untold.any():
-            restored = tried(
-                restored, untold, lambda some: _restore(some, moments, part(tell, 0.9, 1.0))
+        hanging = hanging_joints(shown, moments)
+        if hanging.any():
+            again = partial(
+                _restore, prior=moments, tell=part(tell, 0.9, 1.0), remembered=remembered
             )
+            restored = tried(restored, hanging, again)
     if left_handed:
         restored = replace(restored, pose=mirrored(restored.pose))
     if pose is not mended:
@@ -175,7 +177,7 @@ def _restore(
     channels, off_mm = linked_channels(channels, known_joints(channels, pose), pose.parents)
     usable = np.asarray(channels.known.any(axis=0))
     values, known = channels.values[:, usable], channels.known[:, usable]
-    hangs = untold_joints(pose, prior)[list(channels.joints)].repeat(FEATURES)[usable]
+    hangs = hanging_joints(pose, prior)[list(channels.joints)].repeat(FEATURES)[usable]
     mirror = performed = None
     if prior is not None:
         usual = np.where(channels.known, channels.values, 0.0).sum(axis=0)

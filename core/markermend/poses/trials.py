@@ -108,20 +108,21 @@ def hidden_in(trials: Sequence[Trial], frames: int, joints: int) -> BoolArray:
     return hidden
 
 
-def tried(restored: Restored, untold: BoolArray, again: Callable[[Pose], Restored]) -> Restored:
+def tried(restored: Restored, hanging: BoolArray, again: Callable[[Pose], Restored]) -> Restored:
     """Expect the errors that are made where something known is hidden.
 
     Parameters
     ----------
     restored : what was made of a recording
-    untold : (joints,) bool, those that others' recordings do not tell of
+    hanging : (joints,) bool of :func:`markermend.poses.hanging.hanging_joints`
     again : restores a recording in the same way
 
     Notes
     -----
     A body's covariances fit the recording that they were learnt from, and so say too little of
-    what they foretell elsewhere in it. Others' recordings keep them from that; of joints that these
-    do not tell of it is tried, on stretches as long, of the same joints, as some that were filled.
+    what they foretell elsewhere in it. Others' recordings keep them from that; of joints that are
+    told by what they hang on it is tried, on stretches as long, of the same joints, as some that
+    were filled.
     """
     whole, rows = restored.pose, enough_around(restored.filled)
     trials = trials_of(restored.filled[rows], whole.rate)
@@ -133,7 +134,7 @@ def tried(restored: Restored, untold: BoolArray, again: Callable[[Pose], Restore
     found = again(known)
     away = np.sum((found.pose.positions - positions) ** 2, axis=2)
     error = restored.error_mm.copy()
-    for joints in (untold, ~untold):
+    for joints in (hanging, ~hanging):
         # Of a root, which everything is measured from, no error is expected.
         judged = hidden & (found.error_mm > 0) & joints
         if judged.any():
