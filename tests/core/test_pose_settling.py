@@ -5,9 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.testing import assert_allclose
 
+from markermend.poses import settling
 from markermend.poses.bending import find_bends
 from markermend.poses.quaternion import turn, unit
 from markermend.poses.settling import settle, settle_in_time
+from markermend.poses.solving import solved
 
 PARENTS = (-1, 0, 1, 2)
 
@@ -68,6 +70,21 @@ def test_what_is_hardly_known_follows_the_rest():
     variance[80:90, 3, :3] = 0.1
     settled = settle(features, variance, truth, PARENTS, range(4), 60.0)
     assert np.abs(settled - truth)[80:90, 3].max() < 0.01
+
+
+def test_what_single_precision_cannot_tell_is_told_in_double(monkeypatch):
+    truth = chain()
+    noisy, variance = truth + 1e-4 * np.sin(np.arange(truth.size)).reshape(truth.shape), 1e-8
+    given = noisy, np.full(truth.shape, variance), truth, PARENTS, range(4), 60.0
+    settled = settle(*given)
+
+    def fails_in_single(system, right):
+        if system.dtype == np.float32:
+            raise np.linalg.LinAlgError
+        return solved(system, right)
+
+    monkeypatch.setattr(settling, "solved", fails_in_single)
+    assert_allclose(settle(*given), settled, atol=1e-6)
 
 
 def test_joints_smoothed_in_time_come_nearer_than_each_pose_by_itself():

@@ -14,6 +14,7 @@ from markermend.poses.quaternion import (
     by_turning,
     cross_matrices,
     inverse,
+    mean_rotation,
     multiply,
     rotation_vector,
     turn,
@@ -84,21 +85,13 @@ def find_bends(poses: FloatArray, parents: Sequence[int], order: Sequence[int]) 
     order : joints, parents first
     """
     joints = tuple(j for j in order if parents[j] >= 0)
-    middle = _middles(poses, parents, joints)
-    local = _to_local(poses, parents, joints, middle)
+    middle, local = _to_local(poses, parents, joints)
     mean = local.mean(axis=0)
     spread, axes = np.linalg.eigh(np.cov(local.T))
     kept = spread > max(_LEAST * spread[-1], _STILL)
     scale = np.sqrt(spread[kept])
     at = (local - mean) @ axes[:, kept] / scale
     return Bends(poses, tuple(parents), joints, at, local, middle, mean, axes[:, kept] * scale)
-
-
-def _middles(
-    features: FloatArray, parents: Sequence[int], joints: Sequence[int]
-) -> dict[int, FloatArray]:
-    """Mean rotation of each joint in its parent's axes."""
-    return {j: Rotation.from_quat(_relative(features, parents, j)).mean().as_quat() for j in joints}
 
 
 def _relative(features: FloatArray, parents: Sequence[int], joint: int) -> FloatArray:
@@ -113,20 +106,21 @@ def _relative(features: FloatArray, parents: Sequence[int], joint: int) -> Float
 
 
 def _to_local(
-    features: FloatArray,
-    parents: Sequence[int],
-    joints: Sequence[int],
-    middle: dict[int, FloatArray],
-) -> FloatArray:
-    """(frames, joints · 6) rotation vectors about the mean rotation, and places."""
-    local = np.empty((len(features), len(joints), _LOCAL))
+    features: FloatArray, parents: Sequence[int], joints: Sequence[int]
+) -> tuple[dict[int, FloatArray], FloatArray]:
+    """Mean rotation of each joint in its parent's axes, and rotation vectors about it and places.
+
+    The latter are (frames, joints · 6).
+    """
+    middle, local = {}, np.empty((len(features), len(joints), _LOCAL))
     for n, joint in enumerate(joints):
+        turned = _relative(features, parents, joint)
+        middle[joint] = mean_rotation(turned)
+        local[:, n, :3] = rotation_vector(multiply(inverse(middle[joint]), turned))
         parent = parents[joint]
-        own = multiply(inverse(middle[joint]), _relative(features, parents, joint))
-        local[:, n, :3] = rotation_vector(own)
         bone = features[:, joint, :3] - features[:, parent, :3]
         local[:, n, 3:] = turn(inverse(features[:, parent, 3:]), bone)
-    return local.reshape(len(features), -1)
+    return middle, local.reshape(len(features), -1)
 
 
 def _from_local(

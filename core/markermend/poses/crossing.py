@@ -52,15 +52,17 @@ def cross_short(
         hidden: BoolArray = np.any(~known[inside], axis=1)
         bridges = np.einsum("ls,gsc->glc", cross(length), base[starts + around(0, length)])
         told = np.where(hidden[:, None], 0.0, base[inside] - bridges) @ precision
-        counts = hidden.sum(axis=1)
-        for count in np.unique(counts).tolist():
-            alike = np.flatnonzero(counts == count)
-            unknown = np.nonzero(hidden[alike])[1].reshape(-1, count)
-            left = np.linalg.inv(precision[unknown[:, :, None], unknown[:, None]])
+        ranks, sizes = hidden.cumsum(axis=1) - 1, np.array([len(gap.channels) for gap in some])
+        last = ranks[:, -1]
+        for rank, size in sorted(set(zip(last.tolist(), sizes.tolist(), strict=True))):
+            alike = np.flatnonzero((last == rank) & (sizes == size))
+            unknown = np.nonzero(hidden[alike])[1].reshape(-1, rank + 1)
+            channels = np.array([some[n].channels for n in alike.tolist()])
+            own = np.arange(len(alike))[:, None], ranks[alike[:, None], channels], np.arange(size)
+            asked = np.zeros((len(alike), rank + 1, size))
+            asked[own] = 1.0
+            left = np.linalg.solve(precision[unknown[:, :, None], unknown[:, None]], asked)
             strays = np.take_along_axis(told[alike], unknown[:, None], axis=2) @ left
-            spread = np.diagonal(left, axis1=1, axis2=2)
-            for n, place in enumerate(alike.tolist()):
-                gap = some[place]
-                own = np.searchsorted(unknown[n], gap.channels)
-                base[gap.part] = bridges[place][:, gap.channels] - strays[n][:, own]
-                variance[gap.part] = spread[n, own]
+            part = inside[alike][:, :, None], channels[:, None]
+            base[part] = np.take_along_axis(bridges[alike], channels[:, None], axis=2) - strays
+            variance[part] = left[own][:, None]

@@ -178,15 +178,15 @@ def cheapest(
     -------
     (frames,) bool
     """
-    stays, changes = straight.tolist(), (across + change).tolist()
-    here, came = cost[0].tolist(), np.zeros((len(cost), 2), dtype=bool)
-    for n, (as_is, changed) in enumerate(cost[1:].tolist()):
-        from_is = here[0] + stays[n], here[1] + changes[n]
-        from_changed = here[1] + stays[n], here[0] + changes[n]
-        came[n + 1] = from_is[1] < from_is[0], from_changed[1] < from_changed[0]
-        here = [min(from_is) + as_is, min(from_changed) + changed]
-    state = np.zeros(len(cost), dtype=bool)
-    state[-1] = here[1] < here[0]
-    for n in range(len(cost) - 1, 0, -1):
-        state[n - 1] = state[n] ^ came[n, int(state[n])]
+    room, own = across + change - straight, cost[:, 1] - cost[:, 0]
+    # What counts of two ways is by how much the one that ends changed is dearer.
+    dearer = [float(own[0])]
+    for more, here in zip(room.tolist(), own[1:].tolist(), strict=True):
+        kept, most = (dearer[-1], more) if more >= 0 else (-dearer[-1], -more)
+        dearer.append((most if kept > most else -most if kept < -most else kept) + here)
+    before = np.array(dearer[:-1])
+    came = np.stack([before < -room, before > room], axis=1)
+    state = np.full(len(cost), dearer[-1] < 0)
+    for n in range(int(np.flatnonzero(came.any(axis=1)).max(initial=-1)), -1, -1):
+        state[n] = state[n + 1] ^ came[n, int(state[n + 1])]
     return state

@@ -196,7 +196,7 @@ def fill(
     cross = straight if rough or noise > 0 else bridge
     short = max(round((_ROUGH_S if rough else _SHORT_S) * rate), 1)
     if near is None:
-        base, gaps = bridged(values, known), gaps_of(known)
+        base, gaps = bridged(values, known), begun.gaps if begun is not None else gaps_of(known)
         variance = time_variance(base, known, rate)
     else:
         base, gaps, variance = near.base, near.gaps, near.variance.copy()

@@ -137,6 +137,11 @@ def unit(q: FloatArray) -> FloatArray:
     return np.asarray(q / np.where(far > 0, far, 1.0))
 
 
+def mean_rotation(q: FloatArray) -> FloatArray:
+    """(4,) the rotation that is nearest to all of ``(n, 4)``, whatever their signs, without NaN."""
+    return np.asarray(np.linalg.eigh(q.T @ q)[1][:, -1])
+
+
 def rotation_vector(q: FloatArray) -> FloatArray:
     """(…, 3) axis times angle in radians, at most half a turn, of unit quaternions ``(…, 4)``."""
     q = upright(q)

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from markermend.arrays import BoolArray, FloatArray
+from markermend.arrays import BoolArray, Float32Array, FloatArray
 from markermend.poses.bending import Bends, find_bends
 from markermend.poses.smoothing import smooth_bands
 from markermend.poses.solving import solved
@@ -118,17 +120,35 @@ def _solved(
     for first, told in zip(starts, bends.slopes(firsts + counts // 2, _AT_ONCE), strict=True):
         some = slice(first, first + _AT_ONCE)
         rows = slice(firsts[first], firsts[some][-1] + counts[some][-1])
-        # What is hardly known counts by 1 beside what is sure by a million: too much for less.
-        slopes = told * certain[some, :, None]
-        across = slopes.transpose(0, 2, 1)
-        wanted = across @ (_grouped(left[rows], alike) * certain[some, None]).transpose(0, 2, 1)
-        wanted -= _grouped(back[rows], alike).transpose(0, 2, 1)
-        precision = across @ slopes
-        precision[:, range(count), range(count)] += 1.0
-        total += precision.sum(axis=0)
-        steps = np.stack([solved(*one) for one in zip(precision, wanted, strict=True)])
+        given = certain[some], _grouped(left[rows], alike), _grouped(back[rows], alike)
+        try:
+            steps, precision = _stepped(told, *(np.asarray(x, dtype=np.float32) for x in given))
+        except np.linalg.LinAlgError:
+            # Beside what is sure by a million, single precision does not see the rest.
+            steps, precision = _stepped(told, *given)
+        total += precision
         moved[rows] = steps.transpose(0, 2, 1).reshape(-1, count)[: len(moved[rows])]
     return moved, total / len(firsts)
+
+
+def _stepped(
+    told: Float32Array, certain: NDArray[Any], left: NDArray[Any], back: NDArray[Any]
+) -> tuple[NDArray[Any], NDArray[Any]]:
+    """(groups, n, frames) steps of groups that bend alike, and (n, n) the sum of their precisions.
+
+    Raises
+    ------
+    numpy.linalg.LinAlgError
+        when what is given is not precise enough to tell some step
+    """
+    slopes = told * certain[:, :, None]
+    across = slopes.transpose(0, 2, 1)
+    wanted = across @ (left * certain[:, None]).transpose(0, 2, 1) - back.transpose(0, 2, 1)
+    among = across @ slopes
+    diagonal = np.arange(among.shape[1])
+    among[:, diagonal, diagonal] += 1
+    whole = among.sum(axis=0)
+    return np.stack([solved(*one) for one in zip(among, wanted, strict=True)]), whole
 
 
 def _alike(rate: float) -> int:

@@ -237,21 +237,25 @@ def _smooth_some(values: Float32Array, rate: float, pilot: Float32Array | None) 
     window_s, sharp = (_WINDOW_S, _SHARP) if pilot is None else (_PILOT_WINDOW_S, _PILOT_SHARP)
     window = min(2 * round(0.5 * window_s * rate) + 1, frames)
     # To leave a component as it is must be among the choices.
-    total, weight = values.copy(), np.ones_like(values)
-    least = np.full_like(values, 2.0 if pilot is None else 1.0)
+    ways, risks = [values], [np.full_like(values, 2.0 if pilot is None else 1.0)]
     for cutoff in _CUTOFFS[frames * _CUTOFFS > 1.0]:
         gain = 1.0 / (1.0 + pitch / (2.0 * np.sin(np.pi * cutoff)) ** (2 * _ORDER))
         passed = gain.astype(np.float32)[:, None]
-        out = _from_spectrum(spectrum * passed, frames) + line
-        taken = values - out if pilot is None else _from_spectrum(guiding * (1 - passed), frames)
+        ways.append(_from_spectrum(spectrum * passed, frames) + line)
+        if pilot is None:
+            taken = values - ways[-1]
+        else:
+            taken = _from_spectrum(guiding * (1 - passed), frames)
         risk = uniform_filter1d(taken**2, window, axis=0, mode="nearest")
         risk += float(2.0 * gain.mean() if pilot is None else np.mean(gain**2))
-        below = np.minimum(least, risk)
-        fall = np.exp(sharp * window * (below - least))
-        share = np.exp(sharp * window * (below - risk))
-        least = below
-        total = fall * total + share * out
-        weight = fall * weight + share
+        risks.append(risk)
+    least = np.minimum.reduce(risks)
+    total, weight = np.zeros((2, *values.shape), dtype=np.float32)
+    for way, risk in zip(ways, risks, strict=True):
+        share = np.exp(np.float32(sharp * window) * (least - risk))
+        weight += share
+        share *= way
+        total += share
     return np.asarray(total / weight)
 
 
