@@ -13,6 +13,7 @@ from markermend.poses.normal import FEATURES
 from markermend.poses.quaternion import (
     by_turning,
     cross_matrices,
+    from_rotation_vector,
     inverse,
     mean_rotation,
     multiply,
@@ -86,12 +87,16 @@ def find_bends(poses: FloatArray, parents: Sequence[int], order: Sequence[int]) 
     """
     joints = tuple(j for j in order if parents[j] >= 0)
     middle, local = _to_local(poses, parents, joints)
-    mean = local.mean(axis=0)
-    spread, axes = np.linalg.eigh(np.cov(local.T))
+    mean = local.mean(axis=0, dtype=np.float64)
+    away = local - mean
+    spread, axes = np.linalg.eigh(away.T @ away / max(len(away) - 1, 1))
     kept = spread > max(_LEAST * spread[-1], _STILL)
     scale = np.sqrt(spread[kept])
-    at = (local - mean) @ axes[:, kept] / scale
-    return Bends(poses, tuple(parents), joints, at, local, middle, mean, axes[:, kept] * scale)
+    at, mean, directions = (
+        np.asarray(x, dtype=poses.dtype)
+        for x in (away @ (axes[:, kept] / scale), mean, axes[:, kept] * scale)
+    )
+    return Bends(poses, tuple(parents), joints, at, local, middle, mean, directions)
 
 
 def _relative(features: FloatArray, parents: Sequence[int], joint: int) -> FloatArray:
@@ -112,7 +117,8 @@ def _to_local(
 
     The latter are (frames, joints · 6).
     """
-    middle, local = {}, np.empty((len(features), len(joints), _LOCAL))
+    middle = {}
+    local = np.empty((len(features), len(joints), _LOCAL), dtype=features.dtype)
     for n, joint in enumerate(joints):
         turned = _relative(features, parents, joint)
         middle[joint] = mean_rotation(turned)
@@ -135,10 +141,10 @@ def _from_local(
     out = like.copy()
     for n, joint in enumerate(joints):
         parent = parents[joint]
-        own = multiply(middle[joint], Rotation.from_rotvec(parts[:, n, :3]).as_quat())
+        own = multiply(middle[joint], from_rotation_vector(parts[:, n, :3]))
         turned = own if parents[parent] < 0 else multiply(out[:, parent, 3:], own)
-        other = np.sum(turned * like[:, joint, 3:], axis=1, keepdims=True) < 0
-        out[:, joint, 3:] = np.where(other, -turned, turned)
+        other = np.einsum("ti,ti->t", turned, like[:, joint, 3:]) < 0
+        out[:, joint, 3:] = np.where(other[:, None], -turned, turned)
         out[:, joint, :3] = out[:, parent, :3] + turn(out[:, parent, 3:], parts[:, n, 3:])
     return out
 

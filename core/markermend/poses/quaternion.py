@@ -9,7 +9,6 @@ from markermend.arrays import BoolArray, FloatArray
 NO_TURN = (0.0, 0.0, 0.0, 1.0)
 """The rotation that changes nothing."""
 
-_BACK = np.array([-1.0, -1.0, -1.0, 1.0])
 # Matrices of quaternions are their numbers, some of them negative: taken at once, several times as
 # fast as stacked one by one. Of x, y, z, w, row by row.
 _LEFT = np.array([3, 2, 1, 0, 2, 3, 0, 1, 1, 0, 3, 2, 0, 1, 2, 3])
@@ -42,7 +41,9 @@ def multiply(a: FloatArray, b: FloatArray) -> FloatArray:
 
 def inverse(q: FloatArray) -> FloatArray:
     """Turn back."""
-    return np.asarray(q * _BACK)
+    back = -q
+    back[..., 3] = q[..., 3]
+    return np.asarray(back)
 
 
 def turn(q: FloatArray, vectors: FloatArray) -> FloatArray:
@@ -148,6 +149,16 @@ def rotation_vector(q: FloatArray) -> FloatArray:
     sine = lengths_of(q[..., :3])[..., None]
     angle = 2.0 * np.arctan2(sine, q[..., 3:])
     return np.asarray(q[..., :3] * np.where(sine > 0, angle / np.where(sine > 0, sine, 1.0), 2.0))
+
+
+def from_rotation_vector(v: FloatArray) -> FloatArray:
+    """(n, 4) unit quaternions of axis times angle in radians, ``(n, 3)``."""
+    angle = lengths_of(v)
+    # sin(x) / x, which numpy's sinc has of pi x.
+    out = np.empty((len(v), 4), dtype=v.dtype)
+    out[:, :3] = v * (0.5 * np.sinc(angle / v.dtype.type(2.0 * np.pi)))[:, None]
+    out[:, 3] = np.cos(0.5 * angle)
+    return out
 
 
 def between(a: FloatArray, b: FloatArray) -> FloatArray:

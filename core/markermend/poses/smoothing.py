@@ -43,6 +43,8 @@ _WINDOW_S, _SHARP = 0.6, 0.1
 _PILOT_WINDOW_S, _PILOT_SHARP = 0.3, 0.2
 # Channels smoothed at once.
 _AT_ONCE = 16
+# Blocks of frames that make up the time over which they compete, and a little more.
+_BLOCKS = 6
 # Middle of the slowest band, how much wider the next one is, and the last one's share of the rate.
 _SLOWEST_HZ, _WIDER, _FASTEST = 1.0, 2.5, 0.4
 
@@ -236,27 +238,24 @@ def _smooth_some(values: Float32Array, rate: float, pilot: Float32Array | None) 
     pitch = (2.0 * np.sin(np.pi * np.arange(count) / (2 * count))) ** (2 * _ORDER)
     window_s, sharp = (_WINDOW_S, _SHARP) if pilot is None else (_PILOT_WINDOW_S, _PILOT_SHARP)
     window = min(2 * round(0.5 * window_s * rate) + 1, frames)
-    # To leave a component as it is must be among the choices.
-    ways, risks = [values], [np.full_like(values, 2.0 if pilot is None else 1.0)]
+    ways, risks = [values], []
     for cutoff in _CUTOFFS[frames * _CUTOFFS > 1.0]:
         gain = 1.0 / (1.0 + pitch / (2.0 * np.sin(np.pi * cutoff)) ** (2 * _ORDER))
         passed = gain.astype(np.float32)[:, None]
         ways.append(_from_spectrum(spectrum * passed, frames) + line)
         if pilot is None:
-            taken = values - ways[-1]
+            taken, chance = values - ways[-1], 2.0 * gain.mean()
         else:
-            taken = _from_spectrum(guiding * (1 - passed), frames)
-        risk = uniform_filter1d(taken**2, window, axis=0, mode="nearest")
-        risk += float(2.0 * gain.mean() if pilot is None else np.mean(gain**2))
-        risks.append(risk)
-    least = np.minimum.reduce(risks)
-    total, weight = np.zeros((2, *values.shape), dtype=np.float32)
-    for way, risk in zip(ways, risks, strict=True):
-        share = np.exp(np.float32(sharp * window) * (least - risk))
-        weight += share
-        share *= way
-        total += share
-    return np.asarray(total / weight)
+            taken, chance = _from_spectrum(guiding * (1 - passed), frames), np.mean(gain**2)
+        risks.append(_power(taken, window) + np.float32(chance))
+    # To leave a component as it is must be among the choices.
+    risks.insert(0, np.full_like(risks[0], 2.0 if pilot is None else 1.0))
+    shares = np.exp(np.float32(sharp * window) * (np.minimum.reduce(risks) - np.stack(risks)))
+    shares /= shares.sum(axis=0)
+    total = np.zeros_like(values)
+    for way, share in zip(ways, shares, strict=True):
+        total += way * _in_each_frame(share, window, frames)
+    return total
 
 
 def smooth_bands(values: FloatArray, pilot: FloatArray, rate: float) -> Float32Array:
@@ -290,9 +289,33 @@ def smooth_bands(values: FloatArray, pilot: FloatArray, rate: float) -> Float32A
         _, axes = np.linalg.eigh(guide.T @ guide)
         window_s = max(_PILOT_WINDOW_S, 0.5 / pace)
         window = min(2 * round(0.5 * window_s * rate) + 1, frames)
-        power = uniform_filter1d((guide @ axes) ** 2, window, axis=0, mode="nearest")
-        found = found + (here @ axes * power / (power + np.mean(passed**2))) @ axes.T
+        power = _power(guide @ axes, window)
+        kept = _in_each_frame(power / (power + np.float32(np.mean(passed**2))), window, frames)
+        found = found + (here @ axes * kept) @ axes.T
     return np.asarray(found)
+
+
+def _block(window: int) -> int:
+    """Frames for which mean squares over a window are told at once, since they change slowly."""
+    return max(window // _BLOCKS, 1)
+
+
+def _power(values: Float32Array, window: int) -> Float32Array:
+    """(blocks, channels) mean squares over a window about each block of frames."""
+    size = _block(window)
+    whole = len(values) // size * size
+    blocks = values[:whole].reshape(-1, size, values.shape[1])
+    squares = np.einsum("bsc,bsc->bc", blocks, blocks) / np.float32(size)
+    if whole < len(values):
+        squares = np.vstack([squares, np.mean(values[whole:] ** 2, axis=0)])
+    return np.asarray(
+        uniform_filter1d(squares, window // (2 * size) * 2 + 1, axis=0, mode="nearest")
+    )
+
+
+def _in_each_frame(blocks: Float32Array, window: int, frames: int) -> Float32Array:
+    """(frames, channels) of what is known of the blocks of :func:`_power`."""
+    return blocks.repeat(_block(window), axis=0)[:frames]
 
 
 def _bands(count: int, rate: float) -> list[tuple[float, FloatArray]]:
