@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 from markermend.take import Take
@@ -15,10 +14,7 @@ SETTING = "prior"
 def heeded(take: Take) -> Take:
     """A skeleton recording that is to be restored by what was chosen, or says why it is not."""
     # Only who opens a skeleton has to wait until all about poses is loaded.
-    from markermend.poses.own_prior import choose_prior, why_not_used
-    from markermend.poses.take import pose_of
+    from markermend.poses import own_prior
 
     path = settings.text(SETTING, "")
-    choose_prior(Path(path) if path else None)
-    why = why_not_used(pose_of(take))
-    return replace(take, warnings=(why, *take.warnings)) if why else take
+    return own_prior.heeded(take, Path(path) if path else None)

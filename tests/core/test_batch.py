@@ -279,7 +279,8 @@ def test_results_never_replace_takes_or_each_other(tmp_path: Path) -> None:
 
 def test_recipe_says_everything_and_comes_back(tmp_path: Path) -> None:
     paper = find_detector("paper").params(slow=False, peak_k=2.5, seed=4)
-    recipe = Recipe("paper", paper, "spline", 1.0, "trc", 'x"{name}ü', True, True, True)
+    output, prior = ("trc", 'x"{name}ü', True, True, True), str(tmp_path.resolve() / "p.npz")
+    recipe = Recipe("paper", paper, "spline", 1.0, *output, prior)
     path = tmp_path / "r.toml"
     path.write_text(recipe.to_toml(), encoding="utf-8")
     assert read_recipe(path) == recipe

@@ -26,6 +26,7 @@ _NO_CHOICE = "jobs"
 _TABLES: dict[str, tuple[str, ...]] = {
     "detect": ("method", "params"),
     "repair": ("method", "min_confidence"),
+    "skeletons": ("prior",),
     "output": ("format", "name", "float", "record", "mark_outputs"),
 }
 
@@ -46,6 +47,8 @@ class Recipe:
     name : the repaired take's file name without ending; ``{name}`` stands for the take's
     as_float, record, mark_outputs : as for :func:`markermend.write`; ``record`` writes what was
         repaired and how
+    prior : file that says how bodies of skeletons move, of ``markermend train prior``; nothing for
+        Markermend's own alone
     version : Markermend's, of the recipe's writer
 
     Raises
@@ -63,6 +66,7 @@ class Recipe:
     as_float: bool = False
     record: bool = False
     mark_outputs: bool = False
+    prior: str = ""
     version: str = mm.__version__
 
     def __post_init__(self) -> None:
@@ -96,7 +100,8 @@ class Recipe:
             if f.name != _NO_CHOICE
         ]
         lines += ["", "[repair]", f"method = {_value(self.method)}"]
-        lines += [f"min_confidence = {_value(float(self.min_confidence))}", "", "[output]"]
+        lines += [f"min_confidence = {_value(float(self.min_confidence))}", "", "[skeletons]"]
+        lines += [f"prior = {_value(self.prior)}", "", "[output]"]
         lines += [f"format = {_value(self.format)}", f"name = {_value(self.name)}"]
         lines += [f"float = {_value(self.as_float)}", f"record = {_value(self.record)}"]
         lines += [f"mark_outputs = {_value(self.mark_outputs)}", ""]
@@ -110,6 +115,8 @@ class Recipe:
 
 def read_recipe(path: str | Path) -> Recipe:
     """Read a recipe; what it does not say keeps its default.
+
+    A prior's path is taken from the recipe's folder on.
 
     Raises
     ------
@@ -133,17 +140,19 @@ def read_recipe(path: str | Path) -> Recipe:
         _refuse_unknown(where, f"{table}.", given.get(table, {}), keys)
     _refuse_unknown(where, "", given, ("version", *_TABLES))
     plain = Recipe()
-    found, mended, output = (given.get(table, {}) for table in _TABLES)
+    found, mended, skeletons, output = (given.get(table, {}) for table in _TABLES)
 
     def take(values: Mapping[str, Any], key: str, default: Any) -> Any:
         return _typed(where, key, values.get(key, default), default)
 
+    prior = take(skeletons, "prior", plain.prior)
     detector = take(found, "method", plain.detector)
     return Recipe(
         detector=detector,
         detector_params=_params(where, detector, found.get("params", {})),
         method=take(mended, "method", plain.method),
         min_confidence=take(mended, "min_confidence", plain.min_confidence),
+        prior=str(where.resolve().parent / prior) if prior else prior,
         format=take(output, "format", plain.format),
         name=take(output, "name", plain.name),
         as_float=take(output, "float", plain.as_float),

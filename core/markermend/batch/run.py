@@ -90,6 +90,8 @@ def run_batch(
     ExportError
         when the folder is a file, or holds results already and neither ``resume`` nor ``force``
         is set, or a result would be written over one of the takes
+    FileFormatError
+        when the recipe's prior is not there or is none
     MarkermendError
         when the cluster does not answer
     """
@@ -97,6 +99,10 @@ def run_batch(
     chosen = recipe or Recipe()
     plan = [Job(source, whole, chosen, resume) for source in takes]
     _check(plan, whole, fresh=not (resume or force))
+    if chosen.prior:
+        from markermend.poses.own_prior import own_prior
+
+        own_prior(Path(chosen.prior))
     with nullcontext() if cluster is None else connected(cluster) as client:
         whole.mkdir(parents=True, exist_ok=True)
         write_text(whole / RECIPE, chosen.to_toml())

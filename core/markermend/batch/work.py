@@ -96,6 +96,8 @@ def clean_one(job: Job, progress: Progress) -> bool:
         # Without an operator to look at it, half a take must not pass for a cleaned one.
         raise DataError(" ".join((f"{job.source.path.name} is damaged.", *take.warnings[:1])))
     _check_output(job, take)
+    if take.skeleton:
+        take = _heeded(take, job.recipe)
     mesh = mm.infer_mesh(take)
     recipe = job.recipe
     found = mm.detect(
@@ -130,6 +132,18 @@ def clean_one(job: Job, progress: Progress) -> bool:
     return True
 
 
+def _heeded(take: Take, recipe: Recipe) -> Take:
+    """A skeleton recording that is restored by the recipe's prior, or warns why it is not."""
+    # Only a batch of skeletons has to wait until all about poses is loaded.
+    from markermend.poses.own_prior import heeded, own_prior
+
+    if not recipe.prior:
+        return heeded(take, None)
+    # A batch is not to go on with another prior than it was told.
+    own_prior(Path(recipe.prior))
+    return heeded(take, Path(recipe.prior))
+
+
 def _check_output(job: Job, take: Take) -> None:
     """Refuse, before any work is done, a take that cannot be written as it is to be."""
     if job.output.suffix.lower() not in writable(skeleton=take.skeleton):
@@ -153,6 +167,7 @@ def is_done(job: Job, source: str) -> bool:
         return (
             note["source_sha256"] == source
             and note["recipe_sha256"] == job.recipe.hash
+            and note["prior_sha256"] in (None, _prior_sha256(job.recipe))
             and all(sha256(job.folder / p) == was for p, was in note["outputs"].items())
         )
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
@@ -170,6 +185,11 @@ def sha256(path: Path) -> str:
     """SHA-256 of a file."""
     with path.open("rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def _prior_sha256(recipe: Recipe) -> str | None:
+    """SHA-256 of the recipe's prior, if it has one."""
+    return sha256(Path(recipe.prior)) if recipe.prior else None
 
 
 def json_text(values: Mapping[str, Any]) -> str:
@@ -203,6 +223,7 @@ def _describe(job: Job, source: str, take: Take, clean: Take, done: Sequence[Out
     note = {
         "source_sha256": source,
         "recipe_sha256": job.recipe.hash,
+        "prior_sha256": _prior_sha256(job.recipe) if take.skeleton else None,
         "outputs": {p.relative_to(job.folder).as_posix(): sha256(p) for p in outputs},
         "quality": quality(name, take, clean, done).to_dict(),
         "review": [{**to_dict(o.artifact), "reason": o.reason} for o in done if waits(o)],

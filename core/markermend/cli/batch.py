@@ -51,6 +51,8 @@ def _recipe(options: argparse.Namespace) -> Recipe:
     recipe = replace(recipe, version=mm.__version__)
     if options.min_confidence is not None:
         recipe = replace(recipe, min_confidence=options.min_confidence)
+    if options.prior is not None:
+        recipe = replace(recipe, prior=str(Path(options.prior).resolve()))
     return recipe
 
 

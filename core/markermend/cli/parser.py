@@ -300,6 +300,7 @@ def _add_batch(p: argparse.ArgumentParser) -> None:
         help="repair what is at least this sure and list the rest for review, instead of what "
         "the recipe says (0.5 without one)",
     )
+    _prior(p)
     p.add_argument(
         "--resume", action="store_true", help="do what is left of a run that was stopped or killed"
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,6 +15,7 @@ from markermend.progress import Progress, part, quiet
 if TYPE_CHECKING:
     from markermend.poses.pose import Pose
     from markermend.poses.prior import Prior
+    from markermend.take import Take
 
 _chosen: Path | None = None
 
@@ -64,6 +66,21 @@ def why_not_used(pose: Pose) -> str:
         f"{_chosen.name} does not fit this recording, whose joints are others or stand elsewhere,"
         " and is not used."
     )
+
+
+def heeded(take: Take, path: Path | None) -> Take:
+    """Return a skeleton recording that is restored by a prior, or that warns why it is not.
+
+    Parameters
+    ----------
+    take : of joints
+    path : what :func:`choose_prior` takes
+    """
+    from markermend.poses.take import pose_of
+
+    choose_prior(path)
+    why = why_not_used(pose_of(take))
+    return replace(take, warnings=(why, *take.warnings)) if why else take
 
 
 def learn_files(paths: Sequence[Path], target: Path, *, progress: Progress | None = None) -> Prior:
