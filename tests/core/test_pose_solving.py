@@ -14,7 +14,14 @@ from markermend.poses.quaternion import (
     multiply,
     rotation_vector,
 )
-from markermend.poses.solving import Regression, average_in, inverted, part_of, solved
+from markermend.poses.solving import (
+    Regression,
+    add_to_diagonal,
+    average_in,
+    inverted,
+    part_of,
+    solved,
+)
 
 
 @pytest.mark.parametrize(("kind", "off"), [(np.float32, 1e-3), (np.float64, 1e-10)])
@@ -66,6 +73,14 @@ def test_an_inverse_is_whole_and_leaves_what_it_is_of():
     np.testing.assert_array_equal(matrix, before)
     with pytest.raises(np.linalg.LinAlgError, match="positive definite"):
         inverted(-matrix)
+
+
+@pytest.mark.parametrize("order", ["C", "F"])
+def test_a_diagonal_grows_however_its_matrix_lies_in_memory(order: str) -> None:
+    matrix = np.zeros((3, 3), order=order)
+    add_to_diagonal(matrix, np.array([1.0, 2.0, 3.0]))
+    add_to_diagonal(matrix, 0.5)
+    np.testing.assert_array_equal(matrix, np.diag([1.5, 2.5, 3.5]))
 
 
 def test_nothing_known_tells_nothing():

@@ -73,21 +73,22 @@ def bridged(values: FloatArray, known: BoolArray) -> FloatArray:
     -------
     (frames, channels). Before the first and after the last known value that value holds.
     """
-    frames = len(values)
-    time = np.arange(frames)
     out = np.where(known, values, 0.0)
     for group in known_alike(known):
-        there = np.flatnonzero(known[:, group[0]])
-        if len(there) == frames:
+        seen = known[:, group[0]]
+        there, missing = np.flatnonzero(seen), np.flatnonzero(~seen)
+        if not len(missing):
             continue
-        for channel in group:
-            out[:, channel] = np.interp(time, there, values[there, channel])
+        after = np.searchsorted(there, missing)
+        sides = there[[np.maximum(after - 1, 0), np.minimum(after, len(there) - 1)]]
+        share = (missing - sides[0]) / np.maximum(sides[1] - sides[0], 1)
+        before, then = values[sides[:, :, None], group]
+        out[missing[:, None], group] = before + share[:, None] * (then - before)
         inner = slice(int(there[0]), int(there[-1]) + 1)
-        unknown = np.flatnonzero(~known[inner, group[0]])
+        unknown = missing[(missing > inner.start) & (missing < inner.stop)]
         if len(unknown) and inner.stop - inner.start > 2 * _ORDER:
-            piece = out[inner, group]
-            piece[unknown] += 0.5 * _towards_curve(piece, unknown)
-            out[inner, group] = piece
+            bend = _towards_curve(out[inner, group], unknown - inner.start)
+            out[unknown[:, None], group] += 0.5 * bend
     return out
 
 

@@ -136,13 +136,11 @@ def deviations(values: NDArray[Any], length: int) -> NDArray[Any]:
     def at(offset: int) -> NDArray[Any]:
         return values[starts[0] + offset : starts[-1] + offset + 1 : step]
 
-    parts = []
-    for weight, place in zip(weights, inside, strict=True):
-        stray = at(place).copy()
-        for share, side in zip(weight, sides, strict=True):
-            stray -= share * at(side)
-        parts.append(stray)
-    return np.concatenate(parts)
+    beside = np.stack([at(side) for side in sides.tolist()])
+    strays = (weights @ beside.reshape(len(sides), -1)).reshape(len(inside), *beside.shape[1:])
+    for place, stray in zip(inside.tolist(), strays, strict=True):
+        np.subtract(at(place), stray, out=stray)
+    return np.asarray(strays.reshape(-1, values.shape[1]))
 
 
 def learn(values: NDArray[Any], rate: float, lengths: Iterable[int] | None = None) -> Moments:

@@ -35,7 +35,7 @@ from markermend.poses.likeness import (
 )
 from markermend.poses.remembered import Performances
 from markermend.poses.sides import Mirror
-from markermend.poses.solving import solved
+from markermend.poses.solving import add_to_diagonal, solved
 
 # Gaps up to this long are many and alike, and are crossed all at once; a rough result crosses gaps
 # up to this long by time alone.
@@ -317,10 +317,10 @@ def _telling(
     mirror: Mirror | None = None,
 ) -> Telling:
     """Moments, and what a regression leaves of a gap's channels then."""
-    poses, moved = look.estimate[frames], moved[frames]
-    if mirror is not None:
-        poses, moved = mirror.image(poses), mirror.image(moved)
-    return Telling(moved, poses[:, gap.channels] - poses @ by, frames)
+    rows = moved[frames] if mirror is None else mirror.image(moved[frames])
+    # How they change stands beside the poses.
+    poses = rows[:, : len(by)]
+    return Telling(rows, poses[:, gap.channels] - poses @ by, frames)
 
 
 def _mirrored(moved: Float32Array, look: _Look, gap: Gap, by: Float32Array) -> list[Telling]:
@@ -368,13 +368,12 @@ def _regress(
     doubt: Float32Array,
 ) -> tuple[Float32Array, Float32Array]:
     """(inputs, targets) weights, and the variance of each target that they leave."""
-    rows = covariance[inputs]
-    among, across = rows[:, inputs], rows[:, targets]
+    rows = covariance.take(inputs, axis=0)
+    among, across = rows.take(inputs, axis=1), rows.take(targets, axis=1)
     own = np.asarray(covariance[targets, targets])
     if not len(inputs):
         return across, own
-    among[np.diag_indices(len(inputs))] *= 1 + doubt
-    among[np.diag_indices(len(inputs))] += np.float32(ridge)
+    add_to_diagonal(among, np.diagonal(among) * doubt + np.float32(ridge))
     try:
         weights = solved(among, across)
     except np.linalg.LinAlgError:

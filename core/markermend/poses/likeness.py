@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import pairwise
+from itertools import accumulate, pairwise
 
 import numpy as np
 
 from markermend.arrays import Float32Array, FloatArray, IntArray
 from markermend.poses.borders import Borders
-from markermend.poses.solving import solved
+from markermend.poses.solving import add_to_diagonal, solved
 
 MOMENTS, SOME_MOMENTS, FEW_MOMENTS = (250, 200, 200), (100, 60, 80), (30, 20, 0)
 """Of a whole recording compared with a gap, as it is and mirrored, and of others of the same body.
@@ -164,7 +164,7 @@ def by_likeness(
     there.
     """
     moments, length = len(own.frames), len(moved)
-    ends = np.cumsum([moments, *(len(other.frames) for other in others)]).tolist()
+    ends = list(accumulate([moments, *(len(other.frames) for other in others)]))
     theirs = [slice(*both) for both in pairwise(ends)]
     count, inside = ends[-1], np.arange(start, start + length)
     rows = np.vstack([own.moved, *(other.moved for other in others), moved])
@@ -185,7 +185,7 @@ def by_likeness(
     spread = max(float(variance.mean()), noise**2, _TINY)
     chance = np.full(count, _CHANCE / reach**2 + noise**2 / spread, dtype=np.float32)
     chance[moments:] += _OTHERS_CHANCE
-    lasting[np.diag_indices(count)] += chance
+    add_to_diagonal(lasting[:count], chance)
     targets = np.vstack([left, *(other.targets - usual for other in others)])
     values, unsure = np.zeros((length, left.shape[1]), dtype=np.float32), np.zeros(length)
     looks = [(0, slice(0, length), np.ones(length))] if borders is None else borders.looks()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -72,9 +72,10 @@ def part_of(matrix: FloatArray, rows: IntArray, columns: IntArray) -> FloatArray
     return np.asarray(matrix.take(rows, axis=0).take(columns, axis=1))
 
 
-def add_to_diagonal(matrix: FloatArray, more: FloatArray | float) -> None:
-    """Add to the diagonal of a matrix (n, n) in C order, in place; one number, or (n,)."""
-    matrix.reshape(-1)[:: len(matrix) + 1] += more
+def add_to_diagonal(matrix: NDArray[Any], more: NDArray[Any] | float) -> None:
+    """Add to the diagonal of a matrix (n, n), in place; one number, or (n,)."""
+    diagonal = np.einsum("ii->i", matrix)
+    diagonal += more
 
 
 def average_in(matrix: FloatArray, rows: FloatArray, share: float) -> None:
