@@ -11,22 +11,17 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 import markermend as mm
-from markermend.batch.review import ToReview
+from markermend.batch import Recipe, find_takes, run_batch
+from markermend.batch.review import ToReview, takes_to_review
 from markermend.poses import own_prior as engine
 from markermend.poses.prior import load_prior, save_prior, shipped_prior
+from markermend.poses.take import prior_of
 from markermend.progress import quiet
 from markermend_app import own_prior, settings
 from markermend_app.background import loading
 from markermend_app.dialogs.file_filters import skeleton_filter
 from markermend_app.dialogs.preferences import Preferences
 from markermend_app.telling import told
-
-
-@pytest.fixture(autouse=True)
-def forgotten():
-    """Nobody else is restored by what a test chose."""
-    yield
-    engine.choose_prior(None)
 
 
 @pytest.fixture
@@ -135,7 +130,7 @@ def test_recordings_are_learnt_from_and_used_for_what_is_opened_next(
     window.commands.open_path(broken)
     qtbot.waitUntil(lambda: window.document.current is not None, timeout=3 * WAIT)
     pose = window.document.session.original.source.layout
-    assert len(engine.prior_for(pose).remembered) == 2
+    assert len(prior_of(pose).remembered) == 2
 
 
 def test_learning_is_cancelled_by_the_button_and_by_leaving(
@@ -223,7 +218,7 @@ def test_a_recording_that_it_does_not_fit_says_so_when_it_is_opened(broken, tmp_
         take = file.session.original
         assert why in take.warnings[0]
         assert told(take.warnings[0]) == take.warnings[0]
-        assert engine.prior_for(take.source.layout) is shipped_prior()
+        assert prior_of(take.source.layout) is shipped_prior()
 
 
 def test_what_was_made_ahead_with_another_prior_is_made_anew(broken, prior):
@@ -237,6 +232,20 @@ def test_what_was_made_ahead_with_another_prior_is_made_anew(broken, prior):
     assert taken_as_it_is()
     settings.remember(own_prior.SETTING, str(prior))
     assert not taken_as_it_is()
+
+
+def test_what_a_batch_left_is_restored_as_by_the_batch(broken, prior, tmp_path):
+    settings.remember(own_prior.SETTING, str(tmp_path / "chosen.npz"))
+    for recipe in (Recipe(min_confidence=1.0), Recipe(min_confidence=1.0, prior=str(prior))):
+        out = tmp_path / f"out{bool(recipe.prior)}"
+        run_batch(find_takes([broken]), out, recipe, jobs=1)
+        (item,) = takes_to_review([out])
+        assert item.prior == (prior if recipe.prior else None)
+        opened = loading.load_item(item, quiet)
+        opened.file.close()
+        take = opened.file.session.original
+        assert not any("chosen" in warning for warning in take.warnings)
+        assert (prior_of(take.source.layout) is shipped_prior()) == (not recipe.prior)
 
 
 def test_recordings_are_offered_to_learn_from_and_no_poses_at_rest():

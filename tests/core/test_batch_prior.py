@@ -12,17 +12,10 @@ import markermend as mm
 from markermend.batch import Recipe, find_takes, read_recipe, run_batch
 from markermend.batch.work import Job, clean_one, is_done, sha256
 from markermend.cli import main
-from markermend.errors import FileFormatError
-from markermend.poses.own_prior import choose_prior, learn_files
+from markermend.errors import FileFormatError, MethodError
+from markermend.poses.own_prior import learn_files
 from markermend.poses.prior import save_prior, shipped_prior
 from markermend.progress import quiet
-
-
-@pytest.fixture(autouse=True)
-def forgotten():
-    """Nobody else is restored by what a test chose."""
-    yield
-    choose_prior(None)
 
 
 @pytest.fixture
@@ -110,3 +103,36 @@ def test_a_recipes_prior_is_looked_for_beside_the_recipe(prior, tmp_path, monkey
     recipe.write_text('[skeletons]\nprior = "own.npz"\n', encoding="utf-8")
     monkeypatch.chdir("/")
     assert read_recipe(recipe) == replace(Recipe(), prior=str(prior.resolve()))
+
+
+def test_a_recipe_that_is_resumed_from_elsewhere_names_the_same_prior(
+    shoot, prior, tmp_path, monkeypatch
+):
+    monkeypatch.chdir(tmp_path)
+    takes = find_takes([shoot / "*.csv"])
+    run_batch(takes, "out", Recipe(prior="own.npz"), jobs=1)
+    monkeypatch.chdir("/")
+    recipe = read_recipe(tmp_path / "out" / "recipe.toml")
+    assert recipe.prior == str(prior.resolve())
+    assert run_batch(takes, tmp_path / "out", recipe, jobs=1, resume=True).skipped == 1
+
+
+def test_a_prior_that_changes_meanwhile_did_not_make_what_was_made(shoot, prior, tmp_path):
+    (source,) = find_takes([shoot / "*.csv"])
+    job = Job(source, tmp_path / "out", Recipe(prior=str(prior)))
+    before = prior.read_bytes()
+
+    def changing(share: float, _: str) -> None:
+        if share > 0.5:
+            save_prior(shipped_prior(), prior)
+
+    clean_one(job, changing)
+    assert not is_done(job, sha256(source.path))
+    prior.write_bytes(before)
+    assert is_done(job, sha256(source.path))
+
+
+@pytest.mark.parametrize("name", ["a\0b.npz", "a\udcffb.npz"])
+def test_a_prior_that_no_recipe_can_name_is_told(name):
+    with pytest.raises(MethodError, match="rename"):
+        Recipe(prior=name)

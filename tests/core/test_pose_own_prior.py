@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 import numpy as np
 import pytest
 from arms import arm, hide
@@ -12,19 +14,12 @@ from markermend.cli import main
 from markermend.errors import Cancelled, DataError, FileFormatError
 from markermend.poses.hanging import hanging_joints
 from markermend.poses.nuitrack import to_nuitrack
-from markermend.poses.own_prior import choose_prior, fits, learn_files, prior_for, why_not_used
+from markermend.poses.own_prior import fits, heeded, learn_files, prior_for
 from markermend.poses.pose import Pose
 from markermend.poses.prior import fitting, load_prior, save_prior, shipped_prior
 from markermend.poses.restore import restore
 from markermend.poses.take import pose_of, restored, restored_without
 from markermend.simulation import simulate
-
-
-@pytest.fixture(autouse=True)
-def forgotten():
-    """Nobody else is restored by what a test chose."""
-    yield
-    choose_prior(None)
 
 
 @pytest.fixture
@@ -85,42 +80,47 @@ def test_files_that_cannot_be_learnt_from_are_named(recordings, prior, tmp_path)
 
 
 def test_a_recording_under_review_is_restored_by_what_was_chosen(recording, prior) -> None:
-    choose_prior(prior)
-    pose = pose_of(mm.read(recording))
+    pose = pose_of(heeded(mm.read(recording), prior))
     wanted = restore(pose, prior=load_prior(prior)).pose.positions
     assert_array_equal(restored(pose).pose.positions, wanted)
-    assert not (wanted == restore(pose, prior=shipped_prior()).pose.positions).all()
+    other = pose_of(mm.read(recording))
+    by_ours = restore(other, prior=shipped_prior()).pose.positions
+    assert_array_equal(restored(other).pose.positions, by_ours)
+    assert not (wanted == by_ours).all()
 
 
-def test_it_is_the_same_for_as_long_as_a_recording_is_open(recording, prior) -> None:
-    pose = pose_of(mm.read(recording))
-    restored(pose)
-    by_ours = restored_without(pose, [2], slice(50, 80)).pose.positions
-    choose_prior(prior)
-    assert_array_equal(restored_without(pose, [2], slice(50, 80)).pose.positions, by_ours)
-    again = pose_of(mm.read(recording))
-    assert not (restored_without(again, [2], slice(50, 80)).pose.positions == by_ours).all()
+def test_it_is_the_same_for_as_long_as_a_recording_is_open(recordings, recording, prior) -> None:
+    pose = pose_of(heeded(mm.read(recording), prior))
+    before = restored_without(pose, [2], slice(50, 80)).pose.positions
+    learn_files(recordings[:1], prior)
+    assert_array_equal(restored_without(pose, [2], slice(50, 80)).pose.positions, before)
+    again = pose_of(heeded(mm.read(recording), prior))
+    assert not (restored_without(again, [2], slice(50, 80)).pose.positions == before).all()
 
 
 def test_where_it_does_not_fit_or_is_gone_ours_is_used(recording, prior, tmp_path) -> None:
     pose = pose_of(mm.read(recording))
-    choose_prior(prior)
-    assert prior_for(pose).joints == pose.joints
+    own, why = prior_for(pose, prior)
+    assert (own.joints, why) == (pose.joints, "")
     for other in (tmp_path / "gone.npz", recording):
-        choose_prior(other)
-        assert prior_for(pose) is shipped_prior()
+        ours, why = prior_for(pose, other)
+        assert ours is shipped_prior()
+        assert f"{other.name} is gone or holds no prior" in why
     save_prior(shipped_prior(), prior)
-    choose_prior(prior)
-    assert prior_for(pose) is shipped_prior()
+    ours, why = prior_for(pose, prior)
+    assert ours is shipped_prior()
+    assert heeded(mm.read(recording), prior).warnings[0] == why
+    assert "does not fit" in why
 
 
 def test_what_was_written_anew_is_read_anew(recordings, recording, prior) -> None:
     pose = pose_of(mm.read(recording))
-    choose_prior(prior)
-    before = prior_for(pose)
-    assert prior_for(pose) is before
+    before, told = prior_for(pose, prior)[0], prior.stat()
+    assert prior_for(pose, prior)[0] is before
     learn_files(recordings[:1], prior)
-    assert len(prior_for(pose).remembered) == 1
+    # As a copy that keeps its time.
+    os.utime(prior, ns=(told.st_atime_ns, told.st_mtime_ns))
+    assert len(prior_for(pose, prior)[0].remembered) == 1
 
 
 def test_a_prior_of_ones_own_skeleton_serves_the_command_line(
@@ -150,11 +150,10 @@ def test_a_root_that_is_no_part_of_the_body_is_left_out_of_it(tmp_path) -> None:
     mm.write_pose(under_a_root(arm()), tmp_path / "a.csv")
     prior = learn_files([tmp_path / "a.csv"], path)
     assert prior.joints == ("root", "a", "b", "c", "d")
-    choose_prior(path)
     damaged = under_a_root(hide(hide(arm(), slice(200, 260), 2), slice(200, 260), 3))
     assert fits(damaged, prior)
-    assert prior_for(damaged).joints == prior.joints
-    assert why_not_used(damaged) == ""
+    told, why = prior_for(damaged, path)
+    assert (told.joints, why) == (prior.joints, "")
     with_it, without = (restore(damaged, prior=p).pose.positions for p in (prior, None))
     assert not (with_it == without).all()
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from arms import arm, hide
 from numpy.testing import assert_allclose
+from scipy.ndimage import uniform_filter1d
 
 import markermend as mm
 from markermend.cli import main
@@ -22,7 +23,14 @@ from markermend.poses.normal import bone_lengths
 from markermend.poses.nuitrack import to_nuitrack
 from markermend.poses.quaternion import between, turn, unit
 from markermend.poses.restore import denoise, restore
-from markermend.poses.smoothing import noise_level, smooth, smooth_again, smooth_bands
+from markermend.poses.smoothing import (
+    _in_each_frame,
+    _power,
+    noise_level,
+    smooth,
+    smooth_again,
+    smooth_bands,
+)
 
 
 def test_signs_of_rotations_come_back_as_they_were_recorded():
@@ -194,6 +202,23 @@ def test_each_pace_keeps_what_moves_together_at_it():
     short = smooth_bands(noisy[:9], clean[:9], 60.0)
     assert short.shape == (9, 12)
     assert np.isfinite(short).all()
+
+
+@pytest.mark.parametrize("frames", [9, 25, 600, 601, 605])
+def test_power_in_blocks_is_that_of_a_window_about_each_frame(frames):
+    window = min(37, frames)
+    still = np.full((frames, 2), 3.0, dtype=np.float32)
+    told = _in_each_frame(_power(still, window), window, frames)
+    assert_allclose(told, still**2, rtol=1e-6)
+    wave = np.sin(np.arange(frames) / 40.0)[:, None].astype(np.float32)
+    told = _in_each_frame(_power(wave, window), window, frames)
+    wanted = uniform_filter1d(wave**2, window, axis=0, mode="nearest")
+    assert told.shape == wave.shape
+    assert np.abs(told - wanted).max() < 0.1
+    # The last frames count, also where they make no whole block.
+    loud = still.copy()
+    loud[-1] = 300.0
+    assert (_in_each_frame(_power(loud, window), window, frames)[-1] > 100.0).all()
 
 
 def test_an_elbow_between_joints_that_are_seen_settles_where_this_arm_bends():

@@ -106,9 +106,9 @@ class Prepared:
     glance: Glance
 
 
-def load(path: Path, progress: Progress) -> SessionFile:
-    """Read a take and open its review."""
-    take = _read(path, part(progress, 0.0, 0.9))
+def load(path: Path, progress: Progress, item: ToReview | None = None) -> SessionFile:
+    """Read a take, which may be one of a batch, and open its review."""
+    take = _read(path, part(progress, 0.0, 0.9), item)
     progress(0.9, "Opening the review")
     lay_out(take)
     return open_session(take, folder=review_folder(path))
@@ -116,7 +116,7 @@ def load(path: Path, progress: Progress) -> SessionFile:
 
 def load_item(item: ToReview, progress: Progress) -> Opened:
     """Read a take of a batch and open its review, with what the batch left."""
-    file = load(item.path, progress)
+    file = load(item.path, progress, item)
     try:
         _begin(file, item, None)
     except BaseException:
@@ -138,7 +138,7 @@ def glance(item: ToReview, progress: Progress) -> Glance:
     """See how the review of a take stands, without opening it."""
     from markermend.batch.review import take_over
 
-    session = read_review(_read(item.path, progress), folder=review_folder(item.path))
+    session = read_review(_read(item.path, progress, item), folder=review_folder(item.path))
     if not session.begun:
         take_over(session, item)
     return glance_at(session)
@@ -151,7 +151,7 @@ def prepare(item: ToReview, progress: Progress) -> Prepared:
     from markermend.repairs import propose
 
     stamp = _stamp(item.path)
-    take = _read(item.path, part(progress, 0.0, 0.1))
+    take = _read(item.path, part(progress, 0.0, 0.1), item)
     session = read_review(take, folder=review_folder(item.path))
     mesh = infer_mesh(session.original, progress=part(progress, 0.1, 0.2))
     found = None
@@ -211,14 +211,21 @@ def _begin(file: SessionFile, item: ToReview, found: tuple[Artifact, ...] | None
         file.session.add_detected(found, SEARCHED, by_itself=True)
 
 
-def _read(path: Path, progress: Progress) -> Take:
-    """Read a take that can be reviewed."""
+def _read(path: Path, progress: Progress, item: ToReview | None) -> Take:
+    """Read a take that can be reviewed; skeletons are restored as by the batch that left them."""
     from markermend.files import read
 
     take: Take = read(path, progress=progress)
     if take.frames == 0:
         raise DataError(f"“{path.name}” has no frames, so that there is nothing to review in it.")
-    return own_prior.heeded(take) if take.skeleton else take
+    if not take.skeleton:
+        return take
+    # Only who opens a skeleton has to wait until all about poses is loaded.
+    from markermend.poses.own_prior import heeded
+
+    if item is None or item.found is None:
+        return heeded(take, own_prior.chosen())
+    return heeded(take, item.prior)
 
 
 def _stamp(path: Path) -> tuple[int, int, str]:

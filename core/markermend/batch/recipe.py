@@ -6,7 +6,7 @@ import hashlib
 import json
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import Any
 
@@ -85,6 +85,11 @@ class Recipe:
             raise MethodError(
                 f"A recipe's format must be one of {', '.join(formats)}, not “{self.format}”."
             )
+        if "\0" in self.prior or utf8(self.prior).decode() != self.prior:
+            raise MethodError(
+                "A recipe names a prior by text that any file can hold; rename"
+                f" “{Path(self.prior).name}”."
+            )
         if NAME not in self.name or "/" in self.name or "\\" in self.name:
             raise MethodError(
                 f"A recipe's output name must hold {NAME} and no folder, unlike “{self.name}”."
@@ -106,6 +111,10 @@ class Recipe:
         lines += [f"float = {_value(self.as_float)}", f"record = {_value(self.record)}"]
         lines += [f"mark_outputs = {_value(self.mark_outputs)}", ""]
         return "\n".join(lines)
+
+    def beside(self, folder: Path) -> Recipe:
+        """The same with the whole path of a prior, which was named from a folder on."""
+        return replace(self, prior=str((folder / self.prior).resolve())) if self.prior else self
 
     @property
     def hash(self) -> str:
@@ -145,21 +154,20 @@ def read_recipe(path: str | Path) -> Recipe:
     def take(values: Mapping[str, Any], key: str, default: Any) -> Any:
         return _typed(where, key, values.get(key, default), default)
 
-    prior = take(skeletons, "prior", plain.prior)
     detector = take(found, "method", plain.detector)
     return Recipe(
         detector=detector,
         detector_params=_params(where, detector, found.get("params", {})),
         method=take(mended, "method", plain.method),
         min_confidence=take(mended, "min_confidence", plain.min_confidence),
-        prior=str(where.resolve().parent / prior) if prior else prior,
         format=take(output, "format", plain.format),
         name=take(output, "name", plain.name),
         as_float=take(output, "float", plain.as_float),
         record=take(output, "record", plain.record),
         mark_outputs=take(output, "mark_outputs", plain.mark_outputs),
+        prior=take(skeletons, "prior", plain.prior),
         version=take(given, "version", plain.version),
-    )
+    ).beside(where.parent)
 
 
 def _params(where: Path, detector: str, given: Mapping[str, Any]) -> Any:

@@ -40,6 +40,7 @@ class ToReview:
     found : JSON of what a batch found and did, or None where none was run
     cleaned : the take as the batch repaired it, or None
     sha256 : of the recording that was cleaned, or None
+    prior : by which a batch restored a skeleton, or None for Markermend's own
     """
 
     path: Path
@@ -47,6 +48,7 @@ class ToReview:
     found: Path | None = None
     cleaned: Path | None = None
     sha256: str | None = None
+    prior: Path | None = None
 
 
 def takes_to_review(given: Iterable[str | Path]) -> tuple[ToReview, ...]:
@@ -138,6 +140,7 @@ def _listed(path: Path) -> tuple[ToReview, ...]:
                 path.parent / entry["json"],
                 path.parent / entry["cleaned"],
                 entry.get("source_sha256"),
+                Path(entry["prior"]) if entry.get("prior") else None,
             )
             for entry in _json(path)["takes"]
         )

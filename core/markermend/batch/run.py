@@ -79,7 +79,7 @@ def run_batch(
     recipe : what is done to each, the defaults when None
     jobs : processes; -1 as many as there are cores
     cluster : address of a Dask scheduler, or a client of it, to use instead of processes here;
-        its workers must see takes and folder under the same paths
+        its workers must see takes, folder and the recipe's prior under the same paths
     resume : do only what an earlier run into this folder, by the same recipe, left
     force : do everything again, over what is there
     listener : told every message, its take, and the share done of the whole batch by file size;
@@ -96,7 +96,7 @@ def run_batch(
         when the cluster does not answer
     """
     whole = Path(folder).resolve()
-    chosen = recipe or Recipe()
+    chosen = (recipe or Recipe()).beside(Path())
     plan = [Job(source, whole, chosen, resume) for source in takes]
     _check(plan, whole, fresh=not (resume or force))
     if chosen.prior:
@@ -194,7 +194,8 @@ def _sum_up(
         place["source_sha256"] = note["source_sha256"]
         index.append(place | note["quality"])
         if note["review"]:
-            review.append({"name": job.source.name, **place, "artifacts": note["review"]})
+            prior = {"prior": job.recipe.prior} if note["prior_sha256"] else {}
+            review.append({"name": job.source.name, **place, **prior, "artifacts": note["review"]})
     failed = [{"name": name, "why": why} for name, why in failures.items()]
     about: dict[str, Any] = {"version": mm.__version__, "recipe_sha256": sha256(folder / RECIPE)}
     write_text(folder / INDEX, json_text(about | {"takes": index, "failed": failed}))

@@ -96,8 +96,9 @@ def clean_one(job: Job, progress: Progress) -> bool:
         # Without an operator to look at it, half a take must not pass for a cleaned one.
         raise DataError(" ".join((f"{job.source.path.name} is damaged.", *take.warnings[:1])))
     _check_output(job, take)
+    prior = None
     if take.skeleton:
-        take = _heeded(take, job.recipe)
+        take, prior = _heeded(take, job.recipe)
     mesh = mm.infer_mesh(take)
     recipe = job.recipe
     found = mm.detect(
@@ -127,21 +128,23 @@ def clean_one(job: Job, progress: Progress) -> bool:
         record=record if recipe.record else (),
         mark_outputs=recipe.mark_outputs,
     )
-    _describe(job, source, take, clean, outcomes(found, pairs, recipe.min_confidence))
+    read = {"source_sha256": source, "prior_sha256": prior}
+    _describe(job, read, take, clean, outcomes(found, pairs, recipe.min_confidence))
     progress(1.0, "Done")
     return True
 
 
-def _heeded(take: Take, recipe: Recipe) -> Take:
-    """A skeleton recording that is restored by the recipe's prior, or warns why it is not."""
+def _heeded(take: Take, recipe: Recipe) -> tuple[Take, str | None]:
+    """A skeleton recording that is restored by the recipe's prior, and the SHA-256 of that."""
     # Only a batch of skeletons has to wait until all about poses is loaded.
     from markermend.poses.own_prior import heeded, own_prior
 
     if not recipe.prior:
-        return heeded(take, None)
+        return heeded(take, None), None
     # A batch is not to go on with another prior than it was told.
     own_prior(Path(recipe.prior))
-    return heeded(take, Path(recipe.prior))
+    told = _prior_sha256(recipe)
+    return heeded(take, Path(recipe.prior)), told
 
 
 def _check_output(job: Job, take: Take) -> None:
@@ -213,17 +216,18 @@ def why(error: Exception) -> str:
     return f"Markermend itself failed ({type(error).__name__}: {error}); please report it."
 
 
-def _describe(job: Job, source: str, take: Take, clean: Take, done: Sequence[Outcome]) -> None:
-    """Write JSON, report and, last, the note that the take is done."""
+def _describe(
+    job: Job, read: Mapping[str, str | None], take: Take, clean: Take, done: Sequence[Outcome]
+) -> None:
+    """Write JSON, report and, last, the note that the take is done, and from which files."""
     name, method = job.source.name, job.recipe.detector
     described = cleaned_document(take, done, method, mm.__version__, name=job.source.path.name)
     write_text(job.json, json_text(described))
     write_text(job.report, take_report(take, clean, done, method=method, name=name))
     outputs = (job.output, job.json, job.report)
     note = {
-        "source_sha256": source,
+        **read,
         "recipe_sha256": job.recipe.hash,
-        "prior_sha256": _prior_sha256(job.recipe) if take.skeleton else None,
         "outputs": {p.relative_to(job.folder).as_posix(): sha256(p) for p in outputs},
         "quality": quality(name, take, clean, done).to_dict(),
         "review": [{**to_dict(o.artifact), "reason": o.reason} for o in done if waits(o)],

@@ -52,7 +52,7 @@ def _recipe(options: argparse.Namespace) -> Recipe:
     if options.min_confidence is not None:
         recipe = replace(recipe, min_confidence=options.min_confidence)
     if options.prior is not None:
-        recipe = replace(recipe, prior=str(Path(options.prior).resolve()))
+        recipe = replace(recipe, prior=options.prior)
     return recipe
 
 

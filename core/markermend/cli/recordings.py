@@ -46,9 +46,10 @@ def heed_prior(take: Take, path: str | None) -> None:
         when the file holds no prior, or the take has markers
     """
     if take.skeleton:
-        from markermend.poses.take import pose_of
+        from markermend.poses.take import pose_of, restore_by
 
-        prior_asked_for(pose_of(take), path)
+        pose = pose_of(take)
+        restore_by(pose, prior_asked_for(pose, path))
     elif path is not None:
         raise MethodError("--prior is for skeleton recordings, and this take has markers.")
 
@@ -66,13 +67,13 @@ def prior_asked_for(pose: Pose, path: str | None) -> Prior:
     FileFormatError
         when the file holds no prior
     """
-    from markermend.poses.own_prior import choose_prior, own_prior, prior_for, why_not_used
+    from markermend.poses.own_prior import own_prior, prior_for
 
-    choose_prior(None if path is None else Path(path))
-    if path is not None:
+    where = None if path is None else Path(path)
+    if where is not None:
         # Where a window would go on, a script is not to go on with another prior than it named.
-        own_prior(Path(path))
-    why = why_not_used(pose)
+        own_prior(where)
+    prior, why = prior_for(pose, where)
     if why:
         warn(why)
-    return prior_for(pose)
+    return prior

@@ -166,7 +166,9 @@ def _linear(
     frame = Rotation.from_quat(poses[:, above, 3:].reshape(-1, 4)).as_matrix().reshape(shape)
     own = np.stack([Rotation.from_quat(middle[j]).as_matrix() for j in joints])
     hung = np.array([parents[parent] < 0 for parent in above])[:, None, None]
-    jacobian = _left_jacobian(local.reshape(-1, _LOCAL)[:, :3]).reshape(shape)
+    # Of small angles single precision leaves nothing in what is subtracted here.
+    vectors = np.asarray(local.reshape(-1, _LOCAL)[:, :3], dtype=np.float64)
+    jacobian = _left_jacobian(vectors).reshape(shape)
     bone = cross_matrices((poses[:, joints, :3] - poses[:, above, :3]).reshape(-1, 3)).reshape(
         shape
     )

@@ -17,53 +17,32 @@ if TYPE_CHECKING:
     from markermend.poses.prior import Prior
     from markermend.take import Take
 
-_chosen: Path | None = None
 
-
-def choose_prior(path: Path | None) -> None:
-    """Let recordings that are restored from now on be so with a prior of the user's own.
-
-    Parameters
-    ----------
-    path : what ``markermend train prior`` or :func:`learn_files` wrote; None for Markermend's own.
-        It is read when it is needed.
-    """
-    global _chosen
-    _chosen = path
-
-
-def prior_for(pose: Pose) -> Prior:
-    """The prior that was chosen, where it can be read and fits a recording, or Markermend's."""
-    from markermend.poses.prior import shipped_prior
-
-    own = _readable()
-    return own if own is not None and fits(pose, own) else shipped_prior()
-
-
-def fits(pose: Pose, prior: Prior) -> bool:
-    """Whether a prior serves a recording."""
-    from markermend.poses.loose_root import body_of
-    from markermend.poses.prior import fitting
-
-    return fitting(body_of(pose), prior) is not None
-
-
-def why_not_used(pose: Pose) -> str:
-    """Why a recording is restored by Markermend's own prior though another was chosen, or nothing.
+def prior_for(pose: Pose, path: Path | None) -> tuple[Prior, str]:
+    """What restores a recording: the prior in a file where that fits it, or else Markermend's.
 
     Parameters
     ----------
     pose : the recording
+    path : what ``markermend train prior`` or :func:`learn_files` wrote; None for Markermend's own
+
+    Returns
+    -------
+    the prior, and why it is not the one in the file, or nothing
     """
-    if _chosen is None:
-        return ""
-    own = _readable()
-    if own is None:
-        return f"{_chosen.name} is gone or holds no prior, so that Markermend's own is used."
+    from markermend.poses.prior import shipped_prior
+
+    if path is None:
+        return shipped_prior(), ""
+    try:
+        own = own_prior(path)
+    except FileFormatError:
+        why = f"{path.name} is gone or holds no prior, so that Markermend's own is used."
+        return shipped_prior(), why
     if fits(pose, own):
-        return ""
-    return (
-        f"{_chosen.name} does not fit this recording, whose joints are others or stand elsewhere,"
+        return own, ""
+    return shipped_prior(), (
+        f"{path.name} does not fit this recording, whose joints are others or stand elsewhere,"
         " and is not used."
     )
 
@@ -73,14 +52,23 @@ def heeded(take: Take, path: Path | None) -> Take:
 
     Parameters
     ----------
-    take : of joints
-    path : what :func:`choose_prior` takes
+    take : of joints, as it was read
+    path : as for :func:`prior_for`; what it holds now serves for as long as the take is open
     """
-    from markermend.poses.take import pose_of
+    from markermend.poses.take import pose_of, restore_by
 
-    choose_prior(path)
-    why = why_not_used(pose_of(take))
+    pose = pose_of(take)
+    prior, why = prior_for(pose, path)
+    restore_by(pose, prior)
     return replace(take, warnings=(why, *take.warnings)) if why else take
+
+
+def fits(pose: Pose, prior: Prior) -> bool:
+    """Whether a prior serves a recording."""
+    from markermend.poses.loose_root import body_of
+    from markermend.poses.prior import fitting
+
+    return fitting(body_of(pose), prior) is not None
 
 
 def learn_files(paths: Sequence[Path], target: Path, *, progress: Progress | None = None) -> Prior:
@@ -122,22 +110,15 @@ def own_prior(path: Path) -> Prior:
         when the file is not there or holds no prior
     """
     try:
-        changed = path.stat().st_mtime_ns
+        told = path.stat()
     except OSError as error:
         raise not_opened(path, error) from error
-    return _read(path, changed)
-
-
-def _readable() -> Prior | None:
-    """The prior that was chosen, if there is one that can be read."""
-    try:
-        return None if _chosen is None else own_prior(_chosen)
-    except FileFormatError:
-        return None
+    # A copy may keep the time that a file was changed at.
+    return _read(path, told.st_mtime_ns, told.st_ctime_ns, told.st_size, told.st_ino)
 
 
 @lru_cache(maxsize=1)
-def _read(path: Path, _changed: int) -> Prior:
+def _read(path: Path, *_told: int) -> Prior:
     from markermend.poses.prior import beside_ours, load_prior
 
     return beside_ours(load_prior(path))

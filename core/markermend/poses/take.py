@@ -20,9 +20,8 @@ from markermend.mesh.model import Group, Mesh
 from markermend.poses.faults import FAULTS, SWAPPED
 from markermend.poses.guessing import INFERRED
 from markermend.poses.normal import bone_lengths
-from markermend.poses.own_prior import prior_for
 from markermend.poses.pose import Pose
-from markermend.poses.prior import Prior
+from markermend.poses.prior import Prior, shipped_prior
 from markermend.poses.quaternion import lengths_of
 from markermend.poses.restore import Restored, restore
 from markermend.poses.swinging import swung
@@ -169,7 +168,7 @@ def told_and_moved(
     hidden = elsewhere & ~sure
     if not hidden.any():
         return told, sure
-    prior = _prior_of(pose)
+    prior = prior_of(pose)
     try:
         tried = restore(_hidden(pose, hidden), prior=prior, progress=progress)
     except DataError:
@@ -241,7 +240,7 @@ def restored(pose: Pose, progress: Progress | None = None) -> Restored:
     """A recording restored with the prior that is chosen, or Markermend's own; worked out once."""
     known = _RESTORED.get(pose)
     if known is None:
-        known = _RESTORED[pose] = restore(pose, prior=_prior_of(pose), progress=progress)
+        known = _RESTORED[pose] = restore(pose, prior=prior_of(pose), progress=progress)
     return known
 
 
@@ -262,15 +261,23 @@ def restored_without(
         return told
     hidden = np.zeros(told.filled.shape, dtype=bool)
     hidden[rows, columns] = True
-    return restore(_hidden(pose, hidden), prior=_prior_of(pose), progress=progress)
+    return restore(_hidden(pose, hidden), prior=prior_of(pose), progress=progress)
 
 
-def _prior_of(pose: Pose) -> Prior:
-    """What a recording is restored with: the same each time, also when another is chosen."""
-    known = _PRIORS.get(pose)
-    if known is None:
-        known = _PRIORS[pose] = prior_for(pose)
-    return known
+def restore_by(pose: Pose, prior: Prior) -> None:
+    """Let a recording be restored by a prior, not by Markermend's own, for as long as it is open.
+
+    Parameters
+    ----------
+    pose : the recording, which was not restored yet
+    prior : one that fits it
+    """
+    _PRIORS[pose] = prior
+
+
+def prior_of(pose: Pose) -> Prior:
+    """What a recording is restored by: what :func:`restore_by` was told, or Markermend's own."""
+    return _PRIORS.get(pose) or shipped_prior()
 
 
 def at_hand(pose: Pose) -> BoolArray:
