@@ -10,7 +10,7 @@ from arms import arm, hide
 
 import markermend as mm
 from markermend.batch import Recipe, find_takes, read_recipe, run_batch
-from markermend.batch.work import Job, clean_one, is_done, sha256
+from markermend.batch.work import Job, clean_one, is_done, sha256, why
 from markermend.cli import main
 from markermend.errors import FileFormatError, MethodError
 from markermend.poses.own_prior import learn_files
@@ -75,8 +75,10 @@ def test_what_another_prior_made_is_made_anew(shoot, prior, tmp_path):
     assert done == {"swing": False, "walk": True}
     prior.unlink()
     assert not any(is_done(j, sha256(j.source.path)) for j in jobs if j.source.name == "swing")
-    with pytest.raises(FileFormatError, match=r"own\.npz"):
-        clean_one(jobs[0], quiet)
+    (swing,) = (job for job in jobs if job.source.name == "swing")
+    with pytest.raises(OSError, match=r"own\.npz") as gone:
+        clean_one(swing, quiet)
+    assert why(gone.value) == f"{prior} cannot be used: No such file or directory."
 
 
 def test_a_batch_with_no_such_prior_does_not_begin(shoot, tmp_path):

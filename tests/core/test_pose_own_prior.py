@@ -14,11 +14,17 @@ from markermend.cli import main
 from markermend.errors import Cancelled, DataError, FileFormatError
 from markermend.poses.hanging import hanging_joints
 from markermend.poses.nuitrack import to_nuitrack
-from markermend.poses.own_prior import fits, heeded, learn_files, prior_for
+from markermend.poses.own_prior import (
+    fits,
+    heeded,
+    heeded_if_there,
+    learn_files,
+    prior_for,
+)
 from markermend.poses.pose import Pose
 from markermend.poses.prior import fitting, load_prior, save_prior, shipped_prior
 from markermend.poses.restore import restore
-from markermend.poses.take import pose_of, restored, restored_without
+from markermend.poses.take import pose_of, prior_of, restored, restored_without
 from markermend.simulation import simulate
 
 
@@ -103,9 +109,11 @@ def test_where_it_does_not_fit_or_is_gone_ours_is_used(recording, prior, tmp_pat
     own, why = prior_for(pose, prior)
     assert (own.joints, why) == (pose.joints, "")
     for other in (tmp_path / "gone.npz", recording):
-        ours, why = prior_for(pose, other)
-        assert ours is shipped_prior()
-        assert f"{other.name} is gone or holds no prior" in why
+        with pytest.raises(FileFormatError, match=other.name):
+            prior_for(pose, other)
+        opened = heeded_if_there(mm.read(recording), other)
+        assert f"{other.name} is gone or holds no prior" in opened.warnings[0]
+        assert prior_of(pose_of(opened)) is shipped_prior()
     save_prior(shipped_prior(), prior)
     ours, why = prior_for(pose, prior)
     assert ours is shipped_prior()

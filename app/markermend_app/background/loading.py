@@ -221,11 +221,10 @@ def _read(path: Path, progress: Progress, item: ToReview | None) -> Take:
     if not take.skeleton:
         return take
     # Only who opens a skeleton has to wait until all about poses is loaded.
-    from markermend.poses.own_prior import heeded
+    from markermend.poses.own_prior import heeded_if_there
 
-    if item is None or item.found is None:
-        return heeded(take, own_prior.chosen())
-    return heeded(take, item.prior)
+    left = item is not None and item.found is not None
+    return heeded_if_there(take, item.prior if item and left else own_prior.chosen())
 
 
 def _stamp(path: Path) -> tuple[int, int, str]:

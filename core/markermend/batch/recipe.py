@@ -12,7 +12,7 @@ from typing import Any
 
 import markermend as mm
 from markermend.detectors import DEFAULT, find_detector
-from markermend.encoding import utf8
+from markermend.encoding import printable, utf8
 from markermend.errors import FileFormatError, MethodError
 from markermend.files.opening import not_opened
 from markermend.parameters import read_params
@@ -85,10 +85,9 @@ class Recipe:
             raise MethodError(
                 f"A recipe's format must be one of {', '.join(formats)}, not “{self.format}”."
             )
-        if "\0" in self.prior or utf8(self.prior).decode() != self.prior:
+        if "\0" in self.prior or printable(self.prior) != self.prior:
             raise MethodError(
-                "A recipe names a prior by text that any file can hold; rename"
-                f" “{Path(self.prior).name}”."
+                f"A recipe cannot hold the name of the prior “{printable(self.prior)}”; rename it."
             )
         if NAME not in self.name or "/" in self.name or "\\" in self.name:
             raise MethodError(

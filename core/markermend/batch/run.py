@@ -100,6 +100,7 @@ def run_batch(
     plan = [Job(source, whole, chosen, resume) for source in takes]
     _check(plan, whole, fresh=not (resume or force))
     if chosen.prior:
+        # Before the first skeleton would fail for want of it.
         from markermend.poses.own_prior import own_prior
 
         own_prior(Path(chosen.prior))

@@ -137,14 +137,11 @@ def clean_one(job: Job, progress: Progress) -> bool:
 def _heeded(take: Take, recipe: Recipe) -> tuple[Take, str | None]:
     """A skeleton recording that is restored by the recipe's prior, and the SHA-256 of that."""
     # Only a batch of skeletons has to wait until all about poses is loaded.
-    from markermend.poses.own_prior import heeded, own_prior
+    from markermend.poses.own_prior import heeded
 
-    if not recipe.prior:
-        return heeded(take, None), None
-    # A batch is not to go on with another prior than it was told.
-    own_prior(Path(recipe.prior))
+    # Before it is read: what changes in between is to be noticed.
     told = _prior_sha256(recipe)
-    return heeded(take, Path(recipe.prior)), told
+    return heeded(take, Path(recipe.prior) if recipe.prior else None), told
 
 
 def _check_output(job: Job, take: Take) -> None:

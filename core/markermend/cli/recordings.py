@@ -67,13 +67,9 @@ def prior_asked_for(pose: Pose, path: str | None) -> Prior:
     FileFormatError
         when the file holds no prior
     """
-    from markermend.poses.own_prior import own_prior, prior_for
+    from markermend.poses.own_prior import prior_for
 
-    where = None if path is None else Path(path)
-    if where is not None:
-        # Where a window would go on, a script is not to go on with another prior than it named.
-        own_prior(where)
-    prior, why = prior_for(pose, where)
+    prior, why = prior_for(pose, None if path is None else Path(path))
     if why:
         warn(why)
     return prior

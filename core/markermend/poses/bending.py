@@ -13,9 +13,7 @@ from markermend.poses.normal import FEATURES
 from markermend.poses.quaternion import (
     by_turning,
     cross_matrices,
-    from_rotation_vector,
     inverse,
-    mean_rotation,
     multiply,
     rotation_vector,
     turn,
@@ -121,7 +119,8 @@ def _to_local(
     local = np.empty((len(features), len(joints), _LOCAL), dtype=features.dtype)
     for n, joint in enumerate(joints):
         turned = _relative(features, parents, joint)
-        middle[joint] = mean_rotation(turned)
+        mean = Rotation.from_quat(turned).mean().as_quat()
+        middle[joint] = np.asarray(mean, dtype=features.dtype)
         local[:, n, :3] = rotation_vector(multiply(inverse(middle[joint]), turned))
         parent = parents[joint]
         bone = features[:, joint, :3] - features[:, parent, :3]
@@ -141,7 +140,8 @@ def _from_local(
     out = like.copy()
     for n, joint in enumerate(joints):
         parent = parents[joint]
-        own = multiply(middle[joint], from_rotation_vector(parts[:, n, :3]))
+        bent = np.asarray(Rotation.from_rotvec(parts[:, n, :3]).as_quat(), dtype=out.dtype)
+        own = multiply(middle[joint], bent)
         turned = own if parents[parent] < 0 else multiply(out[:, parent, 3:], own)
         other = np.einsum("ti,ti->t", turned, like[:, joint, 3:]) < 0
         out[:, joint, 3:] = np.where(other[:, None], -turned, turned)

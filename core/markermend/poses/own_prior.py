@@ -29,16 +29,17 @@ def prior_for(pose: Pose, path: Path | None) -> tuple[Prior, str]:
     Returns
     -------
     the prior, and why it is not the one in the file, or nothing
+
+    Raises
+    ------
+    FileFormatError
+        when the file is not there or holds no prior
     """
     from markermend.poses.prior import shipped_prior
 
     if path is None:
         return shipped_prior(), ""
-    try:
-        own = own_prior(path)
-    except FileFormatError:
-        why = f"{path.name} is gone or holds no prior, so that Markermend's own is used."
-        return shipped_prior(), why
+    own = own_prior(path)
     if fits(pose, own):
         return own, ""
     return shipped_prior(), (
@@ -54,13 +55,35 @@ def heeded(take: Take, path: Path | None) -> Take:
     ----------
     take : of joints, as it was read
     path : as for :func:`prior_for`; what it holds now serves for as long as the take is open
+
+    Raises
+    ------
+    FileFormatError
+        when the file is not there or holds no prior
     """
     from markermend.poses.take import pose_of, restore_by
 
     pose = pose_of(take)
     prior, why = prior_for(pose, path)
     restore_by(pose, prior)
-    return replace(take, warnings=(why, *take.warnings)) if why else take
+    return _warning(take, why) if why else take
+
+
+def heeded_if_there(take: Take, path: Path | None) -> Take:
+    """As :func:`heeded`, but where the file holds no prior the take warns of that, too.
+
+    What an operator chose long ago is not to keep recordings from being opened.
+    """
+    try:
+        return heeded(take, path)
+    except FileFormatError:
+        assert path is not None
+        why = f"{path.name} is gone or holds no prior, so that Markermend's own is used."
+        return _warning(take, why)
+
+
+def _warning(take: Take, why: str) -> Take:
+    return replace(take, warnings=(why, *take.warnings))
 
 
 def fits(pose: Pose, prior: Prior) -> bool:

@@ -138,27 +138,12 @@ def unit(q: FloatArray) -> FloatArray:
     return np.asarray(q / np.where(far > 0, far, 1.0))
 
 
-def mean_rotation(q: FloatArray) -> FloatArray:
-    """(4,) the rotation that is nearest to all of ``(n, 4)``, whatever their signs, without NaN."""
-    return np.asarray(np.linalg.eigh(q.T @ q)[1][:, -1])
-
-
 def rotation_vector(q: FloatArray) -> FloatArray:
     """(…, 3) axis times angle in radians, at most half a turn, of unit quaternions ``(…, 4)``."""
     q = upright(q)
     sine = lengths_of(q[..., :3])[..., None]
     angle = 2.0 * np.arctan2(sine, q[..., 3:])
     return np.asarray(q[..., :3] * np.where(sine > 0, angle / np.where(sine > 0, sine, 1.0), 2.0))
-
-
-def from_rotation_vector(v: FloatArray) -> FloatArray:
-    """(n, 4) unit quaternions of axis times angle in radians, ``(n, 3)``."""
-    angle = lengths_of(v)
-    # sin(x) / x, which numpy's sinc has of pi x.
-    out = np.empty((len(v), 4), dtype=v.dtype)
-    out[:, :3] = v * (0.5 * np.sinc(angle / v.dtype.type(2.0 * np.pi)))[:, None]
-    out[:, 3] = np.cos(0.5 * angle)
-    return out
 
 
 def between(a: FloatArray, b: FloatArray) -> FloatArray:

@@ -237,7 +237,7 @@ def changed_joints(take: Take) -> BoolArray:
 
 
 def restored(pose: Pose, progress: Progress | None = None) -> Restored:
-    """A recording restored with the prior that is chosen, or Markermend's own; worked out once."""
+    """A recording restored by what :func:`prior_of` says; worked out once."""
     known = _RESTORED.get(pose)
     if known is None:
         known = _RESTORED[pose] = restore(pose, prior=prior_of(pose), progress=progress)
