@@ -17,7 +17,8 @@ from markermend.errors import DataError, FileFormatError
 from markermend.poses.learning_sets import subject_of
 from markermend.poses.noise import Noise, corrupt_pose
 from markermend.poses.nuitrack import mirrored, to_nuitrack
-from markermend.poses.prior import fitting, learn_prior, load_prior, save_prior, shipped_prior
+from markermend.poses.prior import fitting, load_prior, save_prior, shipped_prior
+from markermend.poses.prior_learning import learn_prior
 from markermend.poses.restore import restore
 
 

@@ -13,7 +13,8 @@ from markermend.poses.live import Live
 from markermend.poses.normal import FEATURES
 from markermend.poses.nuitrack import JOINTS, to_nuitrack
 from markermend.poses.pose import Pose
-from markermend.poses.prior import fitting, learn_prior
+from markermend.poses.prior import fitting
+from markermend.poses.prior_learning import learn_prior
 from markermend.poses.restore import restore
 
 LEG = ("hip", "knee", "ankle", "foot")

@@ -19,13 +19,15 @@ from markermend.poses.nuitrack import mirrored, to_nuitrack
 from markermend.poses.pose import Pose
 from markermend.poses.prior import (
     Prior,
-    beside_ours,
-    learn_prior,
-    learn_recording,
     load_prior,
     remembered_of,
     save_prior,
     shipped_prior,
+)
+from markermend.poses.prior_learning import (
+    beside_ours,
+    learn_prior,
+    learn_recording,
     together,
 )
 from markermend.poses.remembered import (

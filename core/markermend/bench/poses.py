@@ -19,7 +19,8 @@ from markermend.poses.noise import NOISES, Noise, corrupt
 from markermend.poses.normal import Normal, denormalise, normalise
 from markermend.poses.nuitrack import to_nuitrack
 from markermend.poses.pose import Pose
-from markermend.poses.prior import Prior, learn_recording, together
+from markermend.poses.prior import Prior
+from markermend.poses.prior_learning import learn_recording, together
 from markermend.poses.quaternion import inverse, multiply, turn, unit, unrolled, upright
 from markermend.poses.restore import restore
 from markermend.poses.sensor import RATE_HZ, as_depth_sensor

@@ -16,7 +16,8 @@ from markermend.poses.nuitrack import to_nuitrack
 
 def run_prior(options: argparse.Namespace) -> int:
     """Learn how bodies move."""
-    from markermend.poses.prior import learn_prior, save_prior
+    from markermend.poses.prior import save_prior
+    from markermend.poses.prior_learning import learn_prior
 
     poses = _read(options)
     with Bar() as bar:

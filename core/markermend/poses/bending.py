@@ -19,8 +19,11 @@ from markermend.poses.quaternion import (
     turn,
 )
 
-# Of each joint: three numbers say how it is turned in its parent's axes, three where it is.
-_LOCAL = 6
+LOCAL = 6
+"""Of a joint: three numbers say how it is turned in its parent's axes, three where it is."""
+
+# How much others' bends count beside a recording's own, which tell of its noise as of its body.
+_OTHERS = 0.85
 # Directions in which a body varies less than this share of its largest are those it cannot move in.
 _LEAST = 1e-6
 # A body whose features change by the root of this at most does not bend at all.
@@ -74,7 +77,12 @@ class Bends:
         return _from_local(local, like, self.parents, self.joints, self._middle)
 
 
-def find_bends(poses: FloatArray, parents: Sequence[int], order: Sequence[int]) -> Bends:
+def find_bends(
+    poses: FloatArray,
+    parents: Sequence[int],
+    order: Sequence[int],
+    others: FloatArray | None = None,
+) -> Bends:
     """Find the directions that a body bends in.
 
     Parameters
@@ -82,12 +90,16 @@ def find_bends(poses: FloatArray, parents: Sequence[int], order: Sequence[int]) 
     poses : (frames, joints, 7) relative to the root, without NaN, rotations of unit length
     parents : index of each joint's parent, -1 for the root
     order : joints, parents first
+    others : covariance of other bodies' :func:`local_coordinates`, of joints in this order
     """
     joints = tuple(j for j in order if parents[j] >= 0)
-    middle, local = _to_local(poses, parents, joints)
+    middle, local = local_coordinates(poses, parents, joints)
     mean = local.mean(axis=0, dtype=np.float64)
     away = local - mean
-    spread, axes = np.linalg.eigh(away.T @ away / max(len(away) - 1, 1))
+    covariance = away.T @ away / max(len(away) - 1, 1)
+    if others is not None:
+        covariance = (1.0 - _OTHERS) * covariance + _OTHERS * others
+    spread, axes = np.linalg.eigh(covariance)
     kept = spread > max(_LEAST * spread[-1], _STILL)
     scale = np.sqrt(spread[kept])
     at, mean, directions = (
@@ -108,15 +120,24 @@ def _relative(features: FloatArray, parents: Sequence[int], joint: int) -> Float
     return multiply(inverse(features[:, parent, 3:]), features[:, joint, 3:])
 
 
-def _to_local(
+def local_coordinates(
     features: FloatArray, parents: Sequence[int], joints: Sequence[int]
 ) -> tuple[dict[int, FloatArray], FloatArray]:
     """Mean rotation of each joint in its parent's axes, and rotation vectors about it and places.
 
-    The latter are (frames, joints · 6).
+    Parameters
+    ----------
+    features : (frames, joints, 7) without NaN, rotations of unit length
+    parents : index of each joint's parent, -1 for the root
+    joints : those that are asked for, parents first
+
+    Returns
+    -------
+    middle : joint to (4,)
+    local : (frames, joints · :data:`LOCAL`)
     """
     middle = {}
-    local = np.empty((len(features), len(joints), _LOCAL), dtype=features.dtype)
+    local = np.empty((len(features), len(joints), LOCAL), dtype=features.dtype)
     for n, joint in enumerate(joints):
         turned = _relative(features, parents, joint)
         mean = Rotation.from_quat(turned).mean().as_quat()
@@ -136,7 +157,7 @@ def _from_local(
     middle: dict[int, FloatArray],
 ) -> FloatArray:
     """(frames, joints, 7); signs of rotations as in ``like``, from which the root is taken."""
-    parts = local.reshape(len(local), len(joints), _LOCAL)
+    parts = local.reshape(len(local), len(joints), LOCAL)
     out = like.copy()
     for n, joint in enumerate(joints):
         parent = parents[joint]
@@ -167,7 +188,7 @@ def _linear(
     own = np.stack([Rotation.from_quat(middle[j]).as_matrix() for j in joints])
     hung = np.array([parents[parent] < 0 for parent in above])[:, None, None]
     # Of small angles single precision leaves nothing in what is subtracted here.
-    vectors = np.asarray(local.reshape(-1, _LOCAL)[:, :3], dtype=np.float64)
+    vectors = np.asarray(local.reshape(-1, LOCAL)[:, :3], dtype=np.float64)
     jacobian = _left_jacobian(vectors).reshape(shape)
     bone = cross_matrices((poses[:, joints, :3] - poses[:, above, :3]).reshape(-1, 3)).reshape(
         shape
@@ -183,7 +204,7 @@ def _linear(
         turning, moving = np.zeros((2, poses.shape[1], size, 3, columns), dtype=np.float32)
         slopes = np.empty((size, count, FEATURES, columns), dtype=np.float32)
         for n, joint in enumerate(joints):
-            parent, k = above[n], _LOCAL * n
+            parent, k = above[n], LOCAL * n
             # As one product of matrices each, which many small ones take far longer than.
             bent, moved = (
                 (m[some, n].reshape(-1, 3) @ by).reshape(size, 3, columns)

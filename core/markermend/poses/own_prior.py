@@ -109,7 +109,8 @@ def learn_files(paths: Sequence[Path], target: Path, *, progress: Progress | Non
         when a file cannot be read or written, or nothing can be learnt from the recordings
     """
     from markermend.files.pose import read_pose
-    from markermend.poses.prior import learn_prior, save_prior
+    from markermend.poses.prior import save_prior
+    from markermend.poses.prior_learning import learn_prior
 
     tell, poses = progress or quiet, []
     for n, path in enumerate(paths):
@@ -142,6 +143,7 @@ def own_prior(path: Path) -> Prior:
 
 @lru_cache(maxsize=1)
 def _read(path: Path, *_told: int) -> Prior:
-    from markermend.poses.prior import beside_ours, load_prior
+    from markermend.poses.prior import load_prior
+    from markermend.poses.prior_learning import beside_ours
 
     return beside_ours(load_prior(path))

@@ -15,18 +15,16 @@ from numpy.typing import NDArray
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.errors import DataError, FileFormatError
 from markermend.files.npz import read_arrays, write_arrays
-from markermend.poses.bridging import bridged
-from markermend.poses.channels import Channels, steadied, to_channels
-from markermend.poses.covariance import LENGTHS_S, Moments, averaged, learn
-from markermend.poses.loose_root import body_of
+from markermend.poses.bending import LOCAL
+from markermend.poses.channels import to_channels
+from markermend.poses.covariance import LENGTHS_S, Moments
 from markermend.poses.normal import FEATURES, bone_lengths
 from markermend.poses.nuitrack import mirrored, to_nuitrack, usual_name
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import lengths_of
-from markermend.poses.remembered import REMEMBERED_HZ, Remembered, resampled, shortened
-from markermend.poses.stance import IN_MIRROR, stance
-from markermend.poses.turnless import turned_as_parents, turnless
-from markermend.progress import Progress, quiet
+from markermend.poses.remembered import Remembered
+from markermend.poses.stance import IN_MIRROR
+from markermend.poses.suppleness import Suppleness
 
 WEIGHT = 300.0
 """Poses of the recording itself that a prior counts for."""
@@ -55,116 +53,19 @@ class Prior:
     joints : names, the root first
     moments : of all joints but the root, :data:`FEATURES` each
     remembered : up to ten minutes of the recordings, which tell most of who is recorded again
+    suppleness : how they bend; None where nothing is known of it
     """
 
     joints: tuple[str, ...]
     moments: Moments
     remembered: tuple[Remembered, ...] = ()
+    suppleness: Suppleness | None = None
 
 
-def learn_prior(
-    poses: Sequence[Pose], *, names: Sequence[str] = (), progress: Progress | None = None
-) -> Prior:
-    """Learn from clean recordings.
-
-    Parameters
-    ----------
-    poses : of Nuitrack's joints or the CMU skeleton, which are reduced to those; else all of the
-        same joints. Frames in which something was not seen are bridged by time.
-    names : of the recordings, for what is wrong with one
-    progress : told the share of recordings done
-
-    Raises
-    ------
-    DataError
-        when there is none, joints differ, or one was never seen, or has no rotation and is no end
-    """
-    parts = []
-    for n, pose in enumerate(poses):
-        (progress or quiet)(n / len(poses), f"Learning from recording {n + 1}")
-        parts.append(learn_recording(pose, names[n] if names else f"Recording {n + 1}"))
-    return together(parts)
-
-
-def together(priors: Sequence[Prior]) -> Prior:
-    """One prior of several, each by its weight.
-
-    Raises
-    ------
-    DataError
-        when there is none, or joints differ
-    """
-    if not priors:
-        raise DataError("A prior needs at least one recording to learn from.")
-    joints = priors[0].joints
-    if any(prior.joints != joints for prior in priors):
-        raise DataError("All recordings a prior learns from must have the same joints.")
-    usual = priors[0].moments.mean
-    moments = averaged([prior.moments.signed_like(usual) for prior in priors], WEIGHT)
-    return Prior(joints, moments, shortened([one for prior in priors for one in prior.remembered]))
-
-
-def learn_recording(pose: Pose, name: str) -> Prior:
-    """What one recording tells, which weighs as many poses as it has.
-
-    Parameters
-    ----------
-    pose : as for :func:`learn_prior`
-    name : of the recording, for what is wrong with it
-
-    Raises
-    ------
-    DataError
-        when a joint was never seen, or has no rotation and is no end
-    """
-    body = _usual(pose)
-    channels = _channels_of(body, name)
-    values = bridged(channels.values, channels.known)
-    bones, columns = _bones_of(body), np.hstack([values, stance(channels.normal)])
-    remembered: tuple[Remembered, ...] = ()
-    if not np.isnan(bones).any():
-        moved = resampled(columns, body.rate, REMEMBERED_HZ)
-        remembered = (Remembered(moved, np.asarray(bones / bones.mean(), dtype=np.float32)),)
-    return Prior(body.joints, learn(values, body.rate), remembered)
-
-
-def _usual(pose: Pose) -> Pose:
-    """The 17 joints where a recording has them, right-handed; the body itself where not."""
-    try:
-        body = to_nuitrack(pose)
-    except DataError:
-        return body_of(pose)
-    fits = fitting(body, shipped_prior())
-    return mirrored(body) if fits is not None and fits[1] else body
-
-
-def _bones_of(pose: Pose) -> FloatArray:
+def bones_of(pose: Pose) -> FloatArray:
     """(joints,) length of the bone of each joint but the root; NaN for those never seen."""
     lengths = bone_lengths(pose.positions, pose.parents)
     return np.asarray(lengths[[j for j in range(len(lengths)) if j != pose.order[0]]])
-
-
-def _channels_of(pose: Pose, name: str) -> Channels:
-    """The columns of a recording that every joint was seen in."""
-    # Ends of chains, as heads of a Kinect, have no rotation, and turn with what they hang on.
-    ends = {*range(len(pose.joints))} - {*pose.parents}
-    unseen = [joint for i, joint in enumerate(pose.joints) if not pose.seen[:, i].any()]
-    without = turnless(pose)
-    unturned = [joint for i, joint in enumerate(pose.joints) if without[i] and i not in ends]
-    for missing, what in ((unseen, "shows"), (unturned, "tells the rotation of")):
-        if missing:
-            some = ", ".join(missing[:3]) + ("…" if len(missing) > 3 else "")
-            raise DataError(
-                f"{name} never {what} {some}, and a prior learns where every joint"
-                " is and how it is turned; leave this recording out."
-            )
-    channels = steadied(to_channels(turned_as_parents(pose, without)), pose.rate)
-    if not channels.known.any(axis=0).all():
-        raise DataError(
-            f"{name} never shows a joint together with all those that hang on it, and a prior"
-            " learns how it is turned from that; leave this recording out."
-        )
-    return channels
 
 
 def fitting(pose: Pose, prior: Prior) -> tuple[Moments, bool] | None:
@@ -213,9 +114,25 @@ def remembered_of(pose: Pose, prior: Prior) -> list[Remembered]:
     order = _order_of(pose, prior)
     if (order < 0).any() or len(order) != len(prior.joints) - 1:
         return []
-    own = _bones_of(pose)
+    own = bones_of(pose)
     recordings = (one.of(_columns(order)) for one in prior.remembered)
     return [one for one in recordings if one.of_body(own)]
+
+
+def bending_of(pose: Pose, prior: Prior) -> FloatArray | None:
+    """How others bend, for :func:`markermend.poses.bending.find_bends`.
+
+    Parameters
+    ----------
+    pose : a recording that the prior fits, right-handed
+    prior : of exactly the same joints, which hang on each other alike; else nothing is told
+    """
+    if prior.suppleness is None:
+        return None
+    names = _names(pose, prior)
+    bent = [joint for joint in pose.order if pose.parents[joint] >= 0]
+    above = [names[pose.parents[joint]] for joint in bent]
+    return prior.suppleness.of([names[joint] for joint in bent], above)
 
 
 def _order_of(pose: Pose, prior: Prior) -> IntArray:
@@ -306,18 +223,12 @@ def _apart(pose: Pose, moments: Moments) -> float:
     return float(np.mean(np.sqrt(np.sum(away[seen, :3] ** 2, axis=1)))) if seen.any() else np.inf
 
 
-def beside_ours(own: Prior) -> Prior:
-    """What a prior of the user's own and Markermend's tell together, where they know one body.
-
-    A few recordings tell little of how bodies move at large, and Markermend's nothing of whom they
-    show; both count alike.
-    """
-    ours = shipped_prior()
-    if own.joints != ours.joints:
-        return own
-    places = (prior.moments.mean.reshape(-1, FEATURES)[:, :_TURN] for prior in (own, ours))
-    apart = float(np.mean(lengths_of(np.subtract(*places))))
-    return together([ours, own]) if apart < _ALIKE else own
+def know_one_body(prior: Prior, other: Prior) -> bool:
+    """Whether two priors are of the same joints, standing alike."""
+    if prior.joints != other.joints:
+        return False
+    places = (one.moments.mean.reshape(-1, FEATURES)[:, :_TURN] for one in (prior, other))
+    return bool(np.mean(lengths_of(np.subtract(*places))) < _ALIKE)
 
 
 @lru_cache(maxsize=1)
@@ -336,6 +247,11 @@ def save_prior(prior: Prior, path: Path) -> None:
         "whole": moments.whole[upper].astype(np.float32),
         "within": moments.within[:, upper[0], upper[1]].astype(np.float32),
     }
+    bends = prior.suppleness
+    if bends is not None:
+        upper = np.triu_indices(len(bends.covariance))
+        arrays["bending"] = bends.covariance[upper].astype(np.float32)
+        arrays["bent"] = np.array([bends.joints, bends.parents])
     if prior.remembered:
         arrays["recordings"] = np.vstack([one.poses for one in prior.remembered])
         arrays["frames"] = np.array([len(one.poses) for one in prior.remembered])
@@ -362,12 +278,13 @@ def load_prior(path: Path) -> Prior:
         if len(within) != len(LENGTHS_S):
             raise ValueError("it knows other lengths")
         remembered = _read_recordings(arrays, len(mean))
+        suppleness = _read_suppleness(arrays, joints)
     except (ValueError, KeyError, TypeError) as error:
         raise FileFormatError(
             f"{path.name} holds no prior of poses; “markermend train prior” writes one."
         ) from error
     moments = Moments(mean, whole, within, WEIGHT, np.full(len(within), WEIGHT))
-    return Prior(joints, moments, remembered)
+    return Prior(joints, moments, remembered, suppleness)
 
 
 def _read_recordings(arrays: Mapping[str, NDArray[Any]], channels: int) -> tuple[Remembered, ...]:
@@ -382,6 +299,21 @@ def _read_recordings(arrays: Mapping[str, NDArray[Any]], channels: int) -> tuple
         raise ValueError("its recordings are damaged")
     parts = np.split(poses.astype(np.float32), np.cumsum(frames)[:-1])
     return tuple(Remembered(*one) for one in zip(parts, bones.astype(np.float32), strict=True))
+
+
+def _read_suppleness(
+    arrays: Mapping[str, NDArray[Any]], joints: Sequence[str]
+) -> Suppleness | None:
+    """What :func:`save_prior` wrote of how bodies bend; None where it wrote nothing."""
+    if "bending" not in arrays:
+        return None
+    bent, above = ([str(name) for name in row] for row in arrays["bent"])
+    if sorted(bent) != sorted(joints[1:]) or not {*above} <= {*joints}:
+        raise ValueError("its joints do not fit")
+    covariance = _square(arrays["bending"][None], LOCAL * len(bent))[0]
+    if not np.isfinite(covariance).all():
+        raise ValueError("its bends are damaged")
+    return Suppleness(tuple(bent), tuple(above), covariance)
 
 
 def _square(upper: FloatArray, size: int) -> FloatArray:

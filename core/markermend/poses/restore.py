@@ -34,7 +34,7 @@ from markermend.poses.loose_root import with_loose_root, without_loose_root
 from markermend.poses.normal import FEATURES, denormalise
 from markermend.poses.nuitrack import mirrored
 from markermend.poses.pose import Pose
-from markermend.poses.prior import Prior, fitting, remembered_of, shipped_prior
+from markermend.poses.prior import Prior, bending_of, fitting, remembered_of, shipped_prior
 from markermend.poses.quaternion import signed_like, unit
 from markermend.poses.remembered import Remembered, performances
 from markermend.poses.settling import settle, settle_in_time
@@ -55,14 +55,15 @@ from markermend.progress import Progress, part, quiet
 _NOISY = 2e-3
 # What is known exactly is taken for this sure, and filled again from what comes out.
 _SURE, _ROUNDS = 2e-3, 2
-# Where nothing is noisy the way a body bends may change what was filled only so much: its squared
-# errors count as this share of themselves.
-_FIRM = 0.25
-# Lasting gaps are filled again so many times where they are few and where they are many, once less
-# where it is noisy.
+# The way a body bends may change what was filled only so much: its squared errors count as this
+# share of themselves where nothing is noisy, and where it is.
+_FIRM = (0.25, 0.4)
+# Lasting gaps are filled again so many times where they are few and where they are many, then once
+# less where it is noisy.
 _LOOKS, _MANY = (4, 2), 150
-# Brief gaps, known better once all is smooth, make it worth to smooth a second time from there.
-_ROUNDS_WHERE_BRIEF = 2
+# Gaps, known better once all is smooth, make it worth to smooth a second time from there, unless
+# many of them last.
+_ROUNDS_WITH_GAPS = 2
 # Shares of what two earlier steps made in the mean of what was seen and smoothed in three ways.
 _BEFORE, _AT_FIRST = 0.3, 0.1
 _LEAST_FRAMES = 3
@@ -153,14 +154,16 @@ def restore(
         fit = fitting(pose, prior) if prior is not None else None
         moments, left_handed = fit or (None, False)
         shown = mirrored(pose) if left_handed else pose
-        remembered = remembered_of(shown, prior) if prior is not None and fit is not None else ()
-        restored = _restore(shown, moments, tell, remembered)
+        remembered: Sequence[Remembered] = ()
+        bending = None
+        if prior is not None and fit is not None:
+            remembered = remembered_of(shown, prior)
+            bending = bending_of(shown, prior)
+        run = partial(_restore, prior=moments, remembered=remembered, bending=bending)
+        restored = run(shown, tell=tell)
         hanging = hanging_joints(shown, moments)
         if hanging.any():
-            again = partial(
-                _restore, prior=moments, tell=part(tell, 0.9, 1.0), remembered=remembered
-            )
-            restored = tried(restored, hanging, again)
+            restored = tried(restored, hanging, partial(run, tell=part(tell, 0.9, 1.0)))
     if left_handed:
         restored = replace(restored, pose=mirrored(restored.pose))
     if pose is not mended:
@@ -170,9 +173,13 @@ def restore(
 
 
 def _restore(
-    pose: Pose, prior: Moments | None, tell: Progress, remembered: Sequence[Remembered] = ()
+    pose: Pose,
+    prior: Moments | None,
+    tell: Progress,
+    remembered: Sequence[Remembered],
+    bending: FloatArray | None,
 ) -> Restored:
-    """Restore with moments of the recording's channels, and what is remembered of the body."""
+    """Restore by moments of the recording's channels, what is remembered, and how others bend."""
     channels = steadied(to_channels(pose), pose.rate)
     channels, off_mm = linked_channels(channels, known_joints(channels, pose), pose.parents)
     usable = np.asarray(channels.known.any(axis=0))
@@ -212,7 +219,8 @@ def _restore(
         noise[:] = LEAST_NOISE
     else:
         tell(0.3, "Smoothing")
-        values = smooth(rough, noise[usable], pose.rate)
+        told = prior if prior is not None and prior.told is None else None
+        values = smooth(rough, noise[usable], pose.rate, told)
     tell(0.5, "Filling")
     left = left_of_noise(pose.rate)
     filled = filled_by(values, noise=left * level, begun=begun)
@@ -236,11 +244,14 @@ def _restore(
     def settled(filled: Filled, rounds: int) -> tuple[FloatArray, Bones]:
         whole[:, usable] = filled.values
         variance[:, usable] = _variance(filled, known, left * noise[usable])
-        return _agreed(whole, variance, channels, pose, seen_turned, level, rounds)
+        return agreed(whole, variance, rounds=rounds)
 
+    agreed = partial(
+        _agreed, channels=channels, pose=pose, known=seen_turned, noise=level, others=bending
+    )
     tell(0.7, "Keeping bones")
     many, rounds = filled.lasting >= _MANY, 1 if level > _NOISY else _ROUNDS
-    looks = _LOOKS[many] - int(level > 0) if filled.lasting else 0
+    looks = _LOOKS[many] - int(many and level > 0) if filled.lasting else 0
     filled = filled if looks else hung(filled)
     features, bones = settled(filled, int(not many) if looks else rounds)
     for look in range(1, looks + 1):
@@ -253,12 +264,12 @@ def _restore(
     if level > _NOISY:
         tell(0.8, "Smoothing again")
         first = features
-        for _ in range(1 if filled.lasting or known.all() else _ROUNDS_WHERE_BRIEF):
+        for _ in range(1 if many or known.all() else _ROUNDS_WITH_GAPS):
             pilot = columns_of(features, channels)[:, usable]
             again = np.where(known, channels.values[:, usable], pilot)
             whole[:, usable] = smooth_again(again, pilot, noise[usable], pose.rate)
-            features, bones = _agreed(whole, variance, channels, pose, seen_turned, level, 1)
-            last = _in_time(features, channels, noise, pose)
+            features, bones = agreed(whole, variance, rounds=1)
+            last = _in_time(features, channels, noise, pose, bending)
             features = _between(last, features, first, seen_turned)
     features = _with_bones(features, seen_turned, bones)
     variance[:, usable] *= limbs_doubted(known.shape, filled.gaps, BRIEF_S * pose.rate)
@@ -278,6 +289,7 @@ def _agreed(
     pose: Pose,
     known: tuple[BoolArray, BoolArray],
     noise: float,
+    others: FloatArray | None,
     rounds: int,
 ) -> tuple[FloatArray, Bones]:
     """(frames, joints, 7) settled where they are noisy or filled, and the bones found."""
@@ -288,7 +300,9 @@ def _agreed(
         return features, bones
     unsure = np.ones(features.shape)
     unsure[:, channels.joints] = variance.reshape(pose.frames, -1, FEATURES)
-    unsure = np.maximum(unsure if noisy else _FIRM * unsure, _SURE**2)
+    # Three numbers say where a joint is, four how it is turned.
+    filled = hidden[[0] * 3 + [1] * 4].transpose(1, 2, 0)
+    unsure = np.maximum(np.where(filled, _FIRM[int(noisy)] * unsure, unsure), _SURE**2)
     unsettled = None if noisy else np.asarray(hidden.any(axis=(0, 2)))
     for _ in range(rounds):
         if noisy:
@@ -297,7 +311,8 @@ def _agreed(
             pilot = _with_bones(features, known, bones)
         if pose.frames < _SETTLES or np.isnan(pilot).any():
             return pilot, bones
-        settled = settle(features, unsure, pilot, pose.parents, pose.order, pose.rate, unsettled)
+        body = pilot, pose.parents, pose.order, pose.rate
+        settled = settle(features, unsure, *body, unsettled, others)
         if not noisy:
             settled[..., :3][known[0]] = features[..., :3][known[0]]
             settled[..., 3:][known[1]] = features[..., 3:][known[1]]
@@ -305,7 +320,13 @@ def _agreed(
     return features, bones
 
 
-def _in_time(features: FloatArray, channels: Channels, noise: FloatArray, pose: Pose) -> FloatArray:
+def _in_time(
+    features: FloatArray,
+    channels: Channels,
+    noise: FloatArray,
+    pose: Pose,
+    others: FloatArray | None,
+) -> FloatArray:
     """(frames, joints, 7) smoothed from what was measured in the coordinates of joints."""
     if pose.frames < _SETTLES or np.isnan(features).any():
         return features
@@ -315,7 +336,8 @@ def _in_time(features: FloatArray, channels: Channels, noise: FloatArray, pose: 
     measured[:, channels.joints] = values.reshape(pose.frames, -1, FEATURES)
     variance = np.ones(features.shape)
     variance[:, channels.joints] = (noise**2).reshape(-1, FEATURES)
-    return settle_in_time(measured, variance, features, pose.parents, pose.order, pose.rate)
+    body = features, pose.parents, pose.order, pose.rate
+    return settle_in_time(measured, variance, *body, others)
 
 
 def _between(

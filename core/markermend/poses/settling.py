@@ -15,7 +15,7 @@ from markermend.poses.solving import solved
 
 # Frames in a row that share their slopes: for this long, but so many at least; groups of them that
 # are solved at once.
-_ALIKE_S, _ALIKE, _AT_ONCE = 0.085, 8, 32
+_ALIKE_S, _ALIKE, _AT_ONCE = 0.085, 5, 32
 
 
 def settle(
@@ -26,6 +26,7 @@ def settle(
     order: Sequence[int],
     rate: float,
     wanted: BoolArray | None = None,
+    others: FloatArray | None = None,
 ) -> FloatArray:
     """Return the most probable poses, given noisy ones and how this body bends.
 
@@ -39,16 +40,19 @@ def settle(
     order : joints, parents first
     rate : frames per second
     wanted : (frames,) bool, poses that are to settle; others may stay. None for all
+    others : how others bend, as :func:`markermend.poses.bending.find_bends` takes it
 
     Notes
     -----
     In its parent's axes a joint of a body keeps its place and turns about few axes: an elbow about
     one. A normal distribution over those local coordinates of the pilot, all joints together, is
-    the prior; features are linearised at the pilot, and each frame is one least-squares problem.
-    A few frames in a row bend alike and share slopes and variances.
+    the prior, in which others' recordings have their share. Features are linearised at the pilot,
+    and each frame is one least-squares problem. A few frames in a row bend alike and share slopes
+    and variances.
     """
     given = _single(features)
-    bends, rows = find_bends(_signed(_single(pilot), given), parents, order), np.arange(len(given))
+    bends = find_bends(_signed(_single(pilot), given), parents, order, others)
+    rows = np.arange(len(given))
     if not bends.at.shape[1]:
         return features
     if wanted is not None:
@@ -68,6 +72,7 @@ def settle_in_time(
     parents: Sequence[int],
     order: Sequence[int],
     rate: float,
+    others: FloatArray | None = None,
 ) -> FloatArray:
     """Return poses smoothed in the coordinates that this body bends in.
 
@@ -76,7 +81,7 @@ def settle_in_time(
     features : (frames, joints, 7) relative to the root, as noisy as they were measured; the pilot's
         where they were not
     variance : (frames, joints, 7) of their white noise
-    pilot, parents, order : as for :func:`settle`
+    pilot, parents, order, others : as for :func:`settle`
     rate : frames per second
 
     Notes
@@ -86,7 +91,7 @@ def settle_in_time(
     average, they pass :func:`markermend.poses.smoothing.smooth_bands`.
     """
     given = _single(features)
-    bends = find_bends(_signed(_single(pilot), given), parents, order)
+    bends = find_bends(_signed(_single(pilot), given), parents, order, others)
     if not bends.at.shape[1]:
         return features
     moved, known = _solved(bends, given, variance, np.zeros_like(bends.at), rate)

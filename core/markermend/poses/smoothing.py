@@ -12,6 +12,7 @@ from scipy.ndimage import uniform_filter1d
 from scipy.special import gammaincinv
 
 from markermend.arrays import BoolArray, Float32Array, FloatArray
+from markermend.poses.covariance import Moments
 from markermend.poses.normal import FEATURES
 
 LEAST_NOISE = 1e-4
@@ -41,6 +42,10 @@ _CUTOFFS = np.geomspace(0.004, 0.4, 7)
 _WINDOW_S, _SHARP = 0.6, 0.1
 # The same where a pilot tells the risk, which chance then has no part in.
 _PILOT_WINDOW_S, _PILOT_SHARP = 0.3, 0.2
+# How much others' recordings count beside one's own in what moves together, and the time over which
+# these stray from a bridge, which tells it of their velocities.
+_OTHERS, _STRAYS_S = 0.8, 0.067
+_TINY = 1e-30
 # Channels smoothed at once.
 _AT_ONCE = 16
 # Blocks of frames that make up the time over which they compete, and a little more.
@@ -144,7 +149,9 @@ def _calm_power(third: FloatArray, whole: BoolArray) -> tuple[FloatArray, FloatA
     return power * worth / float(2.0 * gammaincinv(0.5 * worth, _CALM)), known_for
 
 
-def smooth(values: FloatArray, noise: FloatArray, rate: float) -> FloatArray:
+def smooth(
+    values: FloatArray, noise: FloatArray, rate: float, others: Moments | None = None
+) -> FloatArray:
     """Smooth what moves together, each as much as it bears at each moment.
 
     Parameters
@@ -152,6 +159,7 @@ def smooth(values: FloatArray, noise: FloatArray, rate: float) -> FloatArray:
     values : (frames, channels) without NaN
     noise : (channels,) standard deviation of the white noise in each
     rate : frames per second
+    others : moments of other recordings, which tell what moves together without this one's noise
 
     Returns
     -------
@@ -169,9 +177,15 @@ def smooth(values: FloatArray, noise: FloatArray, rate: float) -> FloatArray:
     mean = values.mean(axis=0)
     white = (values - mean) / noise
     found = white
-    for order in (0, 1):
+    usual = [None, None] if others is None else [others.whole, others.within_s(_STRAYS_S)]
+    for order, elsewhere in enumerate(usual):
         steps = np.diff(found, order, axis=0)
-        _, axes = np.linalg.eigh(steps.T @ steps)
+        covariance = steps.T @ steps
+        if elsewhere is not None:
+            theirs = elsewhere / noise[:, None] / noise
+            theirs *= np.trace(covariance) / max(np.trace(theirs), _TINY)
+            covariance = (1.0 - _OTHERS) * covariance + _OTHERS * theirs
+        _, axes = np.linalg.eigh(covariance)
         found = smooth_each(white @ axes, rate) @ axes.T
     return np.asarray(found * noise + mean)
 

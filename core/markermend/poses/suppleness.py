@@ -1,0 +1,85 @@
+"""How the bodies of others bend: what a noisy recording cannot tell of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from markermend.arrays import FloatArray, IntArray
+from markermend.poses.bending import LOCAL, local_coordinates
+from markermend.poses.nuitrack import MIRROR, twins
+
+
+@dataclass(frozen=True, eq=False)
+class Suppleness:
+    """How bodies with certain joints bend about the mean of each recording.
+
+    Attributes
+    ----------
+    joints : names, without the root
+    parents : (joints,) names of the joints that they hang on, the root's among them
+    covariance : (joints · 6, joints · 6) of their
+        :func:`markermend.poses.bending.local_coordinates`
+    """
+
+    joints: tuple[str, ...]
+    parents: tuple[str, ...]
+    covariance: FloatArray
+
+    def of(self, joints: Sequence[str], parents: Sequence[str]) -> FloatArray | None:
+        """The covariance in another order of joints; None where they hang elsewhere, or differ."""
+        own = dict(zip(self.joints, self.parents, strict=True))
+        if own != dict(zip(joints, parents, strict=True)):
+            return None
+        place = np.array([self.joints.index(name) for name in joints])
+        columns = _columns(place)
+        return np.asarray(self.covariance[np.ix_(columns, columns)])
+
+
+def suppleness(
+    features: FloatArray, joints: Sequence[str], parents: Sequence[int], order: Sequence[int]
+) -> Suppleness:
+    """Learn from a recording how a body bends, and its mirror image.
+
+    Parameters
+    ----------
+    features : (frames, joints, 7) relative to axes that follow the root, without NaN
+    joints : names of all, the root among them
+    parents : index of each joint's parent, -1 for the root
+    order : joints, parents first
+    """
+    turned = features[:, twins(joints)] * MIRROR
+    bent = [joint for joint in order if parents[joint] >= 0]
+    both = []
+    for body in (features, turned):
+        local = local_coordinates(body, parents, bent)[1]
+        both.append(np.cov(local, rowvar=False, bias=True))
+    names = [joints[joint] for joint in bent]
+    above = [joints[parents[joint]] for joint in bent]
+    return Suppleness(tuple(names), tuple(above), np.mean(both, axis=0))
+
+
+def averaged_suppleness(
+    parts: Sequence[Suppleness | None], weights: Sequence[float]
+) -> Suppleness | None:
+    """One of several, each by its weight; None where joints hang elsewhere in one of them.
+
+    Parts that know nothing are left out.
+    """
+    told = [(one, weight) for one, weight in zip(parts, weights, strict=True) if one is not None]
+    if not told:
+        return None
+    joints, parents = told[0][0].joints, told[0][0].parents
+    covariance = np.zeros_like(told[0][0].covariance)
+    for one, weight in told:
+        same = one.of(joints, parents)
+        if same is None:
+            return None
+        covariance += weight * same
+    return Suppleness(joints, parents, covariance / sum(weight for _, weight in told))
+
+
+def _columns(place: IntArray) -> IntArray:
+    return np.asarray((place[:, None] * LOCAL + np.arange(LOCAL)).ravel())

@@ -1,0 +1,202 @@
+"""How others bend: learnt, kept in a prior's file, told in a recording's own order, and of use."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from scipy.spatial.transform import Rotation
+
+import markermend as mm
+from markermend.errors import FileFormatError
+from markermend.files.npz import read_arrays, write_arrays
+from markermend.poses.bending import LOCAL, find_bends
+from markermend.poses.noise import Noise, corrupt_pose
+from markermend.poses.nuitrack import mirrored, to_nuitrack, twins
+from markermend.poses.pose import Pose
+from markermend.poses.prior import Prior, bending_of, load_prior, save_prior, shipped_prior
+from markermend.poses.prior_learning import learn_prior, learn_recording, together
+from markermend.poses.restore import restore
+from markermend.poses.smoothing import smooth
+from markermend.poses.suppleness import Suppleness, averaged_suppleness, suppleness
+
+JOINTS = ("waist", "left_hip", "right_hip", "left_knee", "right_knee")
+PARENTS = (-1, 0, 0, 1, 2)
+
+
+@pytest.fixture(scope="module")
+def clips(shared_data) -> dict[str, Pose]:
+    folder = shared_data / "poses"
+    names = ("02_01", "02_02", "03_02")
+    return {name: to_nuitrack(mm.read_pose(folder / f"{name}.amc")) for name in names}
+
+
+@pytest.fixture(scope="module")
+def prior(clips) -> Prior:
+    return learn_prior([clips["02_01"], clips["02_02"]])
+
+
+def walking(frames: int = 400) -> np.ndarray:
+    """(frames, joints, 7) of one whose left leg swings, and whose right one stands."""
+    time = np.arange(frames) / 60.0
+    features = np.zeros((frames, len(JOINTS), 7))
+    features[..., 6] = 1.0
+    features[:, 1, :3], features[:, 2, :3] = (0.1, -0.1, 0.0), (-0.1, -0.1, 0.0)
+    hip = Rotation.from_rotvec(np.outer(0.4 * np.sin(2 * np.pi * time), (1.0, 0.0, 0.0)))
+    bent = 0.6 + 0.5 * np.sin(2 * np.pi * time + 0.7)
+    knee = hip * Rotation.from_rotvec(np.outer(bent, (1.0, 0.0, 0.0)))
+    features[:, 1, 3:], features[:, 3, 3:] = hip.as_quat(), knee.as_quat()
+    features[:, 3, :3] = features[:, 1, :3] + hip.apply([0.0, -0.4, 0.0])
+    features[:, 4, :3] = features[:, 2, :3] + (0.0, -0.4, 0.0)
+    return features
+
+
+def test_a_knee_bends_about_one_axis_and_keeps_its_place() -> None:
+    learnt = suppleness(walking(), JOINTS, PARENTS, range(5))
+    assert learnt.joints == JOINTS[1:]
+    assert learnt.parents == ("waist", "waist", "left_hip", "right_hip")
+    for knee in (2, 3):
+        own = slice(knee * LOCAL, (knee + 1) * LOCAL)
+        bends = learnt.covariance[own, own]
+        # Half of what is learnt is the other side's.
+        assert bends[0, 0] == pytest.approx(0.5**2 / 2 / 2, rel=0.1)
+        assert np.abs(np.delete(np.delete(bends, 0, 0), 0, 1)).max() < 1e-12
+
+
+def test_the_mirror_image_of_a_body_bends_alike() -> None:
+    features = walking()
+    turned = features[:, twins(JOINTS)] * (-1, 1, 1, 1, -1, -1, 1)
+    learnt = [suppleness(body, JOINTS, PARENTS, range(5)) for body in (features, turned)]
+    assert_allclose(learnt[0].covariance, learnt[1].covariance, atol=1e-12)
+    left, right = (learnt[0].covariance[n : n + 3, n : n + 3] for n in (0, LOCAL))
+    assert_allclose(left, right, atol=1e-12)
+    assert left[0, 0] == pytest.approx(0.4**2 / 2 / 2, rel=0.1)
+
+
+def test_joints_are_told_in_any_order_unless_they_hang_elsewhere() -> None:
+    covariance = np.arange(144.0).reshape(12, 12)
+    one = Suppleness(("a", "b"), ("root", "a"), covariance)
+    assert_allclose(one.of(["a", "b"], ["root", "a"]), covariance)
+    other = one.of(["b", "a"], ["a", "root"])
+    assert_allclose(other[:LOCAL, LOCAL:], covariance[LOCAL:, :LOCAL])
+    assert_allclose(other[LOCAL:, LOCAL:], covariance[:LOCAL, :LOCAL])
+    assert one.of(["a", "b"], ["root", "root"]) is None
+    assert one.of(["a", "c"], ["root", "a"]) is None
+    assert one.of(["a"], ["root"]) is None
+
+
+def test_several_count_by_their_weights() -> None:
+    one = Suppleness(("a", "b"), ("root", "a"), np.eye(12))
+    other = Suppleness(("b", "a"), ("a", "root"), 4 * np.diag([1.0] * 6 + [2.0] * 6))
+    both = averaged_suppleness([one, None, other], [300.0, 5000.0, 100.0])
+    assert both.joints == ("a", "b")
+    assert_allclose(np.diag(both.covariance), [2.75] * 6 + [1.75] * 6)
+    assert averaged_suppleness([None], [1.0]) is None
+    elsewhere = replace(other, parents=("root", "root"))
+    assert averaged_suppleness([one, elsewhere], [1.0, 1.0]) is None
+
+
+def test_others_count_beside_what_a_recording_shows() -> None:
+    features = walking()
+    own = find_bends(features, PARENTS, range(5))
+    others = np.zeros((4 * LOCAL, 4 * LOCAL))
+    others[1, 1] = 0.3
+    more = find_bends(features, PARENTS, range(5), others)
+    assert more.at.shape[1] == own.at.shape[1] + 1
+    # Poses are the same poses in whatever coordinates.
+    assert_allclose(more.features(more.at, features), features, atol=1e-9)
+
+
+def test_files_keep_it(prior, tmp_path) -> None:
+    save_prior(prior, tmp_path / "p.npz")
+    back = load_prior(tmp_path / "p.npz").suppleness
+    assert (back.joints, back.parents) == (prior.suppleness.joints, prior.suppleness.parents)
+    assert_allclose(back.covariance, prior.suppleness.covariance, atol=1e-6)
+
+
+def test_files_of_before_know_nothing_of_it(prior, tmp_path) -> None:
+    save_prior(replace(prior, suppleness=None), tmp_path / "p.npz")
+    assert "bent" not in read_arrays(tmp_path / "p.npz")
+    assert load_prior(tmp_path / "p.npz").suppleness is None
+
+
+@pytest.mark.parametrize(
+    ("name", "change"),
+    [
+        ("bent", lambda bent: np.roll(bent, 1, axis=0)),
+        ("bent", lambda bent: np.char.add(bent, "x")),
+        ("bent", lambda bent: bent[:1]),
+        ("bending", lambda bending: bending[:-1]),
+        ("bending", lambda bending: np.full_like(bending, np.nan)),
+    ],
+)
+def test_damaged_files_are_refused(prior, tmp_path, name, change) -> None:
+    save_prior(prior, tmp_path / "p.npz")
+    arrays = read_arrays(tmp_path / "p.npz")
+    write_arrays(tmp_path / "q.npz", arrays | {name: change(arrays[name])})
+    with pytest.raises(FileFormatError, match=r"q\.npz holds no prior"):
+        load_prior(tmp_path / "q.npz")
+
+
+def test_a_recording_is_told_of_it_where_its_joints_hang_alike(clips, prior) -> None:
+    pose = clips["03_02"]
+    told = bending_of(pose, prior)
+    assert told.shape == (96, 96)
+    assert bending_of(pose, replace(prior, suppleness=None)) is None
+    # Shoulders that hang on the neck turn in other axes.
+    neck = pose.joints.index("neck")
+    elsewhere = [
+        neck if "shoulder" in j else p for j, p in zip(pose.joints, pose.parents, strict=True)
+    ]
+    assert bending_of(replace(pose, parents=tuple(elsewhere)), prior) is None
+    other = Pose(
+        pose.positions[:, ::-1],
+        pose.rotations[:, ::-1],
+        pose.joints[::-1],
+        tuple(16 - p if p >= 0 else -1 for p in pose.parents[::-1]),
+        pose.rate,
+    )
+    names = [[body.joints[j] for j in body.order[1:]] for body in (pose, other)]
+    place = np.array([names[0].index(name) for name in names[1]])
+    columns = (place[:, None] * LOCAL + np.arange(LOCAL)).ravel()
+    assert_allclose(bending_of(other, prior), told[np.ix_(columns, columns)])
+
+
+def test_left_handed_recordings_teach_the_same(clips) -> None:
+    one, other = (learn_recording(pose, "") for pose in (clips["02_01"], mirrored(clips["02_01"])))
+    assert_allclose(other.suppleness.covariance, one.suppleness.covariance, atol=1e-9)
+
+
+def test_what_comes_with_markermend_knows_it(clips) -> None:
+    assert bending_of(clips["02_01"], shipped_prior()) is not None
+    few = learn_recording(clips["02_01"], "")
+    both = together([shipped_prior(), few])
+    assert both.suppleness is not None
+
+
+def test_it_brings_noisy_poses_nearer(clips, prior) -> None:
+    truth = clips["03_02"]
+    wanted = truth.positions
+    off = {}
+    for name, known in (("knows", prior), ("not", replace(prior, suppleness=None))):
+        squared = []
+        for seed in (1, 2, 3):
+            damaged = corrupt_pose(truth, Noise(occlusion=0.0), seed=seed)
+            found = restore(damaged, prior=known).pose.positions
+            squared.append(np.mean((found - wanted) ** 2))
+        off[name] = np.sqrt(np.mean(squared))
+    assert off["knows"] < 0.97 * off["not"]
+
+
+def test_what_moves_together_elsewhere_tells_movement_from_noise(clips, prior) -> None:
+    random, moments = np.random.default_rng(1), prior.moments
+    axes = np.linalg.eigh(moments.within_s(0.067))[1][:, -3:]
+    time = np.arange(90) / 30.0
+    paths = np.stack([np.sin(2 * np.pi * hertz * time) for hertz in (0.5, 0.8, 1.3)], axis=1)
+    clean = 0.1 * paths @ axes.T
+    noise = np.full(clean.shape[1], 0.05)
+    noisy = clean + random.normal(0.0, 0.05, clean.shape)
+    own, told = (smooth(noisy, noise, 30.0, known) for known in (None, moments))
+    assert np.std(told - clean) < 0.9 * np.std(own - clean)
