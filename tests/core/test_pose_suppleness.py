@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 import markermend as mm
 from markermend.errors import FileFormatError
 from markermend.files.npz import read_arrays, write_arrays
-from markermend.poses.bending import LOCAL, find_bends
+from markermend.poses.bending import LOCAL, OthersBends, find_bends
 from markermend.poses.noise import Noise, corrupt_pose
 from markermend.poses.nuitrack import mirrored, to_nuitrack, twins
 from markermend.poses.pose import Pose
@@ -78,13 +78,26 @@ def test_the_mirror_image_of_a_body_bends_alike() -> None:
 def test_joints_are_told_in_any_order_unless_they_hang_elsewhere() -> None:
     covariance = np.arange(144.0).reshape(12, 12)
     one = Suppleness(("a", "b"), ("root", "a"), covariance)
-    assert_allclose(one.of(["a", "b"], ["root", "a"]), covariance)
-    other = one.of(["b", "a"], ["a", "root"])
+    same = one.of(["a", "b"], ["root", "a"])
+    assert same.told.all()
+    assert_allclose(same.covariance, covariance)
+    other = one.of(["b", "a"], ["a", "root"]).covariance
     assert_allclose(other[:LOCAL, LOCAL:], covariance[LOCAL:, :LOCAL])
     assert_allclose(other[LOCAL:, LOCAL:], covariance[:LOCAL, :LOCAL])
-    assert one.of(["a", "b"], ["root", "root"]) is None
-    assert one.of(["a", "c"], ["root", "a"]) is None
-    assert one.of(["a"], ["root"]) is None
+    for names, on in ((["c", "a", "b"], ["root", "root", "c"]), (["b", "a"], ["x", "root"])):
+        some = one.of(names, on)
+        at = names.index("a") * LOCAL
+        assert some.told.sum() == LOCAL
+        assert some.told[at : at + LOCAL].all()
+        assert not some.covariance[~some.told].any()
+        block = some.covariance[at : at + LOCAL, at : at + LOCAL]
+        assert_allclose(block, covariance[:LOCAL, :LOCAL])
+
+
+def test_places_are_in_the_unit_of_the_recording() -> None:
+    one = Suppleness(("a",), ("root",), np.ones((6, 6)))
+    longer = one.of(["a"], ["root"], times=2.0).covariance
+    assert_allclose(longer, np.outer([1, 1, 1, 2, 2, 2], [1, 1, 1, 2, 2, 2]))
 
 
 def test_several_count_by_their_weights() -> None:
@@ -101,9 +114,9 @@ def test_several_count_by_their_weights() -> None:
 def test_others_count_beside_what_a_recording_shows() -> None:
     features = walking()
     own = find_bends(features, PARENTS, range(5))
-    others = np.zeros((4 * LOCAL, 4 * LOCAL))
-    others[1, 1] = 0.3
-    more = find_bends(features, PARENTS, range(5), others)
+    covariance, told = np.zeros((4 * LOCAL, 4 * LOCAL)), np.ones(4 * LOCAL, dtype=bool)
+    covariance[1, 1] = 0.3
+    more = find_bends(features, PARENTS, range(5), OthersBends(covariance, told))
     assert more.at.shape[1] == own.at.shape[1] + 1
     # Poses are the same poses in whatever coordinates.
     assert_allclose(more.features(more.at, features), features, atol=1e-9)
@@ -143,14 +156,18 @@ def test_damaged_files_are_refused(prior, tmp_path, name, change) -> None:
 def test_a_recording_is_told_of_it_where_its_joints_hang_alike(clips, prior) -> None:
     pose = clips["03_02"]
     told = bending_of(pose, prior)
-    assert told.shape == (96, 96)
+    assert told.told.all()
     assert bending_of(pose, replace(prior, suppleness=None)) is None
     # Shoulders that hang on the neck turn in other axes.
     neck = pose.joints.index("neck")
-    elsewhere = [
-        neck if "shoulder" in j else p for j, p in zip(pose.joints, pose.parents, strict=True)
-    ]
-    assert bending_of(replace(pose, parents=tuple(elsewhere)), prior) is None
+    elsewhere = tuple(
+        neck if "shoulder" in name else parent
+        for name, parent in zip(pose.joints, pose.parents, strict=True)
+    )
+    body = replace(pose, parents=elsewhere)
+    untold = ~bending_of(body, prior).told.reshape(-1, LOCAL)[:, 0]
+    bent = [body.joints[joint] for joint in body.order[1:]]
+    assert [bent[n] for n in np.flatnonzero(untold)] == ["left_shoulder", "right_shoulder"]
     other = Pose(
         pose.positions[:, ::-1],
         pose.rotations[:, ::-1],
@@ -161,7 +178,7 @@ def test_a_recording_is_told_of_it_where_its_joints_hang_alike(clips, prior) -> 
     names = [[body.joints[j] for j in body.order[1:]] for body in (pose, other)]
     place = np.array([names[0].index(name) for name in names[1]])
     columns = (place[:, None] * LOCAL + np.arange(LOCAL)).ravel()
-    assert_allclose(bending_of(other, prior), told[np.ix_(columns, columns)])
+    assert_allclose(bending_of(other, prior).covariance, told.covariance[np.ix_(columns, columns)])
 
 
 def test_left_handed_recordings_teach_the_same(clips) -> None:

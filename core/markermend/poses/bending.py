@@ -8,7 +8,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from markermend.arrays import Float32Array, FloatArray, IntArray
+from markermend.arrays import BoolArray, Float32Array, FloatArray, IntArray
+from markermend.poses.covariance import completed
 from markermend.poses.normal import FEATURES
 from markermend.poses.quaternion import (
     by_turning,
@@ -20,6 +21,7 @@ from markermend.poses.quaternion import (
 )
 
 LOCAL = 6
+TURN = 3
 """Of a joint: three numbers say how it is turned in its parent's axes, three where it is."""
 
 # How much others' bends count beside a recording's own, which tell of its noise as of its body.
@@ -28,6 +30,21 @@ _OTHERS = 0.85
 _LEAST = 1e-6
 # A body whose features change by the root of this at most does not bend at all.
 _STILL = 1e-20
+
+
+@dataclass(frozen=True, eq=False)
+class OthersBends:
+    """How other bodies bend.
+
+    Attributes
+    ----------
+    covariance : (joints · :data:`LOCAL`, joints · :data:`LOCAL`) of their
+        :func:`local_coordinates`, all but the root
+    told : (joints · :data:`LOCAL`,) bool, of which something is told
+    """
+
+    covariance: FloatArray
+    told: BoolArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,7 +98,7 @@ def find_bends(
     poses: FloatArray,
     parents: Sequence[int],
     order: Sequence[int],
-    others: FloatArray | None = None,
+    others: OthersBends | None = None,
 ) -> Bends:
     """Find the directions that a body bends in.
 
@@ -90,7 +107,7 @@ def find_bends(
     poses : (frames, joints, 7) relative to the root, without NaN, rotations of unit length
     parents : index of each joint's parent, -1 for the root
     order : joints, parents first
-    others : covariance of other bodies' :func:`local_coordinates`, of joints in this order
+    others : how others bend, joints in this order
     """
     joints = tuple(j for j in order if parents[j] >= 0)
     middle, local = local_coordinates(poses, parents, joints)
@@ -98,7 +115,8 @@ def find_bends(
     away = local - mean
     covariance = away.T @ away / max(len(away) - 1, 1)
     if others is not None:
-        covariance = (1.0 - _OTHERS) * covariance + _OTHERS * others
+        theirs = completed(others.covariance, covariance, others.told)
+        covariance = (1.0 - _OTHERS) * covariance + _OTHERS * theirs
     spread, axes = np.linalg.eigh(covariance)
     kept = spread > max(_LEAST * spread[-1], _STILL)
     scale = np.sqrt(spread[kept])

@@ -180,10 +180,10 @@ def pooled(own: Moments, prior: Moments | None) -> Moments:
     if prior.told is not None:
         prior = replace(
             prior,
-            whole=_completed(prior.whole, own.whole, prior.told),
+            whole=completed(prior.whole, own.whole, prior.told),
             within=np.stack(
                 [
-                    _completed(*both, prior.told)
+                    completed(*both, prior.told)
                     for both in zip(prior.within, own.within, strict=True)
                 ]
             ),
@@ -196,8 +196,17 @@ def pooled(own: Moments, prior: Moments | None) -> Moments:
     return Moments(own.mean, whole, within, total, counts)
 
 
-def _completed(covariance: FloatArray, own: FloatArray, told: BoolArray) -> FloatArray:
-    """A covariance whose untold channels are regressed on the told ones as another has it."""
+def completed(covariance: FloatArray, own: FloatArray, told: BoolArray) -> FloatArray:
+    """A covariance whose untold channels are regressed on the told ones as another has it.
+
+    Parameters
+    ----------
+    covariance : (channels, channels); what it has of untold channels does not matter
+    own : (channels, channels) the other
+    told : (channels,) bool
+    """
+    if told.all():
+        return covariance
     here, there = np.ix_(told, told), np.ix_(told, ~told)
     ridge = _RIDGE * float(np.trace(own)) / len(own) + _TINY
     by = np.linalg.solve(own[here] + ridge * np.eye(int(told.sum())), own[there])

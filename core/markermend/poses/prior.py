@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.errors import DataError, FileFormatError
 from markermend.files.npz import read_arrays, write_arrays
-from markermend.poses.bending import LOCAL
+from markermend.poses.bending import LOCAL, OthersBends
 from markermend.poses.channels import to_channels
 from markermend.poses.covariance import LENGTHS_S, Moments
 from markermend.poses.normal import FEATURES, bone_lengths
@@ -88,7 +88,7 @@ def fitting(pose: Pose, prior: Prior) -> tuple[Moments, bool] | None:
         return None
     order = _order_of(pose, prior)
     moments = prior.moments.of(_columns(order))
-    size = _size(pose, shared, moments.mean)
+    size = _size(pose, prior, order)
     if size != 1.0:
         moments = moments.longer(size)
     if len(shared) < len(names):
@@ -119,20 +119,23 @@ def remembered_of(pose: Pose, prior: Prior) -> list[Remembered]:
     return [one for one in recordings if one.of_body(own)]
 
 
-def bending_of(pose: Pose, prior: Prior) -> FloatArray | None:
-    """How others bend, for :func:`markermend.poses.bending.find_bends`.
+def bending_of(pose: Pose, prior: Prior) -> OthersBends | None:
+    """How others bend; None where nothing is known of it.
 
     Parameters
     ----------
-    pose : a recording that the prior fits, right-handed
-    prior : of exactly the same joints, which hang on each other alike; else nothing is told
+    pose : a recording that the prior fits, right-handed; of joints that it has besides, or that
+        hang on others in it, nothing is told
+    prior : of its joints
     """
     if prior.suppleness is None:
         return None
     names = _names(pose, prior)
     bent = [joint for joint in pose.order if pose.parents[joint] >= 0]
     above = [names[pose.parents[joint]] for joint in bent]
-    return prior.suppleness.of([names[joint] for joint in bent], above)
+    size = _size(pose, prior, _order_of(pose, prior))
+    others = prior.suppleness.of([names[joint] for joint in bent], above, size)
+    return others if others.told.any() else None
 
 
 def _order_of(pose: Pose, prior: Prior) -> IntArray:
@@ -154,17 +157,20 @@ def _columns(order: IntArray) -> IntArray:
     return np.asarray((order[:, None] * FEATURES + np.arange(FEATURES)).ravel())
 
 
-def _size(pose: Pose, shared: Sequence[int], mean: FloatArray) -> float:
+def _size(pose: Pose, prior: Prior, order: IntArray) -> float:
     """Mean bone of the prior's joints over that of all: in fingers and faces bones are short.
 
-    What was never seen is as long beside the others as in the bodies that were learnt from, whose
-    mean pose is given for all joints but the root.
+    What was never seen is as long beside the others as in the bodies that were learnt from. Joints
+    are in the order of :func:`_order_of`.
     """
+    root, mean = pose.order[0], prior.moments.mean[_columns(order)]
+    others = [joint for joint in range(len(pose.joints)) if joint != root]
+    shared = {root, *(joint for joint, place in zip(others, order, strict=True) if place >= 0)}
     parents = list(pose.parents)
     for joint in pose.order:
         while parents[joint] >= 0 and parents[joint] not in shared:
             parents[joint] = parents[parents[joint]]
-    bones = [joint for joint in shared if parents[joint] >= 0]
+    bones = [joint for joint in sorted(shared) if parents[joint] >= 0]
     own = bone_lengths(pose.positions, tuple(parents))[bones]
     known = ~np.isnan(own)
     if not known.any() or (known.all() and len(shared) == len(parents)):

@@ -11,6 +11,7 @@ from threadpoolctl import threadpool_limits
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import DataError
+from markermend.poses.bending import OthersBends
 from markermend.poses.bones import Bones, find_bones, fuse, keep_lengths, swing, wobble
 from markermend.poses.channels import (
     Channels,
@@ -177,7 +178,7 @@ def _restore(
     prior: Moments | None,
     tell: Progress,
     remembered: Sequence[Remembered],
-    bending: FloatArray | None,
+    bending: OthersBends | None,
 ) -> Restored:
     """Restore by moments of the recording's channels, what is remembered, and how others bend."""
     channels = steadied(to_channels(pose), pose.rate)
@@ -219,8 +220,7 @@ def _restore(
         noise[:] = LEAST_NOISE
     else:
         tell(0.3, "Smoothing")
-        told = prior if prior is not None and prior.told is None else None
-        values = smooth(rough, noise[usable], pose.rate, told)
+        values = smooth(rough, noise[usable], pose.rate, prior)
     tell(0.5, "Filling")
     left = left_of_noise(pose.rate)
     filled = filled_by(values, noise=left * level, begun=begun)
@@ -289,7 +289,7 @@ def _agreed(
     pose: Pose,
     known: tuple[BoolArray, BoolArray],
     noise: float,
-    others: FloatArray | None,
+    others: OthersBends | None,
     rounds: int,
 ) -> tuple[FloatArray, Bones]:
     """(frames, joints, 7) settled where they are noisy or filled, and the bones found."""
@@ -325,7 +325,7 @@ def _in_time(
     channels: Channels,
     noise: FloatArray,
     pose: Pose,
-    others: FloatArray | None,
+    others: OthersBends | None,
 ) -> FloatArray:
     """(frames, joints, 7) smoothed from what was measured in the coordinates of joints."""
     if pose.frames < _SETTLES or np.isnan(features).any():

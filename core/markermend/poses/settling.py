@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from markermend.arrays import BoolArray, Float32Array, FloatArray
-from markermend.poses.bending import Bends, find_bends
+from markermend.poses.bending import Bends, OthersBends, find_bends
 from markermend.poses.smoothing import smooth_bands
 from markermend.poses.solving import solved
 
@@ -26,7 +26,7 @@ def settle(
     order: Sequence[int],
     rate: float,
     wanted: BoolArray | None = None,
-    others: FloatArray | None = None,
+    others: OthersBends | None = None,
 ) -> FloatArray:
     """Return the most probable poses, given noisy ones and how this body bends.
 
@@ -72,7 +72,7 @@ def settle_in_time(
     parents: Sequence[int],
     order: Sequence[int],
     rate: float,
-    others: FloatArray | None = None,
+    others: OthersBends | None = None,
 ) -> FloatArray:
     """Return poses smoothed in the coordinates that this body bends in.
 

@@ -12,7 +12,7 @@ from scipy.ndimage import uniform_filter1d
 from scipy.special import gammaincinv
 
 from markermend.arrays import BoolArray, Float32Array, FloatArray
-from markermend.poses.covariance import Moments
+from markermend.poses.covariance import Moments, completed
 from markermend.poses.normal import FEATURES
 
 LEAST_NOISE = 1e-4
@@ -177,17 +177,22 @@ def smooth(
     mean = values.mean(axis=0)
     white = (values - mean) / noise
     found = white
-    usual = [None, None] if others is None else [others.whole, others.within_s(_STRAYS_S)]
-    for order, elsewhere in enumerate(usual):
+    for order in (0, 1):
         steps = np.diff(found, order, axis=0)
         covariance = steps.T @ steps
-        if elsewhere is not None:
-            theirs = elsewhere / noise[:, None] / noise
-            theirs *= np.trace(covariance) / max(np.trace(theirs), _TINY)
-            covariance = (1.0 - _OTHERS) * covariance + _OTHERS * theirs
+        if others is not None:
+            elsewhere = others.within_s(_STRAYS_S) if order else others.whole
+            covariance = _beside(covariance, elsewhere / noise[:, None] / noise, others)
         _, axes = np.linalg.eigh(covariance)
         found = smooth_each(white @ axes, rate) @ axes.T
     return np.asarray(found * noise + mean)
+
+
+def _beside(own: FloatArray, theirs: FloatArray, others: Moments) -> FloatArray:
+    """A recording's covariance and others', of which their size does not matter."""
+    told = np.ones(len(own), dtype=bool) if others.told is None else others.told
+    size = own.diagonal()[told].sum() / max(theirs.diagonal()[told].sum(), _TINY)
+    return (1.0 - _OTHERS) * own + _OTHERS * completed(size * theirs, own, told)
 
 
 def smooth_again(

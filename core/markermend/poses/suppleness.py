@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from markermend.arrays import FloatArray, IntArray
-from markermend.poses.bending import LOCAL, local_coordinates
+from markermend.arrays import FloatArray
+from markermend.poses.bending import LOCAL, TURN, OthersBends, local_coordinates
 from markermend.poses.nuitrack import MIRROR, twins
 
 
@@ -28,14 +28,26 @@ class Suppleness:
     parents: tuple[str, ...]
     covariance: FloatArray
 
-    def of(self, joints: Sequence[str], parents: Sequence[str]) -> FloatArray | None:
-        """The covariance in another order of joints; None where they hang elsewhere, or differ."""
+    def of(self, joints: Sequence[str], parents: Sequence[str], times: float = 1.0) -> OthersBends:
+        """The same of a body's joints, as far as they hang on the same ones.
+
+        Parameters
+        ----------
+        joints, parents : names, as those of this
+        times : how many times as short the unit is that the body's positions are measured in
+        """
         own = dict(zip(self.joints, self.parents, strict=True))
-        if own != dict(zip(joints, parents, strict=True)):
-            return None
-        place = np.array([self.joints.index(name) for name in joints])
-        columns = _columns(place)
-        return np.asarray(self.covariance[np.ix_(columns, columns)])
+        hangs = np.array([own.get(name) == on for name, on in zip(joints, parents, strict=True)])
+        place = [
+            self.joints.index(name) if same else 0 for name, same in zip(joints, hangs, strict=True)
+        ]
+        told, columns = (
+            hangs.repeat(LOCAL),
+            (np.array(place)[:, None] * LOCAL + np.arange(LOCAL)).ravel(),
+        )
+        scale = told * np.where(np.arange(len(told)) % LOCAL < TURN, 1.0, times)
+        covariance = self.covariance[np.ix_(columns, columns)]
+        return OthersBends(scale[:, None] * covariance * scale, told)
 
 
 def suppleness(
@@ -75,11 +87,7 @@ def averaged_suppleness(
     covariance = np.zeros_like(told[0][0].covariance)
     for one, weight in told:
         same = one.of(joints, parents)
-        if same is None:
+        if not same.told.all():
             return None
-        covariance += weight * same
+        covariance += weight * same.covariance
     return Suppleness(joints, parents, covariance / sum(weight for _, weight in told))
-
-
-def _columns(place: IntArray) -> IntArray:
-    return np.asarray((place[:, None] * LOCAL + np.arange(LOCAL)).ravel())
