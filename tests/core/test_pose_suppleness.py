@@ -8,15 +8,24 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
+from sensed_bodies import with_hands
 
 import markermend as mm
+import markermend.poses.restore as restoring
 from markermend.errors import FileFormatError
 from markermend.files.npz import read_arrays, write_arrays
 from markermend.poses.bending import LOCAL, OthersBends, find_bends
 from markermend.poses.noise import Noise, corrupt_pose
 from markermend.poses.nuitrack import mirrored, to_nuitrack, twins
 from markermend.poses.pose import Pose
-from markermend.poses.prior import Prior, bending_of, load_prior, save_prior, shipped_prior
+from markermend.poses.prior import (
+    Prior,
+    bending_of,
+    bones_of,
+    load_prior,
+    save_prior,
+    shipped_prior,
+)
 from markermend.poses.prior_learning import learn_prior, learn_recording, together
 from markermend.poses.restore import restore
 from markermend.poses.smoothing import smooth
@@ -181,6 +190,20 @@ def test_a_recording_is_told_of_it_where_its_joints_hang_alike(clips, prior) -> 
     assert_allclose(bending_of(other, prior).covariance, told.covariance[np.ix_(columns, columns)])
 
 
+def test_bodies_with_hands_are_told_of_the_joints_that_others_have(shared_data, prior) -> None:
+    pose = mm.read_pose(shared_data / "poses" / "03_02.amc")
+    known = replace(prior, suppleness=replace(prior.suppleness, covariance=np.ones((96, 96))))
+    body = with_hands(pose)
+    told = bending_of(body, known)
+    bent = [body.joints[joint] for joint in body.order[1:]]
+    names = {bent[n] for n in np.flatnonzero(told.told[::LOCAL])}
+    assert names == {*prior.joints[1:]}
+    lengths = [np.mean(bones_of(p)) for p in (to_nuitrack(pose), body)]
+    at = bent.index("left_knee") * LOCAL
+    scale = np.sqrt(np.diag(told.covariance)[at : at + LOCAL])
+    assert_allclose(scale, [1.0] * 3 + [lengths[0] / lengths[1]] * 3, rtol=1e-6)
+
+
 def test_left_handed_recordings_teach_the_same(clips) -> None:
     one, other = (learn_recording(pose, "") for pose in (clips["02_01"], mirrored(clips["02_01"])))
     assert_allclose(other.suppleness.covariance, one.suppleness.covariance, atol=1e-9)
@@ -205,6 +228,24 @@ def test_it_brings_noisy_poses_nearer(clips, prior) -> None:
             squared.append(np.mean((found - wanted) ** 2))
         off[name] = np.sqrt(np.mean(squared))
     assert off["knows"] < 0.97 * off["not"]
+
+
+def test_each_step_of_restoring_is_told(clips, prior, monkeypatch) -> None:
+    told = {}
+
+    def spied(name, step):
+        def run(*given):
+            told[name] = given[-1]
+            return step(*given)
+
+        return run
+
+    for name in ("smooth", "settle", "settle_in_time"):
+        monkeypatch.setattr(restoring, name, spied(name, getattr(restoring, name)))
+    restore(corrupt_pose(clips["03_02"], Noise(), seed=1), prior=prior)
+    assert told["smooth"].mean.shape == (112,)
+    for name in ("settle", "settle_in_time"):
+        assert told[name].covariance.shape == (96, 96)
 
 
 def test_what_moves_together_elsewhere_tells_movement_from_noise(clips, prior) -> None:

@@ -134,8 +134,7 @@ def bending_of(pose: Pose, prior: Prior) -> OthersBends | None:
     bent = [joint for joint in pose.order if pose.parents[joint] >= 0]
     above = [names[pose.parents[joint]] for joint in bent]
     size = _size(pose, prior, _order_of(pose, prior))
-    others = prior.suppleness.of([names[joint] for joint in bent], above, size)
-    return others if others.told.any() else None
+    return prior.suppleness.of([names[joint] for joint in bent], above, size)
 
 
 def _order_of(pose: Pose, prior: Prior) -> IntArray:
