@@ -23,9 +23,6 @@ from markermend.poses.quaternion import (
 LOCAL = 6
 TURN = 3
 """Of a joint: three numbers say how it is turned in its parent's axes, three where it is."""
-
-# How much others' bends count beside a recording's own, which tell of its noise as of its body.
-_OTHERS = 0.85
 # Directions in which a body varies less than this share of its largest are those it cannot move in.
 _LEAST = 1e-6
 # A body whose features change by the root of this at most does not bend at all.
@@ -41,10 +38,13 @@ class OthersBends:
     covariance : (joints · :data:`LOCAL`, joints · :data:`LOCAL`) of their
         :func:`local_coordinates`, all but the root
     told : (joints · :data:`LOCAL`,) bool, of which something is told
+    share : how much they count beside a recording's own bends, which tell of its noise as of its
+        body
     """
 
     covariance: FloatArray
     told: BoolArray
+    share: float = 0.85
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,7 +116,7 @@ def find_bends(
     covariance = away.T @ away / max(len(away) - 1, 1)
     if others is not None:
         theirs = completed(others.covariance, covariance, others.told)
-        covariance = (1.0 - _OTHERS) * covariance + _OTHERS * theirs
+        covariance = (1.0 - others.share) * covariance + others.share * theirs
     spread, axes = np.linalg.eigh(covariance)
     kept = spread > max(_LEAST * spread[-1], _STILL)
     scale = np.sqrt(spread[kept])

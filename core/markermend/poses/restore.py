@@ -59,6 +59,8 @@ _SURE, _ROUNDS = 2e-3, 2
 # The way a body bends may change what was filled only so much: its squared errors count as this
 # share of themselves where nothing is noisy, and where it is.
 _FIRM = (0.25, 0.4)
+# How much others' bends count where nothing is noisy.
+_OTHERS_UNLESS_NOISY = 0.5
 # Lasting gaps are filled again so many times where they are few and where they are many, then once
 # less where it is noisy.
 _LOOKS, _MANY = (4, 2), 150
@@ -221,6 +223,9 @@ def _restore(
     else:
         tell(0.3, "Smoothing")
         values = smooth(rough, noise[usable], pose.rate, prior)
+    others = bending
+    if others is not None and level <= _NOISY:
+        others = replace(others, share=_OTHERS_UNLESS_NOISY)
     tell(0.5, "Filling")
     left = left_of_noise(pose.rate)
     filled = filled_by(values, noise=left * level, begun=begun)
@@ -247,7 +252,7 @@ def _restore(
         return agreed(whole, variance, rounds=rounds)
 
     agreed = partial(
-        _agreed, channels=channels, pose=pose, known=seen_turned, noise=level, others=bending
+        _agreed, channels=channels, pose=pose, known=seen_turned, noise=level, others=others
     )
     tell(0.7, "Keeping bones")
     many, rounds = filled.lasting >= _MANY, 1 if level > _NOISY else _ROUNDS
@@ -269,7 +274,7 @@ def _restore(
             again = np.where(known, channels.values[:, usable], pilot)
             whole[:, usable] = smooth_again(again, pilot, noise[usable], pose.rate)
             features, bones = agreed(whole, variance, rounds=1)
-            last = _in_time(features, channels, noise, pose, bending)
+            last = _in_time(features, channels, noise, pose, others)
             features = _between(last, features, first, seen_turned)
     features = _with_bones(features, seen_turned, bones)
     variance[:, usable] *= limbs_doubted(known.shape, filled.gaps, BRIEF_S * pose.rate)
