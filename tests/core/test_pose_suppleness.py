@@ -53,7 +53,7 @@ def walking(frames: int = 400) -> np.ndarray:
     features = np.zeros((frames, len(JOINTS), 7))
     features[..., 6] = 1.0
     features[:, 1, :3], features[:, 2, :3] = (0.1, -0.1, 0.0), (-0.1, -0.1, 0.0)
-    hip = Rotation.from_rotvec(np.outer(0.4 * np.sin(2 * np.pi * time), (1.0, 0.0, 0.0)))
+    hip = Rotation.from_rotvec(np.outer(0.4 * np.sin(2 * np.pi * time), (1.0, 0.3, -0.2)))
     bent = 0.6 + 0.5 * np.sin(2 * np.pi * time + 0.7)
     knee = hip * Rotation.from_rotvec(np.outer(bent, (1.0, 0.0, 0.0)))
     features[:, 1, 3:], features[:, 3, 3:] = hip.as_quat(), knee.as_quat()
@@ -80,7 +80,10 @@ def test_the_mirror_image_of_a_body_bends_alike() -> None:
     learnt = [suppleness(body, JOINTS, PARENTS, range(5)) for body in (features, turned)]
     assert_allclose(learnt[0].covariance, learnt[1].covariance, atol=1e-12)
     left, right = (learnt[0].covariance[n : n + 3, n : n + 3] for n in (0, LOCAL))
-    assert_allclose(left, right, atol=1e-12)
+    # Turns about y and z are the other way round in a mirror of x.
+    turned = np.outer([1, -1, -1], [1, -1, -1])
+    assert_allclose(left, turned * right, atol=1e-12)
+    assert left[0, 1] == pytest.approx(0.3 * left[0, 0])
     assert left[0, 0] == pytest.approx(0.4**2 / 2 / 2, rel=0.1)
 
 
@@ -131,6 +134,36 @@ def test_others_count_beside_what_a_recording_shows() -> None:
     assert_allclose(more.features(more.at, features), features, atol=1e-9)
 
 
+def test_joints_that_others_have_not_bend_as_far_as_the_recording_shows() -> None:
+    features = walking()
+    learnt = suppleness(features, JOINTS, PARENTS, range(5))
+    without = replace(learnt, joints=learnt.joints[:2], parents=learnt.parents[:2])
+    without = replace(without, covariance=4 * learnt.covariance[: 2 * LOCAL, : 2 * LOCAL])
+    others = replace(without.of(learnt.joints, learnt.parents), share=1.0)
+    assert others.told.sum() == 2 * LOCAL
+    bends = find_bends(features, PARENTS, range(5), others)
+    # Knees, of which nothing is told, go on bending.
+    assert np.abs(bends.features(bends.at, features) - features).max() < 1e-6
+    own = find_bends(features, PARENTS, range(5))
+    assert bends.at.shape[1] >= own.at.shape[1]
+
+
+@pytest.mark.parametrize("rate", [30.0, 120.0])
+def test_who_stands_still_is_not_taken_to_bend_as_others_do(clips, prior, rate) -> None:
+    some = np.full(200, 50)
+    walk = clips["03_02"]
+    truth = replace(
+        walk.with_samples(walk.positions[some], walk.rotations[some], walk.confidence[some]),
+        rate=rate,
+    )
+    damaged = corrupt_pose(truth, Noise(occlusion=0.0), seed=1)
+    off = [
+        np.sqrt(np.mean((restore(damaged, prior=known).pose.positions - truth.positions) ** 2))
+        for known in (prior, replace(prior, suppleness=None))
+    ]
+    assert off[0] < off[1]
+
+
 def test_files_keep_it(prior, tmp_path) -> None:
     save_prior(prior, tmp_path / "p.npz")
     back = load_prior(tmp_path / "p.npz").suppleness
@@ -150,6 +183,10 @@ def test_files_of_before_know_nothing_of_it(prior, tmp_path) -> None:
         ("bent", lambda bent: np.roll(bent, 1, axis=0)),
         ("bent", lambda bent: np.char.add(bent, "x")),
         ("bent", lambda bent: bent[:1]),
+        ("bent", lambda bent: np.array([bent[0], np.char.add(bent[1], "x")])),
+        ("bending", lambda bending: bending[:1]),
+        ("bending", lambda bending: -bending),
+        ("bending", lambda bending: bending > 0),
         ("bending", lambda bending: bending[:-1]),
         ("bending", lambda bending: np.full_like(bending, np.nan)),
     ],
@@ -246,6 +283,9 @@ def test_each_step_of_restoring_is_told(clips, prior, monkeypatch) -> None:
     assert told["smooth"].mean.shape == (112,)
     for name in ("settle", "settle_in_time"):
         assert told[name].covariance.shape == (96, 96)
+    noisy = told["settle"].share
+    restore(corrupt_pose(clips["03_02"], Noise(displacement=0.0), seed=1), prior=prior)
+    assert told["settle"].share < noisy
 
 
 def test_what_moves_together_elsewhere_tells_movement_from_noise(clips, prior) -> None:

@@ -25,6 +25,8 @@ TURN = 3
 """Of a joint: three numbers say how it is turned in its parent's axes, three where it is."""
 # Directions in which a body varies less than this share of its largest are those it cannot move in.
 _LEAST = 1e-6
+# Where a body bends less than this share of what others do, theirs are less by the square of it.
+_CALM = 0.2
 # A body whose features change by the root of this at most does not bend at all.
 _STILL = 1e-20
 
@@ -36,10 +38,10 @@ class OthersBends:
     Attributes
     ----------
     covariance : (joints · :data:`LOCAL`, joints · :data:`LOCAL`) of their
-        :func:`local_coordinates`, all but the root
+        :func:`local_coordinates`, all but the root: radians, and the recording's mean bone lengths
     told : (joints · :data:`LOCAL`,) bool, of which something is told
-    share : how much they count beside a recording's own bends, which tell of its noise as of its
-        body
+    share : how much they count, 0 to 1, beside a recording's own bends, which tell of its noise as
+        of its body
     """
 
     covariance: FloatArray
@@ -56,7 +58,8 @@ class Bends:
     poses : (frames, joints, 7) the poses that bends were found from
     parents : index of each joint's parent, -1 for the root
     joints : all but the root, parents first
-    at : (frames, n) the same poses as coordinates, of mean 0 and variance 1
+    at : (frames, n) the same poses as coordinates, of mean 0, and of variance 1 as bodies are taken
+        to bend
     """
 
     poses: FloatArray
@@ -115,7 +118,7 @@ def find_bends(
     away = local - mean
     covariance = away.T @ away / max(len(away) - 1, 1)
     if others is not None:
-        theirs = completed(others.covariance, covariance, others.told)
+        theirs = _as_far(completed(others.covariance, covariance, others.told), covariance, others)
         covariance = (1.0 - others.share) * covariance + others.share * theirs
     spread, axes = np.linalg.eigh(covariance)
     kept = spread > max(_LEAST * spread[-1], _STILL)
@@ -125,6 +128,20 @@ def find_bends(
         for x in (away @ (axes[:, kept] / scale), mean, axes[:, kept] * scale)
     )
     return Bends(poses, tuple(parents), joints, at, local, middle, mean, directions)
+
+
+def _as_far(theirs: FloatArray, own: FloatArray, others: OthersBends) -> FloatArray:
+    """Others' covariance, no larger than befits a body.
+
+    One who stands still bends less than others by far, and of joints that others have not, only
+    the recording tells how far they bend.
+    """
+    told = others.told
+    size, usual = (np.add.reduceat(c.diagonal(), np.arange(0, len(c), TURN)) for c in (own, theirs))
+    whole = own.diagonal()[told].sum() / max(float(theirs.diagonal()[told].sum()), _STILL)
+    share = np.where(told[::TURN], (whole / _CALM) ** 2, size / np.maximum(usual, _STILL))
+    less = np.sqrt(np.minimum(share, 1.0)).repeat(TURN)
+    return np.asarray(less[:, None] * theirs * less)
 
 
 def _relative(features: FloatArray, parents: Sequence[int], joint: int) -> FloatArray:

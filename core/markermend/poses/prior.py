@@ -313,10 +313,10 @@ def _read_suppleness(
     if "bending" not in arrays:
         return None
     bent, above = ([str(name) for name in row] for row in arrays["bent"])
-    if sorted(bent) != sorted(joints[1:]) or not {*above} <= {*joints}:
+    if len({*bent}) != len(joints) - 1 or not {*bent, *above} <= {*joints}:
         raise ValueError("its joints do not fit")
     covariance = _square(arrays["bending"][None], LOCAL * len(bent))[0]
-    if not np.isfinite(covariance).all():
+    if not np.isfinite(covariance).all() or (covariance.diagonal() < 0).any():
         raise ValueError("its bends are damaged")
     return Suppleness(tuple(bent), tuple(above), covariance)
 
@@ -324,6 +324,8 @@ def _read_suppleness(
 def _square(upper: FloatArray, size: int) -> FloatArray:
     """(n, size, size) symmetric matrices from their upper triangles."""
     rows, columns = np.triu_indices(size)
+    if upper.shape[1:] != rows.shape or upper.dtype.kind != "f":
+        raise ValueError("its sizes do not fit")
     full = np.zeros((len(upper), size, size))
     full[:, rows, columns] = upper
     full[:, columns, rows] = upper

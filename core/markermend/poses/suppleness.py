@@ -21,7 +21,7 @@ class Suppleness:
     joints : names, without the root
     parents : (joints,) names of the joints that they hang on, the root's among them
     covariance : (joints · 6, joints · 6) of their
-        :func:`markermend.poses.bending.local_coordinates`
+        :func:`markermend.poses.bending.local_coordinates`: radians, and their mean bone lengths
     """
 
     joints: tuple[str, ...]
@@ -37,14 +37,12 @@ class Suppleness:
         times : how many times as short the unit is that the body's positions are measured in
         """
         own = dict(zip(self.joints, self.parents, strict=True))
-        hangs = np.array([own.get(name) == on for name, on in zip(joints, parents, strict=True)])
-        place = [
-            self.joints.index(name) if same else 0 for name, same in zip(joints, hangs, strict=True)
-        ]
-        told, columns = (
-            hangs.repeat(LOCAL),
-            (np.array(place)[:, None] * LOCAL + np.arange(LOCAL)).ravel(),
-        )
+        body = list(zip(joints, parents, strict=True))
+        hangs = np.array([own.get(name) == on for name, on in body], dtype=bool)
+        # Of what is not told any place will do: it counts nothing.
+        place = [self.joints.index(name) if own.get(name) == on else 0 for name, on in body]
+        columns = (np.array(place, dtype=int)[:, None] * LOCAL + np.arange(LOCAL)).ravel()
+        told = hangs.repeat(LOCAL)
         scale = told * np.where(np.arange(len(told)) % LOCAL < TURN, 1.0, times)
         covariance = self.covariance[np.ix_(columns, columns)]
         return OthersBends(scale[:, None] * covariance * scale, told)
@@ -76,9 +74,16 @@ def suppleness(
 def averaged_suppleness(
     parts: Sequence[Suppleness | None], weights: Sequence[float]
 ) -> Suppleness | None:
-    """One of several, each by its weight; None where joints hang elsewhere in one of them.
+    """One of several, each by its weight.
 
-    Parts that know nothing are left out.
+    Parameters
+    ----------
+    parts : of the same joints; those that know nothing are left out
+    weights : one each
+
+    Returns
+    -------
+    None where nobody knows anything, or joints hang on others in one of them
     """
     told = [(one, weight) for one, weight in zip(parts, weights, strict=True) if one is not None]
     if not told:
