@@ -4,18 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from recordings import seventeen_joints
 
 import markermend as mm
 from markermend.bench.faults import BESIDE, CASES, SOUND, faults_csv, faults_table, find_faults
 from markermend.errors import DataError
 from markermend.poses.breaking import HOLDS, KINDS
-from markermend.poses.nuitrack import to_nuitrack
 
 
 @pytest.fixture(scope="module")
 def clips(shared_data):
-    folder = shared_data / "poses"
-    return {name: to_nuitrack(mm.read_pose(folder / f"{name}.amc")) for name in ("02_01", "03_02")}
+    return seventeen_joints(shared_data, "02_01", "03_02")
 
 
 def test_faults_are_found_and_mended_and_little_else_is_touched(clips):

@@ -7,6 +7,7 @@ import shutil
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from recordings import seventeen_joints
 
 import markermend as mm
 from markermend.bench.poses import CASES, KNOWN, Row, compare, left_out, unseen
@@ -24,8 +25,7 @@ from markermend.poses.restore import restore
 
 @pytest.fixture(scope="module")
 def clips(shared_data):
-    folder = shared_data / "poses"
-    return {name: to_nuitrack(mm.read_pose(folder / f"{name}.amc")) for name in ("02_01", "03_02")}
+    return seventeen_joints(shared_data, "02_01", "03_02")
 
 
 def test_who_is_shown_is_known_where_others_show_the_same_person(shared_data):

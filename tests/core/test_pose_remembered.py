@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
+from recordings import seventeen_joints
 
 import markermend as mm
 from markermend.cli import main
@@ -42,9 +43,7 @@ from markermend.poses.restore import restore
 
 @pytest.fixture(scope="module")
 def clips(shared_data) -> dict[str, Pose]:
-    folder = shared_data / "poses"
-    names = ("02_01", "02_02", "03_02")
-    return {name: to_nuitrack(mm.read_pose(folder / f"{name}.amc")) for name in names}
+    return seventeen_joints(shared_data, "02_01", "02_02", "03_02")
 
 
 @pytest.fixture(scope="module")

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from recordings import seventeen_joints
 from scipy.spatial.transform import Rotation
 from sensed_bodies import with_hands
 
@@ -37,9 +38,7 @@ PARENTS = (-1, 0, 0, 1, 2)
 
 @pytest.fixture(scope="module")
 def clips(shared_data) -> dict[str, Pose]:
-    folder = shared_data / "poses"
-    names = ("02_01", "02_02", "03_02")
-    return {name: to_nuitrack(mm.read_pose(folder / f"{name}.amc")) for name in names}
+    return seventeen_joints(shared_data, "02_01", "02_02", "03_02")
 
 
 @pytest.fixture(scope="module")
@@ -128,7 +127,7 @@ def test_others_count_beside_what_a_recording_shows() -> None:
     own = find_bends(features, PARENTS, range(5))
     covariance, told = np.zeros((4 * LOCAL, 4 * LOCAL)), np.ones(4 * LOCAL, dtype=bool)
     covariance[1, 1] = 0.3
-    more = find_bends(features, PARENTS, range(5), OthersBends(covariance, told))
+    more = find_bends(features, PARENTS, range(5), OthersBends(covariance, told, 0.85))
     assert more.at.shape[1] == own.at.shape[1] + 1
     # Poses are the same poses in whatever coordinates.
     assert_allclose(more.features(more.at, features), features, atol=1e-9)

@@ -6,11 +6,18 @@ from pathlib import Path
 
 import markermend as mm
 from markermend.bench.gaps import only_named
+from markermend.poses.nuitrack import to_nuitrack
 
 
 def read_named(name: str, folder: Path) -> mm.Take:
     """Find a take by name anywhere below a folder, and keep its named markers."""
     return only_named(mm.read(next(iter(sorted(folder.rglob(f"{name}.c3d"))))))
+
+
+def seventeen_joints(shared: Path, *names: str) -> dict[str, mm.Pose]:
+    """Skeleton recordings by name, as the 17 joints that sensors share."""
+    folder = shared / "poses"
+    return {name: to_nuitrack(mm.read_pose(folder / f"{name}.amc")) for name in names}
 
 
 def exchange_angles(source: Path, target: Path, names: tuple[str, ...], frames: range) -> Path:

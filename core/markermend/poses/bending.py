@@ -21,8 +21,9 @@ from markermend.poses.quaternion import (
 )
 
 LOCAL = 6
+"""Of a joint: three numbers say how it is turned in its parent's axes, then three where it is."""
 TURN = 3
-"""Of a joint: three numbers say how it is turned in its parent's axes, three where it is."""
+"""The first of them, and as many after them."""
 # Directions in which a body varies less than this share of its largest are those it cannot move in.
 _LEAST = 1e-6
 # Where a body bends less than this share of what others do, theirs are less by the square of it.
@@ -40,13 +41,12 @@ class OthersBends:
     covariance : (joints · :data:`LOCAL`, joints · :data:`LOCAL`) of their
         :func:`local_coordinates`, all but the root: radians, and the recording's mean bone lengths
     told : (joints · :data:`LOCAL`,) bool, of which something is told
-    share : how much they count, 0 to 1, beside a recording's own bends, which tell of its noise as
-        of its body
+    share : how much they count, 0 to 1, beside a recording's own bends
     """
 
     covariance: FloatArray
     told: BoolArray
-    share: float = 0.85
+    share: float = 1.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,7 +118,9 @@ def find_bends(
     away = local - mean
     covariance = away.T @ away / max(len(away) - 1, 1)
     if others is not None:
-        theirs = _as_far(completed(others.covariance, covariance, others.told), covariance, others)
+        theirs = _befitting(
+            completed(others.covariance, covariance, others.told), covariance, others
+        )
         covariance = (1.0 - others.share) * covariance + others.share * theirs
     spread, axes = np.linalg.eigh(covariance)
     kept = spread > max(_LEAST * spread[-1], _STILL)
@@ -130,7 +132,7 @@ def find_bends(
     return Bends(poses, tuple(parents), joints, at, local, middle, mean, directions)
 
 
-def _as_far(theirs: FloatArray, own: FloatArray, others: OthersBends) -> FloatArray:
+def _befitting(theirs: FloatArray, own: FloatArray, others: OthersBends) -> FloatArray:
     """Others' covariance, no larger than befits a body.
 
     One who stands still bends less than others by far, and of joints that others have not, only

@@ -59,8 +59,9 @@ _SURE, _ROUNDS = 2e-3, 2
 # The way a body bends may change what was filled only so much: its squared errors count as this
 # share of themselves where nothing is noisy, and where it is.
 _FIRM = (0.25, 0.4)
-# How much others' bends count where nothing is noisy.
-_OTHERS_UNLESS_NOISY = 0.5
+# How much others' bends count beside a recording's own where nothing is noisy, and where it is and
+# these tell of the noise as of the body.
+_OTHERS = (0.5, 0.85)
 # Lasting gaps are filled again so many times where they are few and where they are many, then once
 # less where it is noisy.
 _LOOKS, _MANY = (4, 2), 150
@@ -223,9 +224,7 @@ def _restore(
     else:
         tell(0.3, "Smoothing")
         values = smooth(rough, noise[usable], pose.rate, prior)
-    others = bending
-    if others is not None and level <= _NOISY:
-        others = replace(others, share=_OTHERS_UNLESS_NOISY)
+    others = bending and replace(bending, share=_OTHERS[int(level > _NOISY)])
     tell(0.5, "Filling")
     left = left_of_noise(pose.rate)
     filled = filled_by(values, noise=left * level, begun=begun)
@@ -306,7 +305,7 @@ def _agreed(
     unsure = np.ones(features.shape)
     unsure[:, channels.joints] = variance.reshape(pose.frames, -1, FEATURES)
     # Three numbers say where a joint is, four how it is turned.
-    filled = hidden[[0] * 3 + [1] * 4].transpose(1, 2, 0)
+    filled = np.repeat(hidden, (3, 4), axis=0).transpose(1, 2, 0)
     unsure = np.maximum(np.where(filled, _FIRM[int(noisy)] * unsure, unsure), _SURE**2)
     unsettled = None if noisy else np.asarray(hidden.any(axis=(0, 2)))
     for _ in range(rounds):

@@ -35,12 +35,18 @@ class Suppleness:
         ----------
         joints, parents : names, as those of this
         times : how many times as short the unit is that the body's positions are measured in
+
+        Returns
+        -------
+        OthersBends
+            of the joints in their order; 0 and not told where a joint hangs elsewhere
         """
         own = dict(zip(self.joints, self.parents, strict=True))
         body = list(zip(joints, parents, strict=True))
         hangs = np.array([own.get(name) == on for name, on in body], dtype=bool)
         # Of what is not told any place will do: it counts nothing.
-        place = [self.joints.index(name) if own.get(name) == on else 0 for name, on in body]
+        pairs = zip(joints, hangs, strict=True)
+        place = [self.joints.index(name) if same else 0 for name, same in pairs]
         columns = (np.array(place, dtype=int)[:, None] * LOCAL + np.arange(LOCAL)).ravel()
         told = hangs.repeat(LOCAL)
         scale = told * np.where(np.arange(len(told)) % LOCAL < TURN, 1.0, times)
@@ -59,6 +65,11 @@ def suppleness(
     joints : names of all, the root among them
     parents : index of each joint's parent, -1 for the root
     order : joints, parents first
+
+    Returns
+    -------
+    Suppleness
+        of all joints but the root, parents first; half of it is the mirror image's
     """
     turned = features[:, twins(joints)] * MIRROR
     bent = [joint for joint in order if parents[joint] >= 0]
