@@ -6,11 +6,12 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from markermend.poses.articulation import Articulation
-from markermend.poses.quaternion import matrices
+from markermend.poses.quaternion import NO_TURN, matrices
 
 RATE = 120.0
 SHOULDER, ELBOW, WRIST = 0, 1, 2
 ABOVE = (-1, SHOULDER, ELBOW)
+UNTURNED = np.array(NO_TURN)
 
 
 def arms(count, seed=0):
@@ -32,7 +33,7 @@ def arms(count, seed=0):
 def learnt(poses):
     body = Articulation(poses[0], ABOVE, RATE)
     for pose in poses[1:]:
-        body.follow(pose, np.ones(len(pose), dtype=bool))
+        body.follow(pose, np.ones(len(pose), dtype=bool), UNTURNED)
     return body
 
 
@@ -52,7 +53,7 @@ def test_a_hidden_wrist_is_where_the_elbow_can_bend_it_to():
     before, after = [], []
     for pose in arms(200, seed=2):
         filled, known = hide_wrist(pose, rng)
-        settled = body.follow(filled, known)
+        settled = body.follow(filled, known, UNTURNED)
         assert (settled[known] == filled[known]).all()
         np.testing.assert_allclose(np.linalg.norm(settled.reshape(-1, 7)[:, 3:], axis=1), 1.0)
         before.append(np.abs(filled - pose).mean())
@@ -64,14 +65,14 @@ def test_a_pose_that_a_body_can_have_stays_nearly_as_it_is():
     body, poses = learnt(arms(600)), arms(50, seed=3)
     for pose in poses:
         _, known = hide_wrist(pose, np.random.default_rng(0))
-        assert np.abs(body.follow(pose, known) - pose).max() < 0.05
+        assert np.abs(body.follow(pose, known, UNTURNED) - pose).max() < 0.05
 
 
 def test_one_pose_says_little():
     poses = arms(2, seed=4)
     body, rng = Articulation(poses[0], ABOVE, RATE), np.random.default_rng(5)
     filled, known = hide_wrist(poses[1], rng)
-    settled = body.follow(filled, known)
+    settled = body.follow(filled, known, UNTURNED)
     assert 0.0 < np.abs(settled - filled).max() < 0.05
 
 
@@ -81,8 +82,8 @@ def test_rotations_that_are_none_end_nothing():
     none, known = poses[1].copy(), np.ones(21, dtype=bool)
     none[3:7] = 0.0
     known[14:17] = False
-    assert np.isfinite(body.follow(none, known)).all()
-    assert np.isfinite(body.follow(poses[2], known)).all()
+    assert np.isfinite(body.follow(none, known, UNTURNED)).all()
+    assert np.isfinite(body.follow(poses[2], known, UNTURNED)).all()
 
 
 def test_matrices_rotate_as_quaternions_do():

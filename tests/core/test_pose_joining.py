@@ -14,14 +14,9 @@ from markermend.poses.live import Live
 from markermend.poses.noise import Noise, corrupt_pose
 from markermend.poses.normal import normalise
 from markermend.poses.nuitrack import mirrored, to_nuitrack
-from markermend.poses.prior import fitting, shipped_prior
+from markermend.poses.prior import bending_of, fitting, shipped_prior
 
 LEG = ("hip", "knee", "ankle")
-GOLDEN = (
-    (580.4880346329169, 1055.6710098696772, -1655.973261512459),
-    (648.8770436616203, 852.328450068544, -945.350982841696),
-    (610.7072715056452, 469.8862532519282, 124.43948698466693),
-)
 
 
 @pytest.fixture(scope="module")
@@ -164,15 +159,11 @@ def test_a_body_that_is_whole_at_first_is_filled_as_ever(walk, seen):
     places, turns = run(walk, seen, shipped_prior())
     first = one(walk, seen)
     fit = fitting(first, shipped_prior())
-    following = Following(first, fit[0])
+    following = Following(first, fit[0], None, bending_of(first, shipped_prior()))
     for t in range(1, walk.frames):
         where, turned = following(walk.positions[t], walk.rotations[t], seen[t])
         np.testing.assert_allclose(where, places[t - 1], atol=1e-9)
         np.testing.assert_allclose(turned[seen[t]], turns[t - 1][seen[t]], atol=1e-12)
-    # As of before joints could join.
-    hidden = np.argwhere(~seen)[[10, 200, 400]]
-    for (frame, joint), expected in zip(hidden, GOLDEN, strict=True):
-        np.testing.assert_allclose(places[frame - 1, joint], expected, atol=1e-6)
 
 
 def test_it_starts_from_one_pose(walk):
@@ -188,7 +179,9 @@ def test_what_was_learnt_is_gone_on_with(walk, seen, monkeypatch):
     after = ~seen[1:]
     after[:late] = False
     kept = off(run(walk, seen, prior)[0], walk)[after].mean()
-    monkeypatch.setattr("markermend.poses.live.Following", lambda a, b, _: Following(a, b))
+    monkeypatch.setattr(
+        "markermend.poses.live.Following", lambda a, b, _, c: Following(a, b, None, c)
+    )
     anew = off(run(walk, seen, prior)[0], walk)[after].mean()
     assert kept < 0.95 * anew
 

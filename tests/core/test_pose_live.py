@@ -6,6 +6,7 @@ import io
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 import markermend as mm
 from markermend.cli import main
@@ -17,6 +18,7 @@ from markermend.poses.live import Live
 from markermend.poses.noise import Noise, corrupt_pose
 from markermend.poses.nuitrack import mirrored, to_nuitrack, twins
 from markermend.poses.prior import fitting, shipped_prior
+from markermend.poses.quaternion import lengths_of, multiply
 
 
 @pytest.fixture(scope="module")
@@ -60,6 +62,39 @@ def test_hidden_joints_follow_the_body(walk, damaged, prior, most):
     assert error[~hidden].max() < 1e-6
     assert not np.isnan(turns).any()
     np.testing.assert_allclose(np.sum(turns**2, axis=2), 1.0, atol=1e-6)
+
+
+def off_live(truth, damaged, prior):
+    places = run(Live(first_of(truth), prior), damaged)[0]
+    return lengths_of(places - truth.positions[1:])[~damaged.seen[1:]].mean()
+
+
+def test_how_others_bend_tells_where_hidden_joints_can_be(walk, damaged, monkeypatch):
+    told = off_live(walk, damaged, shipped_prior())
+    monkeypatch.setattr("markermend.poses.live.bending_of", lambda *_: None)
+    assert told < 0.9 * off_live(walk, damaged, shipped_prior())
+
+
+def test_joints_that_turn_with_what_they_hang_on_are_told_where_they_can_be(walk, monkeypatch):
+    ends = [j for j in range(len(walk.joints)) if j not in walk.parents]
+    rotations = walk.rotations.copy()
+    rotations[:, ends] = np.nan
+    given = walk.with_samples(walk.positions, rotations)
+    damaged = corrupt_pose(given, Noise(displacement=0.0, burst=30), seed=3)
+    told = off_live(given, damaged, shipped_prior())
+    monkeypatch.setattr("markermend.poses.live.bending_of", lambda *_: None)
+    assert told < 0.95 * off_live(given, damaged, shipped_prior())
+
+
+def test_how_a_root_shakes_is_no_movement_of_what_hangs_on_it(walk, damaged, monkeypatch):
+    random = np.random.default_rng(0)
+    shaken = damaged.rotations.copy()
+    by = Rotation.from_rotvec(random.normal(scale=0.06, size=(walk.frames, 3))).as_quat()
+    shaken[:, 0] = multiply(by, shaken[:, 0])
+    shaking = damaged.with_samples(damaged.positions, shaken, damaged.confidence)
+    calm = off_live(walk, shaking, shipped_prior())
+    monkeypatch.setattr("markermend.poses.following._FOLLOWS_S", 1e-6)
+    assert calm < 0.8 * off_live(walk, shaking, shipped_prior())
 
 
 def test_one_side_of_a_body_tells_of_the_other(walk, damaged, monkeypatch):

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
+from markermend.poses.bending import OthersBends
 from markermend.poses.joining import JOINING, Kept, widened
 from markermend.poses.normal import FEATURES
 from markermend.poses.quaternion import (
@@ -27,6 +28,8 @@ FAR = 1e3
 
 # Poses that count at all, and poses that what is taken for granted at first counts for.
 _MEMORY, _FIRST = 3000.0, 20.0
+# Poses that how others bend counts for instead, where that is known.
+_OTHERS = 300.0
 # Variances at first: joints nearly keep their place, and turn in any direction.
 _BONE, _TURN = 1e-3, 0.1
 # Added to variances.
@@ -40,7 +43,7 @@ _STRAYS = 0.003
 # A small turn changes a quaternion by half of it.
 _HALF = 0.5
 _PLACE, _MOVES = 3, 6
-_ROOT = np.array([(0.0, 0.0, 0.0, *NO_TURN)])
+_ROOT = np.array([0.0, 0.0, 0.0, *NO_TURN])
 # Means over the features of a place, and over those of a turn.
 _MEANS = np.repeat([[1.0 / 3.0, 0.0], [0.0, 0.25]], [_PLACE, FEATURES - _PLACE], axis=0)
 
@@ -56,10 +59,11 @@ class Articulation:
 
     Parameters
     ----------
-    first : (joints · 7,) features of a whole pose, without the root
+    first : (joints · 7,) features of a whole pose in the root's axes, without the root
     parents : of each joint, -1 for the root
     rate : poses per second
     twins : (joints · 7,) each column's counterpart on the other side of the body, where known
+    others : how others bend, of these joints in this order, in these units
     """
 
     def __init__(
@@ -68,13 +72,16 @@ class Articulation:
         parents: Sequence[int],
         rate: float,
         twins: IntArray | None = None,
+        others: OthersBends | None = None,
     ) -> None:
         self._parents: IntArray = np.array(parents)
+        self._root = _ROOT
         joints = len(parents)
         self._mean = np.zeros((joints, FEATURES))
         self._mean[:] = self._hung(first.reshape(-1, FEATURES)).local
         self._weight = 1.0
         self._covariance = np.zeros((joints * FEATURES, joints * FEATURES))
+        self._others = others
         self._at_first = np.tile(np.where(np.arange(FEATURES) < _PLACE, _BONE, _TURN), joints)
         self._precision: FloatArray = np.empty_like(self._covariance)
         self._age = 2 * _KEPT
@@ -99,19 +106,21 @@ class Articulation:
         self._covariance = widened(before._covariance, usual, kept, _RIDGE)
         self._weight = min(before._weight, JOINING)
 
-    def follow(self, values: FloatArray, known: BoolArray) -> FloatArray:
+    def follow(self, values: FloatArray, known: BoolArray, root: FloatArray) -> FloatArray:
         """Let settle what is hidden in the next pose, and learn from what comes out.
 
         Parameters
         ----------
         values : (joints · 7,) without NaN, hidden features filled, rotations of unit length
         known : (joints · 7,) bool
+        root : (4,) how the root, which is at 0, is turned in the same axes
 
         Returns
         -------
         (joints · 7,) known features as they were; all of them, and nothing is learnt, where bones
         are :data:`FAR` longer than a body's
         """
+        self._root = np.append(np.zeros(_PLACE), root)
         hung = self._hung(values.reshape(-1, FEATURES))
         hidden = ~known.reshape(-1, FEATURES)[:, [0, _PLACE]]
         # Whoever fills has more to do where other joints are hidden than before.
@@ -129,8 +138,8 @@ class Articulation:
         return values
 
     def _hung(self, poses: FloatArray) -> _Hung:
-        """How joints (joints, 7) hang on their parents; the root is at 0 and not turned."""
-        above = np.concatenate([poses, _ROOT]).take(self._parents, axis=0)
+        """How joints (joints, 7) hang on their parents."""
+        above = np.concatenate([poses, self._root[None]]).take(self._parents, axis=0)
         down = inverse(above[:, _PLACE:])
         back, bones = matrices(down), poses[:, :_PLACE] - above[:, :_PLACE]
         local = np.empty(poses.shape)
@@ -175,13 +184,37 @@ class Articulation:
 
     def _inverse_covariance(self) -> FloatArray:
         """(joints · 7, joints · 7) inverse covariance: what was learnt, beside what is granted."""
-        learnt, share = self._covariance, _FIRST / (_FIRST + self._weight)
+        counts = _FIRST if self._others is None else _OTHERS
+        learnt, share = self._covariance, counts / (counts + self._weight)
         if self._twins is not None:
             signs = mirror_signs(self._mean.ravel(), self._twins)
             learnt = both_sides(learnt, self._twins, signs)
-        covariance = (1.0 - share) * learnt
-        add_to_diagonal(covariance, share * self._at_first + _RIDGE)
+        covariance, granted = (1.0 - share) * learnt, self._at_first
+        if self._others is not None:
+            covariance += share * self._as_others(self._others)
+            granted = np.where(self._told(self._others), 0.0, granted)
+        add_to_diagonal(covariance, share * granted + _RIDGE)
         return inverted(covariance)
+
+    def _told(self, others: OthersBends) -> BoolArray:
+        """(joints · 7,) bool, features that others tell of."""
+        turns, places = others.told.reshape(-1, 2, _PLACE)[:, :, 0].T
+        counts = _PLACE, FEATURES - _PLACE
+        return np.asarray(np.repeat([places, turns], counts, axis=0).T.ravel())
+
+    def _as_others(self, others: OthersBends) -> FloatArray:
+        """(joints · 7, joints · 7) others' covariance of places and rotations about the mean."""
+        joints = len(self._mean)
+        bent = others.covariance.reshape(joints, 2, _PLACE, joints, 2, _PLACE)
+        # Of each joint they have three numbers for its turn, then three for its place.
+        out = np.empty((joints, FEATURES, joints, FEATURES))
+        turning = by_turning(self._mean[:, _PLACE:])
+        turned = np.einsum("jqt,jtkcx->jqkcx", turning, bent[:, 0])
+        out[:, :_PLACE, :, :_PLACE] = bent[:, 1, :, :, 1]
+        out[:, _PLACE:, :, :_PLACE] = turned[:, :, :, 1]
+        out[:, _PLACE:, :, _PLACE:] = np.einsum("jqkx,krx->jqkr", turned[:, :, :, 0], turning)
+        out[:, :_PLACE, :, _PLACE:] = out[:, _PLACE:, :, :_PLACE].transpose(2, 3, 0, 1)
+        return out.reshape(joints * FEATURES, -1)
 
     def _slopes(self, hung: _Hung, free: BoolArray) -> tuple[IntArray, FloatArray]:
         """How local features change as free joints move and turn, and which features do.
@@ -190,7 +223,7 @@ class Articulation:
         ----------
         hung : the pose
         free : (joints, 6) bool; of each joint three directions to move in and three to turn about,
-            in the root's axes
+            in the axes of the pose
         """
         moves = np.flatnonzero(free[:, 0] | free[:, _PLACE])
         # What does not move, the root among it, shares the last place.
@@ -219,8 +252,8 @@ class _Hung:
 
     Attributes
     ----------
-    back : (joints, 3, 3) from the root's axes to those of each joint's parent
-    bones : (joints, 3) from parents, in the root's axes
+    back : (joints, 3, 3) from the axes of the pose to those of each joint's parent
+    bones : (joints, 3) from parents, in the axes of the pose
     local : (joints, 7) places and rotations in parents' axes, signs as in the mean
     """
 

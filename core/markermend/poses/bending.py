@@ -48,6 +48,27 @@ class OthersBends:
     told: BoolArray
     share: float = 1.0
 
+    def of(self, places: IntArray, hangs: BoolArray, turned: BoolArray) -> OthersBends:
+        """The same of some joints, in another order.
+
+        Parameters
+        ----------
+        places : (n,) of each among these
+        hangs : (n,) bool, joints that hang on the same one here, in axes of that one's own
+        turned : (n,) bool, joints that have a rotation of their own
+        """
+        columns = (places[:, None] * LOCAL + np.arange(LOCAL)).ravel()
+        told = self.told[columns].reshape(-1, LOCAL) & hangs[:, None]
+        told[~turned, :TURN] = False
+        told = told.ravel()
+        covariance = told[:, None] * self.covariance[np.ix_(columns, columns)] * told
+        return replace(self, covariance=covariance, told=told)
+
+    def longer(self, times: float) -> OthersBends:
+        """The same of bodies whose positions are measured in units so many times as short."""
+        scale = np.where(np.arange(len(self.told)) % LOCAL < TURN, 1.0, times)
+        return replace(self, covariance=scale[:, None] * self.covariance * scale)
+
 
 @dataclass(frozen=True, eq=False)
 class Bends:

@@ -130,26 +130,35 @@ def bridging_error(path: FloatArray, known: BoolArray) -> FloatArray:
     if not known.any():
         return np.full(len(path), np.nan)
     longest = max(int(np.max(np.diff(runs(known), axis=1))) - 2 * SIDE, 1)
+    missed: dict[int, FloatArray] = {}
     for start, stop in runs(~known).tolist():
         count = stop - start
-        length = min(count, longest)
-        starts = free_starts(known, length, SIDE)
-        if start == 0 or stop == len(path) or not len(starts):
+        if start == 0 or stop == len(path):
             held = _held_error(path, known, count)
             error[start:stop] = held[::-1] if start == 0 else held
             continue
-        starts = starts[:: max(len(starts) // _TRIED, 1)]
-        inside = path[starts[:, None] + np.arange(length)]
-        told = np.einsum("ls,nsc->nlc", bridge(length), path[starts[:, None] + around(0, length)])
-        off = np.sqrt(np.mean(np.sum((inside - told) ** 2, axis=2), axis=0))
-        places = np.linspace(0, length - 1, count)
-        error[start:stop] = np.interp(places, np.arange(length), off)
-        if count > length:
-            steps = np.diff(path, axis=0)[known[1:] & known[:-1]]
-            nearer = np.minimum(np.arange(count) + 1, np.arange(count, 0, -1))
-            way = float(np.sqrt(np.mean(np.sum(steps**2, axis=1)))) * nearer
-            error[start:stop] = np.minimum(error[start:stop] * (count / length) ** 2, way)
+        if count not in missed:
+            missed[count] = _missed(path, known, count, min(count, longest))
+        error[start:stop] = missed[count]
     return error
+
+
+def _missed(path: FloatArray, known: BoolArray, count: int, length: int) -> FloatArray:
+    """(count,) what bridges over a gap of so many frames miss, tried on some that are as long."""
+    starts = free_starts(known, length, SIDE)
+    if not len(starts):
+        return _held_error(path, known, count)
+    starts = starts[:: max(len(starts) // _TRIED, 1)]
+    inside = path[starts[:, None] + np.arange(length)]
+    told = np.einsum("ls,nsc->nlc", bridge(length), path[starts[:, None] + around(0, length)])
+    off = np.sqrt(np.mean(np.sum((inside - told) ** 2, axis=2), axis=0))
+    error = np.interp(np.linspace(0, length - 1, count), np.arange(length), off)
+    if count > length:
+        steps = np.diff(path, axis=0)[known[1:] & known[:-1]]
+        nearer = np.minimum(np.arange(count) + 1, np.arange(count, 0, -1))
+        way = float(np.sqrt(np.mean(np.sum(steps**2, axis=1)))) * nearer
+        error = np.minimum(error * (count / length) ** 2, way)
+    return np.asarray(error)
 
 
 def _held_error(path: FloatArray, known: BoolArray, count: int) -> FloatArray:

@@ -15,8 +15,8 @@ from markermend.poses.rooting import rooted
 
 # A rotation this near to none is what sensors write where they know nothing.
 _UNTURNED = 1e-9
-# Axes follow the root over this time.
-_FOLLOW_S = 0.2
+# Axes follow the root over this time, and turn after one whose rotation joints tell over the other.
+_FOLLOW_S, _FACE_S = 0.2, 0.4
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,13 +70,15 @@ def to_channels(pose: Pose) -> Channels:
     return Channels(np.where(known, values, 0.0), known, joints, normal, itself)
 
 
-def steadied(channels: Channels, rate: float) -> Channels:
+def steadied(channels: Channels, rate: float, faced: bool = False) -> Channels:
     """The same relative to axes that follow the root smoothly.
 
     Parameters
     ----------
     channels : relative to the root
     rate : frames per second
+    faced : how the root is turned is told by the noisy joints beside it
+        (:mod:`markermend.poses.facing`)
 
     Notes
     -----
@@ -85,9 +87,9 @@ def steadied(channels: Channels, rate: float) -> Channels:
     known in every frame, so nothing is lost by looking from beside it.
     """
     normal = channels.normal
-    own, width = unrolled(normal.rotation[:, None])[:, 0], _FOLLOW_S * rate
-    steady = unit(gaussian_filter1d(own, width, axis=0, mode="nearest"))
-    calm = gaussian_filter1d(normal.position, width, axis=0, mode="nearest")
+    own, turns_s = unrolled(normal.rotation[:, None])[:, 0], _FACE_S if faced else _FOLLOW_S
+    steady = unit(gaussian_filter1d(own, turns_s * rate, axis=0, mode="nearest"))
+    calm = gaussian_filter1d(normal.position, _FOLLOW_S * rate, axis=0, mode="nearest")
     turned = multiply(inverse(steady), own)
     away = turn(inverse(steady), normal.position - calm) / normal.scale
     values = channels.values.reshape(len(own), -1, FEATURES).copy()

@@ -11,7 +11,9 @@ from threadpoolctl import ThreadpoolController
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.poses.articulation import FAR, Articulation
+from markermend.poses.bending import OthersBends
 from markermend.poses.covariance import Moments
+from markermend.poses.facing import facing, sides_of
 from markermend.poses.joining import JOINING, Kept, widened
 from markermend.poses.levels import Levels
 from markermend.poses.normal import FEATURES, bone_lengths, normalise
@@ -20,6 +22,7 @@ from markermend.poses.quaternion import (
     NO_TURN,
     by_left,
     by_right,
+    inverse,
     matrices,
     multiply,
     unit,
@@ -38,6 +41,8 @@ _RIDGE, _FEW = 1e-4, 0.1
 _COASTS_S, _AVERAGED_S = 0.042, 0.024
 # In this time what was filled follows what it settles to.
 _SETTLES_S = 0.08
+# Axes turn after the root over this time, and over the second where no rotation tells of it.
+_FOLLOWS_S, _FACES_S = 0.15, 0.3
 _ROUNDS = 2
 
 
@@ -54,6 +59,7 @@ class Following:
         alone, go through as they come. A joint may have no rotation.
     moments : of how others' bodies move, all joints but the root, in axes like these
     before : with fewer joints, by such moments or none too; what it has learnt is gone on with
+    bending : how others bend, all joints but the root, parents first
 
     Attributes
     ----------
@@ -61,14 +67,26 @@ class Following:
     """
 
     def __init__(
-        self, first: Pose, moments: Moments | None = None, before: Following | None = None
+        self,
+        first: Pose,
+        moments: Moments | None = None,
+        before: Following | None = None,
+        bending: OthersBends | None = None,
     ) -> None:
         self._threads = ThreadpoolController()
         self._there: BoolArray = np.array(first.seen[0])
         # A joint that never had a rotation is given none.
         turnless = np.isnan(first.rotations[0, :, 3])
         self.ever_turned = ~turnless
-        first = turned_as_parents(first, turnless)
+        root, faced, self._sides = first.order[0], facing(first), None
+        if turnless[root] and not np.isnan(faced).any():
+            self._sides = sides_of(first.joints, first.parents)
+            rotations = first.rotations.copy()
+            rotations[:, root] = faced
+            first = first.with_samples(first.positions, rotations, first.confidence)
+        without = turnless.copy()
+        without[root] &= self._sides is None
+        first = turned_as_parents(first, without)
         features, normal = normalise(first)
         self._parents, self._root = first.parents, normal.root
         self._hanging = [(j, p) for j, p in enumerate(first.parents) if p >= 0]
@@ -83,7 +101,8 @@ class Following:
             others = moments.of(np.flatnonzero(np.repeat(self._there[every], FEATURES)))
         self._lengths = bone_lengths(first.positions, first.parents)
         self._values = features[0, self._others].ravel()
-        self._root_pose = first.positions[0, self._root], first.rotations[0, self._root]
+        self._root_pose = first.positions[0, root], first.rotations[0, root]
+        self._axes_turn = self._root_pose[1]
         kept = None if before is None else self._measure_as(before, first)
         self._aligning = by_right(self._offset[self._others])
         channels = len(self._values)
@@ -100,7 +119,8 @@ class Following:
             self._weight = others.weight
         at = {joint: n for n, joint in enumerate(self._others)} | {self._root: -1, -1: -1}
         above = [at[self._above(joint)] for joint in self._others]
-        self._articulation = Articulation(self._values, above, self._rate, self._twins)
+        body = self._values, above, self._rate, self._twins
+        self._articulation = Articulation(*body, self._bending(first, bending, normal.scale))
         self._levels = Levels(self._values, others, self._rate)
         self._speed, self._coasting = np.zeros(channels), np.zeros(channels)
         self._known = np.ones(channels, dtype=bool)
@@ -109,6 +129,19 @@ class Following:
         self._past: deque[FloatArray] = deque([self._values], maxlen=self._lags[-1])
         if before is not None and kept is not None:
             self._go_on(before, kept)
+
+    def _bending(self, first: Pose, others: OthersBends | None, scale: float) -> OthersBends | None:
+        """How others bend, of the joints that take part; a recording's mean bone is ``scale``."""
+        if others is None or not self.ever_turned[self._others].any():
+            return None
+        bent = [joint for joint in first.order if joint != self._root]
+        places = np.array([bent.index(joint) for joint in self._others], dtype=int)
+        pairs = [(joint, self._above(joint)) for joint in self._others]
+        turned = self.ever_turned.copy()
+        turned[self._root] |= self._sides is not None
+        hangs = np.array([on == self._parents[j] and turned[on] for j, on in pairs], dtype=bool)
+        some = others.of(places, hangs, turned[self._others])
+        return some.longer(scale / self._scale)
 
     def _carried_along(self, moments: Moments, told: BoolArray) -> Moments:
         """Let joints that others tell nothing of move along with what they hang on."""
@@ -137,7 +170,7 @@ class Following:
         aligned = (before._offset != NO_TURN).any(axis=1)
         offset = np.where(aligned[:, None], before._offset, self._offset)
         same = (offset == before._offset).all(axis=1)
-        if not same[self._root]:
+        if not same[self._root] or (before._sides is None) != (self._sides is None):
             return None
         self._scale, self._offset = before._scale, offset
         self._lengths = np.where(np.isnan(before._lengths), self._lengths, before._lengths)
@@ -148,7 +181,8 @@ class Following:
         now, then = (np.flatnonzero(columns[joints]) for joints in (self._others, before._others))
         kept = Kept(now, then)
         self._aligning = by_right(self._offset[self._others])
-        self._look_from_root()
+        self._axes_turn = before._axes_turn
+        self._look()
         self._values = np.zeros(len(self._others) * FEATURES)
         self._values[kept.now] = before._values[kept.before]
         every = np.ones(len(self._parents), dtype=bool)
@@ -180,10 +214,35 @@ class Following:
             above = self._parents[above]
         return above
 
-    def _look_from_root(self) -> None:
-        """Have the root's axes at hand."""
-        self._forth = multiply(self._root_pose[1], self._offset[self._root])
+    def _look(self) -> None:
+        """Have the axes at hand that poses are looked at in."""
+        self._forth = multiply(self._axes_turn, self._offset[self._root])
         self._axes = matrices(self._forth[None])[0]
+
+    def _follow_root(self) -> None:
+        """Turn axes after the root: how it shakes is no movement of what hangs on it."""
+        own, turned = self._axes_turn, self._root_pose[1]
+        follows_s = _FOLLOWS_S if self._sides is None else _FACES_S
+        share = 1.0 - np.exp(-1.0 / (follows_s * self._rate))
+        self._axes_turn = unit(own + share * (np.copysign(1.0, turned @ own) * turned - own))
+        self._look()
+
+    def _turned_root(self) -> FloatArray:
+        """(4,) how the root is turned in the axes that poses are looked at in."""
+        # How joints stand shakes more than a rotation that was measured.
+        if self._sides is not None:
+            return np.array(NO_TURN)
+        turned = multiply(self._root_pose[1], self._offset[self._root])
+        return multiply(inverse(self._forth), turned)
+
+    def _root_turn(
+        self, positions: FloatArray, turns: FloatArray, seen: BoolArray, told: BoolArray
+    ) -> FloatArray:
+        """(4,) how the root is turned in one pose, as it was where nothing tells."""
+        if self._sides is None:
+            return np.asarray(turns[self._root]) if told[self._root] else self._root_pose[1]
+        faced = self._sides.facing(np.where(seen[:, None], positions, np.nan)[None])[0]
+        return np.asarray(self._root_pose[1] if np.isnan(faced).any() else faced)
 
     def __call__(
         self, positions: FloatArray, rotations: FloatArray, seen: BoolArray
@@ -205,16 +264,16 @@ class Following:
         told = seen & np.isfinite(rotations).all(axis=1) & (rotations != 0).any(axis=1)
         self.ever_turned = self.ever_turned | told
         turns = unit(np.where(told[:, None], rotations, NO_TURN))
-        place, own = self._root_pose
+        place = self._root_pose[0]
         if seen[self._root] and np.isfinite(positions[self._root]).all():
             place = positions[self._root]
-        self._root_pose = place, turns[self._root] if told[self._root] else own
-        self._look_from_root()
+        self._root_pose = place, self._root_turn(positions, turns, seen, told)
+        self._follow_root()
         values, known = self._relative(positions, turns, seen, told)
         # Matrices as small as these take twice as long where two threads share one.
         with self._threads.limit(limits=1):
             filled = self._filled(values, known)
-            values = self._articulation.follow(filled, known)
+            values = self._articulation.follow(filled, known, self._turned_root())
             # As whole steps each, they would draw a joint to its mean.
             share = 1.0 - np.exp(-1.0 / (_SETTLES_S * self._rate))
             self._values = filled + share * (values - filled)

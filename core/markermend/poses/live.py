@@ -10,7 +10,7 @@ from markermend.poses.following import Following
 from markermend.poses.normal import bone_lengths
 from markermend.poses.nuitrack import MIRROR, mirrored
 from markermend.poses.pose import Pose
-from markermend.poses.prior import Prior, fitting
+from markermend.poses.prior import Prior, bending_of, fitting
 
 
 class Live:
@@ -102,5 +102,8 @@ class Live:
         before = self._following if way == (self.by_prior, self._left_handed) else None
         self.by_prior, self._left_handed = way
         pose = mirrored(pose) if self._left_handed else pose
-        self._following = Following(pose, None if fit is None else fit[0], before)
+        moments, bending = None, None
+        if fit is not None and self._prior is not None:
+            moments, bending = fit[0], bending_of(pose, self._prior)
+        self._following = Following(pose, moments, before, bending)
         self.joined = joined

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from markermend.arrays import Float32Array, FloatArray, IntArray
+from markermend.arrays import BoolArray, Float32Array, FloatArray, IntArray
 from markermend.poses.covariance import signs_like
 from markermend.poses.likeness import moving
 from markermend.poses.normal import FEATURES
@@ -67,6 +67,10 @@ class Remembered:
         count = FEATURES * len(self.bones)
         beside = np.arange(count, self.poses.shape[1])
         return Remembered(self.poses[:, np.append(columns, beside)], self.bones[joints])
+
+    def some(self, kept: BoolArray) -> Remembered:
+        """The same with some columns alone, for (columns,) bool."""
+        return replace(self, poses=self.poses[:, kept])
 
     def signed_like(self, values: FloatArray) -> Remembered:
         """The same with the signs of rotations that others have: of q and -q the nearer one.

@@ -29,6 +29,7 @@ from markermend.poses.faults import Fault, mend_faults
 from markermend.poses.filling import BRIEF_S, Filled, fill
 from markermend.poses.guessing import INFERRED, guessed, restored_beside_guesses
 from markermend.poses.hanging import by_parents, hanging_joints
+from markermend.poses.jointed import Jointed, jointed
 from markermend.poses.likeness import FEW_MOMENTS, MOMENTS, SOME_MOMENTS
 from markermend.poses.linking import linked_channels
 from markermend.poses.loose_root import with_loose_root, without_loose_root
@@ -48,6 +49,7 @@ from markermend.poses.smoothing import (
     smooth_again,
 )
 from markermend.poses.stance import IN_MIRROR, stance
+from markermend.poses.stretching import stretched
 from markermend.poses.trials import tried
 from markermend.poses.turnless import with_one_turn, without_one_turn
 from markermend.progress import Progress, part, quiet
@@ -184,7 +186,8 @@ def _restore(
     bending: OthersBends | None,
 ) -> Restored:
     """Restore by moments of the recording's channels, what is remembered, and how others bend."""
-    channels = steadied(to_channels(pose), pose.rate)
+    faced = not trusted_turns(pose)[:, pose.order[0]].any()
+    channels = steadied(to_channels(pose), pose.rate, faced)
     channels, off_mm = linked_channels(channels, known_joints(channels, pose), pose.parents)
     usable = np.asarray(channels.known.any(axis=0))
     values, known = channels.values[:, usable], channels.known[:, usable]
@@ -193,11 +196,11 @@ def _restore(
     if prior is not None:
         usual = np.where(channels.known, channels.values, 0.0).sum(axis=0)
         prior = prior.signed_like(usual)
-        if usable.all():
-            mirror = mirror_of([pose.joints[j] for j in channels.joints], usual, IN_MIRROR)
-            performed = performances([one.signed_like(usual) for one in remembered], pose.rate)
-        else:
-            prior = prior.of(usable)
+        kept = np.append(usable, np.ones(len(IN_MIRROR), dtype=bool))
+        mirror = mirror_of([pose.joints[j] for j in channels.joints], usual, IN_MIRROR).of(kept)
+        like = [one.signed_like(usual).some(kept) for one in remembered]
+        performed = performances(like, pose.rate)
+        prior = prior.of(usable)
     beside = stance(channels.normal)
     filled_by = partial(
         fill,
@@ -225,6 +228,8 @@ def _restore(
         tell(0.3, "Smoothing")
         values = smooth(rough, noise[usable], pose.rate, prior)
     others = bending and replace(bending, share=_OTHERS[int(level > _NOISY)])
+    ever_seen, ever_turned = (np.asarray(x.any(axis=0)) for x in seen_turned)
+    body = jointed(pose, ever_seen, ever_turned, others)
     tell(0.5, "Filling")
     left = left_of_noise(pose.rate)
     filled = filled_by(values, noise=left * level, begun=begun)
@@ -251,7 +256,7 @@ def _restore(
         return agreed(whole, variance, rounds=rounds)
 
     agreed = partial(
-        _agreed, channels=channels, pose=pose, known=seen_turned, noise=level, others=others
+        _agreed, channels=channels, pose=pose, known=seen_turned, noise=level, body=body
     )
     tell(0.7, "Keeping bones")
     many, rounds = filled.lasting >= _MANY, 1 if level > _NOISY else _ROUNDS
@@ -273,7 +278,7 @@ def _restore(
             again = np.where(known, channels.values[:, usable], pilot)
             whole[:, usable] = smooth_again(again, pilot, noise[usable], pose.rate)
             features, bones = agreed(whole, variance, rounds=1)
-            last = _in_time(features, channels, noise, pose, others)
+            last = _in_time(features, channels, noise, pose, body)
             features = _between(last, features, first, seen_turned)
     features = _with_bones(features, seen_turned, bones)
     variance[:, usable] *= limbs_doubted(known.shape, filled.gaps, BRIEF_S * pose.rate)
@@ -293,7 +298,7 @@ def _agreed(
     pose: Pose,
     known: tuple[BoolArray, BoolArray],
     noise: float,
-    others: OthersBends | None,
+    body: Jointed | None,
     rounds: int,
 ) -> tuple[FloatArray, Bones]:
     """(frames, joints, 7) settled where they are noisy or filled, and the bones found."""
@@ -307,16 +312,22 @@ def _agreed(
     # Three numbers say where a joint is, four how it is turned.
     filled = np.repeat(hidden, (3, 4), axis=0).transpose(1, 2, 0)
     unsure = np.maximum(np.where(filled, _FIRM[int(noisy)] * unsure, unsure), _SURE**2)
-    unsettled = None if noisy else np.asarray(hidden.any(axis=(0, 2)))
+    if body is None and pose.frames >= _SETTLES:
+        loose = np.where(noisy | hidden[0], unsure[..., :3].mean(axis=2), 0.0)
+        loose[:, channels.normal.root] = 0.0
+        features[..., :3] = stretched(features[..., :3], loose, bones, pose.order)
+        return features, bones
     for _ in range(rounds):
         if noisy:
             pilot = fuse(features, bones, channels.normal.root)
         else:
             pilot = _with_bones(features, known, bones)
-        if pose.frames < _SETTLES or np.isnan(pilot).any():
+        if pose.frames < _SETTLES or body is None:
             return pilot, bones
-        body = pilot, pose.parents, pose.order, pose.rate
-        settled = settle(features, unsure, *body, unsettled, others)
+        unsettled = None if noisy else body.hidden(*known)
+        given = body.of(features), body.unsure(unsure), body.of(pilot)
+        settled = settle(*given, body.parents, body.order, pose.rate, unsettled, body.others)
+        settled = body.back(settled, features)
         if not noisy:
             settled[..., :3][known[0]] = features[..., :3][known[0]]
             settled[..., 3:][known[1]] = features[..., 3:][known[1]]
@@ -329,10 +340,10 @@ def _in_time(
     channels: Channels,
     noise: FloatArray,
     pose: Pose,
-    others: OthersBends | None,
+    body: Jointed | None,
 ) -> FloatArray:
     """(frames, joints, 7) smoothed from what was measured in the coordinates of joints."""
-    if pose.frames < _SETTLES or np.isnan(features).any():
+    if pose.frames < _SETTLES or body is None:
         return features
     pilot = columns_of(features, channels)
     measured = features.copy()
@@ -340,8 +351,9 @@ def _in_time(
     measured[:, channels.joints] = values.reshape(pose.frames, -1, FEATURES)
     variance = np.ones(features.shape)
     variance[:, channels.joints] = (noise**2).reshape(-1, FEATURES)
-    body = features, pose.parents, pose.order, pose.rate
-    return settle_in_time(measured, variance, *body, others)
+    given = body.of(measured), body.unsure(variance), body.of(features)
+    settled = settle_in_time(*given, body.parents, body.order, pose.rate, body.others)
+    return body.back(settled, features)
 
 
 def _between(

@@ -10,18 +10,24 @@ from scipy.spatial.transform import Rotation
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.poses.bridging import bridged, bridging_error
+from markermend.poses.facing import facing
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import NO_TURN, inverse, lengths_of, multiply, turn, unit, unrolled
 
 # A joint may move this much in the root's axes, mm, however still it seems to be there.
 _STILL_MM = 1.0
-# How much the way the root turned beside a gap counts beside how joints stand around it.
-_BESIDE = 0.001
+# A joint counts this share of what one nearer to the root by a bone would: more bends between.
+_FURTHER = 0.1
+# How much the way the root turned beside a gap counts beside how joints stand around it, whose
+# strays are bridged, too.
+_BESIDE = 0.05
+# What may be missed of how it turned in a gap, in radians, at least, and where nothing tells.
+_LEAST_TURN, _ANY_TURN = 1e-4, 1.0
 # How joints stand around a root changes slowly: what changes by this share of its squared change
 # over such a time from one frame to the next is noise.
 _CALM_S, _SHAKES = 0.1, 0.3
 # So many sets of joints that were seen together are asked one by one.
-_MOST_PARTS = 32
+_MOST_PARTS = 16
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,25 +52,29 @@ def rooted(pose: Pose, turned: BoolArray) -> Rooted:
 
     Parameters
     ----------
-    pose : a skeleton with one root; one that was never seen, or never turned, is taken to be at 0
+    pose : a skeleton with one root; one that was never seen is taken to be at 0, and one without
+        rotations to be turned as it faces (:func:`markermend.poses.facing.facing`), or not at all
     turned : (frames, joints) bool, rotations that are known
 
     Notes
     -----
     The joints that hang on a root hardly move in its axes. Laid over where they were seen
-    (Kabsch 1976), each counting by how still it is, they tell how the root turned and where it
-    was; what that leaves in the frames in which the root was seen is bridged in time. Where none of
-    them was seen, the root itself is bridged, and how it turned where one alone was.
+    (Kabsch 1976), each counting by how still and how near it is, they tell how the root turned and
+    where it was; what that leaves in the frames in which the root was seen is bridged in time.
+    Where none was seen, the root itself is bridged, and how it turned where one alone was.
     """
     root = pose.order[0]
     seen, known = pose.seen[:, root], turned[:, root]
-    position = pose.positions[:, root].copy()
-    rotation = unrolled(np.where(known[:, None], pose.rotations[:, root], np.nan)[:, None])[:, 0]
+    position, rotation = pose.positions[:, root].copy(), pose.rotations[:, root]
+    if not known.any():
+        rotation = facing(pose)
+        known = ~np.isnan(rotation[:, 3])
+    rotation = unrolled(np.where(known[:, None], rotation, np.nan)[:, None])[:, 0]
     path = _bridged(position, seen, (0.0, 0.0, 0.0))
     rotation = unit(_bridged(rotation, known, NO_TURN))
     error = np.zeros(pose.frames) if seen.all() else bridging_error(path, seen)
     both = seen & known
-    hanging = [j for j, p in enumerate(pose.parents) if p == root and pose.seen[both, j].any()]
+    hanging = [j for j in pose.order if j != root and pose.seen[both, j].any()]
     if both.all() or not hanging:
         return Rooted(path, rotation, error)
     # What some of them leave is not what all of them do, so it is bridged with the same ones.
@@ -74,9 +84,10 @@ def rooted(pose: Pose, turned: BoolArray) -> Rooted:
     ]
     askew = np.zeros(pose.frames)
     if not known.all():
+        turning = 2.0 * bridging_error(rotation, known)
         told, turns = known.copy(), rotation.copy()
         for frames, beside in parts:
-            found, off, there = _turned(rotation, known, beside, pose.rate)
+            found, off, there = _turned(rotation, turning, known, beside, pose.rate)
             there &= frames & ~known
             told[there], turns[there], askew[there] = True, found[there], off[there]
         between = unrolled(np.where(told[:, None], turns, np.nan)[:, None])[:, 0]
@@ -114,6 +125,7 @@ class _Beside:
     Attributes
     ----------
     counts : (frames, joints) shares, 0 where a joint was not seen
+    total : (frames,) what these are shares of: by 1/mm², how well they are known
     shown : (frames,) bool, any was seen
     middle : (frames, 3) mm, of those that were seen
     centre : (frames, 3) mm, the same in the root's axes, where they usually are
@@ -121,6 +133,7 @@ class _Beside:
     """
 
     counts: FloatArray
+    total: FloatArray
     shown: BoolArray
     middle: FloatArray
     centre: FloatArray
@@ -135,32 +148,51 @@ def _beside(
     around, seen = pose.positions[:, joints], pose.seen[:, joints]
     local = turn(inverse(rotation[both])[:, None], around[both] - path[both][:, None])
     place, spread = np.nanmedian(local, axis=0), np.nanvar(local, axis=0).sum(axis=1)
-    counts, shown = seen / (spread + _STILL_MM**2), np.asarray(seen.any(axis=1))
-    counts[shown] /= counts[shown].sum(axis=1, keepdims=True)
+    near = _FURTHER ** (_depths(pose)[joints] - 1)
+    counts, shown = seen * near / (spread + _STILL_MM**2), np.asarray(seen.any(axis=1))
+    total = counts.sum(axis=1)
+    counts[shown] /= total[shown, None]
     around = np.where(seen[..., None], around, 0.0)
     middle, centre = np.einsum("tj,tjx->tx", counts, around), counts @ place
-    return _Beside(counts, shown, middle, centre, around - middle[:, None], place - centre[:, None])
+    around, usual = around - middle[:, None], place - centre[:, None]
+    return _Beside(counts, total, shown, middle, centre, around, usual)
+
+
+def _depths(pose: Pose) -> IntArray:
+    """(joints,) bones from the root to each joint."""
+    depths = np.zeros(len(pose.joints), dtype=int)
+    for joint in pose.order[1:]:
+        depths[joint] = depths[pose.parents[joint]] + 1
+    return depths
 
 
 def _turned(
-    rotation: FloatArray, known: BoolArray, beside: _Beside, rate: float
+    rotation: FloatArray, turning: FloatArray, known: BoolArray, beside: _Beside, rate: float
 ) -> tuple[FloatArray, FloatArray, BoolArray]:
     """(frames, 4) rotations, which are bridged where not known, by how joints stand around it.
 
     And (frames,) by how much they may be off, in radians, and bool, where joints tell any.
     """
+    usual = float(np.sqrt(np.mean(np.nan_to_num(turning[~known], nan=_ANY_TURN) ** 2)))
+    # The same in all frames: what it draws them away by is bridged with the rest.
+    total = np.where(beside.shown, beside.total, 1.0)[:, None]
+    firm = 3.0 * _BESIDE / max(usual, _LEAST_TURN) ** 2 / total
     laid = np.einsum("tj,tjx,tjy->txy", beside.counts, beside.around, beside.usual)
-    size = np.einsum("tj,tjx->t", beside.counts, beside.usual**2)
-    laid += (_BESIDE * size)[:, None, None] * Rotation.from_quat(rotation).as_matrix()
-    laid += np.finfo(float).tiny * np.eye(3)
+    laid += 0.5 * firm[..., None] * Rotation.from_quat(rotation).as_matrix()
     left, _, right = np.linalg.svd(laid)
     sign = np.linalg.det(left @ right)
     left[:, :, 2] *= sign[:, None]
     found = Rotation.from_matrix(left @ right).as_quat()
     off = unrolled(multiply(inverse(found), rotation)[:, None])[:, 0]
     off, shake = _calmed(off, known, rate)
+    # Along axes that joints tell nothing about, the way beside the gap is all there is.
+    spread = np.einsum("tj,tjx,tjy->txy", beside.counts, beside.usual, beside.usual)
+    size = np.trace(spread, axis1=1, axis2=2)
+    told = np.linalg.eigvalsh(size[:, None, None] * np.eye(3) - spread)
+    open_to = firm / (firm + np.maximum(told, 0.0))
+    missed = turning * np.sqrt(np.mean(open_to**2, axis=1))
     # A rotation's numbers are off by half of a small angle.
-    error = 2.0 * np.hypot(bridging_error(off, known), shake)
+    error = np.hypot(2.0 * np.hypot(bridging_error(off, known), shake), missed)
     turns = multiply(found, unit(_bridged(off, known, NO_TURN)))
     # Where none was seen, or one alone, there is nothing to lay over.
     return unit(turns), error, size > 0

@@ -53,7 +53,7 @@ def settle(
     given = _single(features)
     bends = find_bends(_signed(_single(pilot), given), parents, order, others)
     rows = np.arange(len(given))
-    if not bends.at.shape[1]:
+    if not bends.at.shape[1] or (wanted is not None and not wanted.any()):
         return features
     if wanted is not None:
         alike = _alike(rate)

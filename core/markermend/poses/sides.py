@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from markermend.arrays import Float32Array, FloatArray, IntArray
+from markermend.arrays import BoolArray, Float32Array, FloatArray, IntArray
 from markermend.poses.normal import FEATURES
 from markermend.poses.nuitrack import MIRROR, twins
 from markermend.poses.solving import part_of
@@ -35,6 +35,17 @@ class Mirror:
         """(n, k · channels) rows as the mirrored body has them."""
         poses = rows.reshape(-1, len(self.twins))
         return np.asarray(poses[:, self.twins] * self.signs).reshape(rows.shape)
+
+    def of(self, kept: BoolArray) -> Mirror | None:
+        """The same for some columns; None where the counterpart of one is not among them.
+
+        Parameters
+        ----------
+        kept : (channels,) bool
+        """
+        if (kept[self.twins] != kept).any():
+            return None
+        return Mirror((np.cumsum(kept) - 1)[self.twins[kept]], self.signs[kept])
 
 
 def mirror_of(joints: Sequence[str], usual: FloatArray, beside: Sequence[float]) -> Mirror:
