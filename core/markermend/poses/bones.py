@@ -16,7 +16,7 @@ from markermend.poses.quaternion import between, inverse, lengths_of, multiply, 
 _RIGID, _ATTACHED, _BY_NOISE = 0.01, 0.02, 2.0
 _ROUNDS = 8
 # How much rotations count against positions for a bone's direction, and bones against positions.
-_BY_ROTATION, _BY_BONE = 0.3, 3.0
+BY_ROTATION, BY_BONE = 0.3, 3.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -177,14 +177,14 @@ def fuse(features: FloatArray, bones: Bones, root: int) -> FloatArray:
         bone = features[:, joint, :3] - features[:, parent, :3]
         if not np.isnan(bones.places[joint, 0]) and parent != root:
             told = turn(features[:, parent, 3:], _all(bones.places[joint], bone))
-            bone = (1.0 - _BY_ROTATION) * bone + _BY_ROTATION * told
+            bone = (1.0 - BY_ROTATION) * bone + BY_ROTATION * told
         directions[:, joint] = bone / np.maximum(lengths_of(bone), 1e-9)[:, None] * length
-        system[joint, joint] += _BY_BONE
-        system[parent, parent] += _BY_BONE
-        system[joint, parent] -= _BY_BONE
-        system[parent, joint] -= _BY_BONE
-        right[:, joint] += _BY_BONE * directions[:, joint]
-        right[:, parent] -= _BY_BONE * directions[:, joint]
+        system[joint, joint] += BY_BONE
+        system[parent, parent] += BY_BONE
+        system[joint, parent] -= BY_BONE
+        system[parent, joint] -= BY_BONE
+        right[:, joint] += BY_BONE * directions[:, joint]
+        right[:, parent] -= BY_BONE * directions[:, joint]
     system[root] = np.eye(count)[root]
     right[:, root] = features[:, root, :3]
     out = features.copy()

@@ -42,7 +42,9 @@ _COASTS_S, _AVERAGED_S = 0.042, 0.024
 # In this time what was filled follows what it settles to.
 _SETTLES_S = 0.08
 # Axes turn after the root over this time, and over the second where no rotation tells of it.
-_FOLLOWS_S, _FACES_S = 0.15, 0.3
+_FOLLOWS_S, _FACES_S = 0.1, 0.3
+# How often joints are asked for it.
+_ASKED_HZ = 30.0
 _ROUNDS = 2
 
 
@@ -102,7 +104,7 @@ class Following:
         self._lengths = bone_lengths(first.positions, first.parents)
         self._values = features[0, self._others].ravel()
         self._root_pose = first.positions[0, root], first.rotations[0, root]
-        self._axes_turn = self._root_pose[1]
+        self._axes_turn, self._unasked = self._root_pose[1], 0
         kept = None if before is None else self._measure_as(before, first)
         self._aligning = by_right(self._offset[self._others])
         channels = len(self._values)
@@ -241,8 +243,13 @@ class Following:
         """(4,) how the root is turned in one pose, as it was where nothing tells."""
         if self._sides is None:
             return np.asarray(turns[self._root]) if told[self._root] else self._root_pose[1]
+        self._unasked += 1
+        own: FloatArray = self._root_pose[1]
+        if self._unasked * _ASKED_HZ < self._rate:
+            return own
+        self._unasked = 0
         faced = self._sides.facing(np.where(seen[:, None], positions, np.nan)[None])[0]
-        return np.asarray(self._root_pose[1] if np.isnan(faced).any() else faced)
+        return own if np.isnan(faced).any() else faced
 
     def __call__(
         self, positions: FloatArray, rotations: FloatArray, seen: BoolArray

@@ -11,6 +11,7 @@ from markermend.poses.normal import bone_lengths
 from markermend.poses.nuitrack import MIRROR, mirrored
 from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior, bending_of, fitting
+from markermend.poses.steadying import Steadying
 
 
 class Live:
@@ -40,6 +41,7 @@ class Live:
             raise DataError(f"Live filling starts from one pose, not {first.frames}.")
         self._body, self._prior, self._root = first, prior, first.order[0]
         self._following: Following | None = None
+        self._steadying = Steadying(first.parents, first.rate)
         self.joined: BoolArray = np.zeros(len(first.joints), dtype=bool)
         self.by_prior = self._left_handed = False
         self._join(first.positions[0], first.rotations[0], first.seen[0])
@@ -65,6 +67,7 @@ class Live:
         positions and rotations, whole but for what never joined, which is as it came; so are
         rotations of a joint that never had one, or on which one hangs that never joined
         """
+        positions, rotations = self._steadying(positions, rotations, seen)
         places, turns = self._filled(positions, rotations, seen)
         if not self.joined.all():
             new = seen & ~self.joined & np.isfinite(positions).all(axis=1)
