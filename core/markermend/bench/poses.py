@@ -250,7 +250,7 @@ def _try(
     for name, known_before in learnt.items():
         done = restore(given, prior=known_before).pose
         results[name] = Tried(_relative(done, normal), everywhere, ALL)
-    if case.kind == "occlusions" and given.seen.all(axis=1).any():
+    if given.seen.all(axis=1).any():
         came, after = _live(given, prior)
         results["live"] = Tried(_relative(came, normal), after, ALL)
     count = np.count_nonzero(occluded, axis=1)

@@ -41,18 +41,19 @@ class Tracking:
         Parameters
         ----------
         values : of the shape; anything where not known
-        known : of the shape; what was not known before starts anew
+        known : of the shape; what was never known before starts with it
         noise : variances, more than 0, as many as the last axis has
         """
-        # Speed and its doubt of one pose to the next, then what was measured.
+        # What is not known goes on as it went, and is the less sure of it.
         changes = self._changes
         ahead = self.at + self._speed
         unsure = self._unsure + 2.0 * self._together + self._speed_unsure + 0.25 * changes
         together = self._together + self._speed_unsure + 0.5 * changes
         missed, expected = np.where(known, values - ahead, 0.0), unsure + noise
-        gain, speed_gain = unsure / expected, together / expected
+        told = known / expected
+        gain, speed_gain = unsure * told, together * told
         surprise = missed**2 / expected
-        new = ~self._there | (surprise > _ELSEWHERE**2)
+        new = known & (~self._there | (surprise > _ELSEWHERE**2))
         learnt = np.exp(np.clip(self._learns * gain * (surprise - 1.0), _SLOWER, _FASTER))
         self._changes = np.where(
             new, _AT_FIRST * noise, np.maximum(changes * learnt, _CALMEST * noise)
@@ -64,7 +65,7 @@ class Tracking:
         )
         self._unsure = np.where(new, noise, (1.0 - gain) * unsure)
         self._together = np.where(new, 0.0, (1.0 - gain) * together)
-        self._there = known.copy()
+        self._there |= known
         return np.asarray(self.at)
 
     def forget(self) -> None:
