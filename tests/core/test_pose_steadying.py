@@ -118,6 +118,36 @@ def test_bones_tell_how_noisy_a_sensor_is(walk, rate, shared_data):
     assert shaking.noise_rad == pytest.approx(NOISE_RAD, rel=0.35)
 
 
+def test_rotations_without_noise_are_left_and_pull_nothing_away(walk):
+    places = walk.positions + np.random.default_rng(5).normal(0.0, 3.0, walk.positions.shape)
+    given = walk.with_samples(places, walk.rotations)
+    out, turns = steadied(given, Steadying(walk.parents, walk.rate))
+    # Few bones may shake by chance as rotations would.
+    assert np.mean((turns != given.rotations).any(axis=(1, 2))) < 0.05
+    off, before = (lengths_of(x - walk.positions)[60:] for x in (out, places))
+    assert off.mean() < 0.75 * before.mean()
+    assert off.max() < before.max()
+
+
+@pytest.mark.parametrize("until", ["frozen at first", "clean at first", "noisy at first"])
+def test_noise_that_begins_or_ends_is_noticed(walk, noisy, until):
+    places, turns = noisy.positions.copy(), noisy.rotations.copy()
+    if until == "frozen at first":
+        places[:5], turns[:5] = places[0], turns[0]
+    elif until == "clean at first":
+        places[:100], turns[:100] = walk.positions[:100], walk.rotations[:100]
+    else:
+        places[100:], turns[100:] = walk.positions[100:], walk.rotations[100:]
+    given = walk.with_samples(places, turns)
+    out, turned = steadied(given, Steadying(walk.parents, walk.rate))
+    if until == "noisy at first":
+        assert (out[200:] == walk.positions[200:]).all()
+        assert (turned[200:] == given.rotations[200:]).all()
+    else:
+        off, before = (lengths_of(x - walk.positions)[220:].mean() for x in (out, places))
+        assert off < 0.75 * before
+
+
 def test_of_few_poses_no_noise_is_told(noisy):
     shaking = Shaking(2)
     random = np.random.default_rng(3)

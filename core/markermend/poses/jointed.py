@@ -10,6 +10,9 @@ from markermend.arrays import BoolArray, FloatArray
 from markermend.poses.bending import OthersBends
 from markermend.poses.pose import Pose
 
+# So many of a body's joints must have a rotation for it to settle.
+_TURNED = 0.5
+
 
 @dataclass(frozen=True, eq=False)
 class Jointed:
@@ -94,11 +97,11 @@ def jointed(
 
     Returns
     -------
-    None where no joint but the root was ever turned: places relative to a root alone tell no more
-    of a body than they do without
+    None where most joints but the root were never turned: places in the root's axes tell no more of
+    a body than they do without (:mod:`markermend.poses.stretching`)
     """
     kept = [joint for joint in pose.order if seen[joint]]
-    if not turned[kept[1:]].any():
+    if np.mean(turned[kept[1:]]) < _TURNED:
         return None
     at = {joint: n for n, joint in enumerate(kept)}
     above = [_above(pose, joint, seen) for joint in kept]

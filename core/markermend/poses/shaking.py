@@ -13,8 +13,11 @@ _LEAST = 2e-3
 # Of third differences of white noise the sum of squared weights; the median of a normal
 # distribution's size, and of the size of two together.
 _SQUARES, _MEDIAN, _MEDIAN_OF_TWO = 20.0, 0.6745, 1.1774
-# A median goes up where more was found and down where less, by this part, and at first faster.
-_STEP, _FIRST_STEP = 0.02, 2.0
+# A median goes up where more was found and down where less, by this part; faster at first, and
+# where more than this share of bones agree. It stays above this share of a bone.
+_STEP, _FIRST_STEP, _AGREE, _FASTER, _FLOOR = 0.02, 2.0, 0.75, 1.0, 1e-3
+# Noise of rotations is told where it shakes places by more than this times positions' variance.
+_BESIDE = 0.7
 _PLACE = 3
 
 
@@ -74,10 +77,13 @@ class Shaking:
         known = ~np.isnan(found)
         first = known & (self._seen == 0)
         self._seen += known
-        step = np.maximum(_FIRST_STEP / np.maximum(self._seen, 1.0), _STEP)
         towards = np.where(known, np.sign(found - self._shakes), 0.0)
-        self._shakes = np.where(first, found, self._shakes * np.exp(step * towards))
+        agreed = np.abs(towards.sum(axis=0)) / np.maximum(known.sum(axis=0), 1)
+        step = _STEP + _FASTER * np.maximum(agreed - _AGREE, 0.0)
+        step = np.maximum(_FIRST_STEP / np.maximum(self._seen, 1.0), step)
         self._lengths = np.where(np.isnan(lengths), self._lengths, lengths)
+        moved = np.where(first, found, self._shakes * np.exp(step * towards))
+        self._shakes = np.maximum(moved, _FLOOR * np.nan_to_num(self._lengths)[:, None])
 
     def _tell(self) -> None:
         """Tell how noisy positions and rotations are."""
@@ -91,5 +97,8 @@ class Shaking:
         aside = np.where(often[known, 1:], self._shakes[known, 1:], np.inf)
         # Of a bone's two ends one carries it.
         turning = (aside.min(axis=1) / _MEDIAN_OF_TWO) ** 2 / _SQUARES - 2.0 * noise**2
-        turning = (turning / far**2)[np.isfinite(turning)]
-        self.noise_rad = float(np.sqrt(max(np.median(turning), 0.0))) if len(turning) else 0.0
+        told = np.isfinite(turning)
+        self.noise_rad = 0.0
+        # Less than what positions make of it anyway cannot be told from that.
+        if told.any() and np.median(turning[told]) > _BESIDE * noise**2:
+            self.noise_rad = float(np.sqrt(np.median(turning[told] / far[told] ** 2)))

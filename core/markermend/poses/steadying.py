@@ -79,7 +79,8 @@ class Steadying:
         turns[other] *= -1.0
         values = np.column_stack([np.where(seen[:, None], positions, 0.0), turns])
         now = self._tracking.follow(values, known, noise)
-        turns = unit(np.where(told[:, None], now[:, _PLACE:], 1.0))
+        turns = now[:, _PLACE:] if shaking.noise_rad else values[:, _PLACE:]
+        turns = unit(np.where(told[:, None], turns, 1.0))
         given = now[:, :_PLACE], turns, seen, told
         places, turns = self._bracing.braced(*given, shaking.noise_mm)
         turns = np.where(other[:, None], -turns, turns)
