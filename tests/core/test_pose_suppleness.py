@@ -12,6 +12,7 @@ from scipy.spatial.transform import Rotation
 from sensed_bodies import with_hands
 
 import markermend as mm
+import markermend.poses.agreeing as agreed
 import markermend.poses.restore as restoring
 from markermend.errors import FileFormatError
 from markermend.files.npz import read_arrays, write_arrays
@@ -276,8 +277,8 @@ def test_each_step_of_restoring_is_told(clips, prior, monkeypatch) -> None:
 
         return run
 
-    for name in ("smooth", "settle", "settle_in_time"):
-        monkeypatch.setattr(restoring, name, spied(name, getattr(restoring, name)))
+    for where, name in ((restoring, "smooth"), (agreed, "settle"), (agreed, "settle_in_time")):
+        monkeypatch.setattr(where, name, spied(name, getattr(where, name)))
     restore(corrupt_pose(clips["03_02"], Noise(), seed=1), prior=prior)
     assert told["smooth"].mean.shape == (112,)
     for name in ("settle", "settle_in_time"):

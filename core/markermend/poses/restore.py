@@ -11,8 +11,9 @@ from threadpoolctl import threadpool_limits
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import DataError
+from markermend.poses.agreeing import NOISY, SURE, agreeing, agreeing_in_time, with_bones
 from markermend.poses.bending import OthersBends
-from markermend.poses.bones import Bones, find_bones, fuse, keep_lengths, swing, wobble
+from markermend.poses.bones import Bones, wobble
 from markermend.poses.channels import (
     Channels,
     columns_of,
@@ -29,7 +30,7 @@ from markermend.poses.faults import Fault, mend_faults
 from markermend.poses.filling import BRIEF_S, Filled, fill
 from markermend.poses.guessing import INFERRED, guessed, restored_beside_guesses
 from markermend.poses.hanging import by_parents, hanging_joints
-from markermend.poses.jointed import Jointed, jointed
+from markermend.poses.jointed import jointed
 from markermend.poses.likeness import FEW_MOMENTS, MOMENTS, SOME_MOMENTS
 from markermend.poses.linking import linked_channels
 from markermend.poses.loose_root import with_loose_root, without_loose_root
@@ -39,7 +40,6 @@ from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior, bending_of, fitting, remembered_of, shipped_prior
 from markermend.poses.quaternion import signed_like, unit
 from markermend.poses.remembered import Remembered, performances
-from markermend.poses.settling import settle, settle_in_time
 from markermend.poses.sides import mirror_of
 from markermend.poses.smoothing import (
     LEAST_NOISE,
@@ -49,18 +49,12 @@ from markermend.poses.smoothing import (
     smooth_again,
 )
 from markermend.poses.stance import IN_MIRROR, stance
-from markermend.poses.stretching import stretched
 from markermend.poses.trials import tried
 from markermend.poses.turnless import with_one_turn, without_one_turn
 from markermend.progress import Progress, part, quiet
 
-# Noise above this makes it worth to let positions and rotations agree.
-_NOISY = 2e-3
-# What is known exactly is taken for this sure, and filled again from what comes out.
-_SURE, _ROUNDS = 2e-3, 2
-# The way a body bends may change what was filled only so much: its squared errors count as this
-# share of themselves where nothing is noisy, and where it is.
-_FIRM = (0.25, 0.4)
+# What was filled without noise is filled again so many times from what comes out.
+_ROUNDS = 2
 # How much others' bends count beside a recording's own where nothing is noisy, and where it is and
 # these tell of the noise as of the body.
 _OTHERS = (0.5, 0.85)
@@ -73,8 +67,6 @@ _ROUNDS_WITH_GAPS = 2
 # Shares of what two earlier steps made in the mean of what was seen and smoothed in three ways.
 _BEFORE, _AT_FIRST = 0.3, 0.1
 _LEAST_FRAMES = 3
-# Poses that it takes to tell how a body bends.
-_SETTLES = 30
 
 
 @dataclass(frozen=True, eq=False)
@@ -227,7 +219,7 @@ def _restore(
     else:
         tell(0.3, "Smoothing")
         values = smooth(rough, noise[usable], pose.rate, prior)
-    others = bending and replace(bending, share=_OTHERS[int(level > _NOISY)])
+    others = bending and replace(bending, share=_OTHERS[int(level > NOISY)])
     ever_seen, ever_turned = (np.asarray(x.any(axis=0)) for x in seen_turned)
     body = jointed(pose, ever_seen, ever_turned, others)
     tell(0.5, "Filling")
@@ -256,10 +248,10 @@ def _restore(
         return agreed(whole, variance, rounds=rounds)
 
     agreed = partial(
-        _agreed, channels=channels, pose=pose, known=seen_turned, noise=level, body=body
+        agreeing, channels=channels, pose=pose, known=seen_turned, noise=level, body=body
     )
     tell(0.7, "Keeping bones")
-    many, rounds = filled.lasting >= _MANY, 1 if level > _NOISY else _ROUNDS
+    many, rounds = filled.lasting >= _MANY, 1 if level > NOISY else _ROUNDS
     looks = _LOOKS[many] - int(many and level > 0) if filled.lasting else 0
     filled = filled if looks else hung(filled)
     features, bones = settled(filled, int(not many) if looks else rounds)
@@ -270,7 +262,7 @@ def _restore(
         filled = filled_by(values, noise=left * level, near=near, compared=compared)
         filled = filled if look < looks else hung(filled)
         features, bones = settled(filled, 1 if many and look < looks else rounds)
-    if level > _NOISY:
+    if level > NOISY:
         tell(0.8, "Smoothing again")
         first = features
         for _ in range(1 if many or known.all() else _ROUNDS_WITH_GAPS):
@@ -278,82 +270,17 @@ def _restore(
             again = np.where(known, channels.values[:, usable], pilot)
             whole[:, usable] = smooth_again(again, pilot, noise[usable], pose.rate)
             features, bones = agreed(whole, variance, rounds=1)
-            last = _in_time(features, channels, noise, pose, body)
+            last = agreeing_in_time(features, channels, noise, pose, body)
             features = _between(last, features, first, seen_turned)
-    features = _with_bones(features, seen_turned, bones)
+    features = with_bones(features, seen_turned, bones)
     variance[:, usable] *= limbs_doubted(known.shape, filled.gaps, BRIEF_S * pose.rate)
     return _finished(pose, features, channels, noise, variance, off_mm)
 
 
 def _variance(filled: Filled, known: BoolArray, left: FloatArray) -> FloatArray:
     """(frames, channels) of errors of what was filled, and of the noise that is left."""
-    unsure = np.where(known, 0.0, np.maximum(filled.variance, _SURE**2))
+    unsure = np.where(known, 0.0, np.maximum(filled.variance, SURE**2))
     return unsure + left**2
-
-
-def _agreed(
-    values: FloatArray,
-    variance: FloatArray,
-    channels: Channels,
-    pose: Pose,
-    known: tuple[BoolArray, BoolArray],
-    noise: float,
-    body: Jointed | None,
-    rounds: int,
-) -> tuple[FloatArray, Bones]:
-    """(frames, joints, 7) settled where they are noisy or filled, and the bones found."""
-    features = to_features(values, channels)
-    bones = find_bones(features, *known, pose.parents, left_of_noise(pose.rate) * noise)
-    noisy, hidden = noise > _NOISY, ~np.stack(known)
-    if not (noisy or hidden.any()):
-        return features, bones
-    unsure = np.ones(features.shape)
-    unsure[:, channels.joints] = variance.reshape(pose.frames, -1, FEATURES)
-    # Three numbers say where a joint is, four how it is turned.
-    filled = np.repeat(hidden, (3, 4), axis=0).transpose(1, 2, 0)
-    unsure = np.maximum(np.where(filled, _FIRM[int(noisy)] * unsure, unsure), _SURE**2)
-    if body is None and pose.frames >= _SETTLES:
-        loose = np.where(noisy | hidden[0], unsure[..., :3].mean(axis=2), 0.0)
-        loose[:, channels.normal.root] = 0.0
-        features[..., :3] = stretched(features[..., :3], loose, bones, pose.order)
-        return features, bones
-    for _ in range(rounds):
-        if noisy:
-            pilot = fuse(features, bones, channels.normal.root)
-        else:
-            pilot = _with_bones(features, known, bones)
-        if pose.frames < _SETTLES or body is None:
-            return pilot, bones
-        unsettled = None if noisy else body.hidden(*known)
-        given = body.of(features), body.unsure(unsure), body.of(pilot)
-        settled = settle(*given, body.parents, body.order, pose.rate, unsettled, body.others)
-        settled = body.back(settled, features)
-        if not noisy:
-            settled[..., :3][known[0]] = features[..., :3][known[0]]
-            settled[..., 3:][known[1]] = features[..., 3:][known[1]]
-        features = settled
-    return features, bones
-
-
-def _in_time(
-    features: FloatArray,
-    channels: Channels,
-    noise: FloatArray,
-    pose: Pose,
-    body: Jointed | None,
-) -> FloatArray:
-    """(frames, joints, 7) smoothed from what was measured in the coordinates of joints."""
-    if pose.frames < _SETTLES or body is None:
-        return features
-    pilot = columns_of(features, channels)
-    measured = features.copy()
-    values = np.where(channels.known, channels.values, pilot)
-    measured[:, channels.joints] = values.reshape(pose.frames, -1, FEATURES)
-    variance = np.ones(features.shape)
-    variance[:, channels.joints] = (noise**2).reshape(-1, FEATURES)
-    given = body.of(measured), body.unsure(variance), body.of(features)
-    settled = settle_in_time(*given, body.parents, body.order, pose.rate, body.others)
-    return body.back(settled, features)
 
 
 def _between(
@@ -369,16 +296,6 @@ def _between(
     out[..., :3][known[0]] = mean[..., :3][known[0]]
     out[..., 3:][known[1]] = unit(mean[..., 3:][known[1]])
     return out
-
-
-def _with_bones(
-    features: FloatArray, known: tuple[BoolArray, BoolArray], bones: Bones
-) -> FloatArray:
-    """Features whose bones keep their length, by moving and turning only what is not known."""
-    seen, turned = known
-    out = features.copy()
-    out[..., :3] = keep_lengths(features[..., :3], seen, bones)
-    return swing(out, ~turned, bones)
 
 
 def _finished(
