@@ -13,7 +13,7 @@ from markermend.poses.quaternion import between, inverse, lengths_of, multiply, 
 
 # A bone is rigid when its length, or its place in its parent's axes, strays by less than this
 # share of its length beyond what noise explains, so many times its deviation: both ends have it.
-_RIGID, _ATTACHED, _BY_NOISE = 0.01, 0.02, 2.0
+RIGID, ATTACHED, BY_NOISE = 0.01, 0.02, 2.0
 _ROUNDS = 8
 # How much rotations count against positions for a bone's direction, and bones against positions.
 BY_ROTATION, BY_BONE = 0.3, 3.0
@@ -62,14 +62,14 @@ def find_bones(
         bone = features[both, joint, :3] - features[both, parent, :3]
         far = lengths_of(bone)
         length = float(np.median(far))
-        if length <= 0 or np.median(np.abs(far - length)) > _RIGID * length + _BY_NOISE * noise:
+        if length <= 0 or np.median(np.abs(far - length)) > RIGID * length + BY_NOISE * noise:
             continue
         lengths[joint] = length
         fixed = turned[both, parent]
         if fixed.any():
             own = turn(inverse(features[both, parent, 3:][fixed]), bone[fixed])
             place = np.median(own, axis=0)
-            if np.median(lengths_of(own - place)) < _ATTACHED * length + _BY_NOISE * noise:
+            if np.median(lengths_of(own - place)) < ATTACHED * length + BY_NOISE * noise:
                 places[joint] = place
     return Bones(parents, lengths, places)
 

@@ -5,14 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
-from markermend.poses.bones import BY_BONE, BY_ROTATION
+from markermend.poses.bones import ATTACHED, BY_BONE, BY_NOISE, BY_ROTATION, RIGID
 from markermend.poses.quaternion import between, lengths_of, multiply, turn
+from markermend.poses.shaking import ENOUGH
 
-# A bone is rigid, or fixed to the joint that carries it, if its length or place strays by less than
-# these shares of its length beyond noise, so many times its deviation.
-_RIGID, _ATTACHED, _BY_NOISE = 0.01, 0.02, 2.0
-# Poses that it takes to tell, and poses that count.
-_ENOUGH, _MEMORY = 24, 1200.0
+# Poses that count.
+_MEMORY = 1200.0
 
 
 class Bracing:
@@ -95,10 +93,10 @@ class Bracing:
 
     def _tell(self, noise_mm: float) -> BoolArray:
         """(bones, 2) bool, those that are rigid, and those that are fixed to what carries them."""
-        limits = self._mean[:, :1] * [_RIGID, _ATTACHED] + _BY_NOISE * noise_mm
+        limits = self._mean[:, :1] * [RIGID, ATTACHED] + BY_NOISE * noise_mm
         # Three coordinates stray where one length does.
         stray = np.sqrt(self._spread / [1.0, 3.0])
-        return np.asarray((self._poses >= _ENOUGH) & (stray <= limits))
+        return np.asarray((self._poses >= ENOUGH) & (stray <= limits))
 
     def _solver(self, bones: IntArray) -> FloatArray:
         """(joints, joints) what makes positions of them and of bones, kept while those are."""

@@ -15,6 +15,7 @@ from markermend.poses.bending import OthersBends
 from markermend.poses.covariance import Moments
 from markermend.poses.facing import facing, sides_of
 from markermend.poses.joining import JOINING, Kept, widened
+from markermend.poses.jointed import above_seen, told_of
 from markermend.poses.levels import Levels
 from markermend.poses.normal import FEATURES, bone_lengths, normalise
 from markermend.poses.pose import Pose
@@ -29,7 +30,7 @@ from markermend.poses.quaternion import (
 )
 from markermend.poses.sides import both_sides, both_sides_moved, mirror_signs, twin_columns
 from markermend.poses.solving import Regression, average_in
-from markermend.poses.turnless import turned_as_parents
+from markermend.poses.turnless import given_turns, turned_as_parents
 
 # How long a movement is taken from the prior, how long one's own are, and how many they count for.
 _PRIOR_S, _LAGS_S, _MEMORY = 1.0, (0.008, 0.03, 0.125, 0.5, 2.0), 3000.0
@@ -136,13 +137,9 @@ class Following:
         """How others bend, of the joints that take part; a recording's mean bone is ``scale``."""
         if others is None or not self.ever_turned[self._others].any():
             return None
-        bent = [joint for joint in first.order if joint != self._root]
-        places = np.array([bent.index(joint) for joint in self._others], dtype=int)
-        pairs = [(joint, self._above(joint)) for joint in self._others]
         turned = self.ever_turned.copy()
         turned[self._root] |= self._sides is not None
-        hangs = np.array([on == self._parents[j] and turned[on] for j, on in pairs], dtype=bool)
-        some = others.of(places, hangs, turned[self._others])
+        some = told_of(others, first, self._others, self._there, turned)
         return some.longer(scale / self._scale)
 
     def _carried_along(self, moments: Moments, told: BoolArray) -> Moments:
@@ -211,10 +208,7 @@ class Following:
 
     def _above(self, joint: int) -> int:
         """The nearest joint above that takes part, -1 where there is none."""
-        above = self._parents[joint]
-        while above >= 0 and not self._there[above]:
-            above = self._parents[above]
-        return above
+        return above_seen(self._parents, joint, self._there)
 
     def _look(self) -> None:
         """Have the axes at hand that poses are looked at in."""
@@ -268,7 +262,7 @@ class Following:
         rotations of joints that never had one, or on which one of those hangs
         """
         # Streams round them, and what is not of unit length would count as movement.
-        told = seen & np.isfinite(rotations).all(axis=1) & (rotations != 0).any(axis=1)
+        told = given_turns(rotations, seen)
         self.ever_turned = self.ever_turned | told
         turns = unit(np.where(told[:, None], rotations, NO_TURN))
         place = self._root_pose[0]

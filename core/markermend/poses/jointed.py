@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -104,20 +105,36 @@ def jointed(
     if np.mean(turned[kept[1:]]) < _TURNED:
         return None
     at = {joint: n for n, joint in enumerate(kept)}
-    above = [_above(pose, joint, seen) for joint in kept]
+    above = [above_seen(pose.parents, joint, seen) for joint in kept]
     unturned = ~turned[kept]
     if others is not None:
-        bent = [joint for joint in pose.order if pose.parents[joint] >= 0]
-        places = np.array([bent.index(joint) for joint in kept[1:]], dtype=int)
-        pairs = list(zip(above, kept, strict=True))[1:]
-        hangs = np.array([on == pose.parents[joint] and turned[on] for on, joint in pairs])
-        others = others.of(places, hangs, ~unturned[1:])
+        others = told_of(others, pose, kept[1:], seen, turned)
     return Jointed(tuple(kept), tuple(at.get(a, -1) for a in above), unturned, others)
 
 
-def _above(pose: Pose, joint: int, seen: BoolArray) -> int:
+def told_of(
+    others: OthersBends, pose: Pose, joints: Sequence[int], seen: BoolArray, turned: BoolArray
+) -> OthersBends:
+    """What others tell of some joints, which hang on what is seen of a body.
+
+    Parameters
+    ----------
+    others : how they bend, of all joints of the body but the root, parents first
+    pose : the body
+    joints : indices of those that are asked for, without the root
+    seen, turned : (all joints,) bool, joints that have a place, and a rotation
+    """
+    bent = [joint for joint in pose.order if pose.parents[joint] >= 0]
+    places = np.array([bent.index(joint) for joint in joints], dtype=int)
+    above = [above_seen(pose.parents, joint, seen) for joint in joints]
+    pairs = zip(joints, above, strict=True)
+    hangs = np.array([on == pose.parents[joint] and turned[on] for joint, on in pairs], dtype=bool)
+    return others.of(places, hangs, turned[list(joints)])
+
+
+def above_seen(parents: Sequence[int], joint: int, seen: BoolArray) -> int:
     """Return the next joint above that was seen; -1 for the root."""
-    parent = pose.parents[joint]
+    parent = parents[joint]
     while parent >= 0 and not seen[parent]:
-        parent = pose.parents[parent]
+        parent = parents[parent]
     return parent

@@ -15,7 +15,7 @@ from markermend.poses.steadying import Steadying
 
 
 class Live:
-    """Fills joints that are not seen, each from the first pose in which it was.
+    """Fills joints that are not seen, once each has been seen, and takes noise out of the others.
 
     It begins with the first pose that shows the root and a bone. A joint that was never seen is
     passed on as it comes; once it is seen, it joins in.

@@ -11,6 +11,7 @@ from markermend.poses.bracing import Bracing
 from markermend.poses.quaternion import inverse, lengths_of, turn, unit
 from markermend.poses.shaking import Shaking
 from markermend.poses.tracking import Tracking
+from markermend.poses.turnless import given_turns
 
 # So many poses are looked at at first, then so many in a row of as many as the last.
 _AT_FIRST, _IN_A_ROW, _OF = 240, 8, 32
@@ -48,9 +49,7 @@ class Steadying:
 
         Parameters
         ----------
-        positions : (joints, 3) mm; anything where not seen
-        rotations : (joints, 4) unit quaternions x, y, z, w; 0 or NaN of a joint that has none
-        seen : (joints,) bool
+        positions, rotations, seen : as :class:`markermend.poses.live.Live` takes them, mm
 
         Returns
         -------
@@ -58,7 +57,7 @@ class Steadying:
         """
         # NaN is not near either.
         seen = seen & (np.abs(positions) < _FAR_MM).all(axis=1)
-        told = seen & np.isfinite(rotations).all(axis=1) & (rotations != 0).any(axis=1)
+        told = given_turns(rotations, seen)
         self._age += 1
         turn_of = self._age % _OF
         if self._age <= _AT_FIRST or turn_of < _IN_A_ROW:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from markermend.arrays import BoolArray
+from markermend.arrays import BoolArray, FloatArray
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import NO_TURN
 
@@ -18,6 +18,17 @@ _SAME = 1e-9
 def turnless(pose: Pose) -> BoolArray:
     """(joints,) bool: the joint was seen, and never has a rotation."""
     return np.asarray(pose.seen.any(axis=0) & np.isnan(pose.rotations[..., 3]).all(axis=0))
+
+
+def given_turns(rotations: FloatArray, seen: BoolArray) -> BoolArray:
+    """(joints,) bool: of one pose, joints that were seen with a rotation.
+
+    Parameters
+    ----------
+    rotations : (joints, 4); 0 or NaN of a joint that has none
+    seen : (joints,) bool
+    """
+    return np.asarray(seen & np.isfinite(rotations).all(axis=1) & (rotations != 0).any(axis=1))
 
 
 def turned_as_parents(pose: Pose, without: BoolArray | None = None) -> Pose:
