@@ -89,3 +89,16 @@ def test_rotations_that_are_none_end_nothing():
 def test_matrices_rotate_as_quaternions_do():
     turned = Rotation.random(20, random_state=1)
     np.testing.assert_allclose(matrices(turned.as_quat()), turned.as_matrix(), atol=1e-12)
+
+
+def test_poses_that_come_at_twice_the_pace_teach_as_much():
+    poses = np.repeat(arms(400), 2, axis=0)
+    known = np.ones(poses.shape[1], dtype=bool)
+    every, half = (Articulation(poses[0], ABOVE, RATE) for _ in range(2))
+    for n, pose in enumerate(poses[2:]):
+        every.follow(pose, known, UNTURNED)
+        half.follow(pose, known, UNTURNED, counts=2 * (n % 2))
+    filled, known = hide_wrist(arms(1, seed=7)[0], np.random.default_rng(1))
+    settled = [body.follow(filled, known, UNTURNED) for body in (every, half)]
+    assert np.abs(settled[0] - filled).max() > 0.02
+    np.testing.assert_allclose(settled[1], settled[0], atol=2e-4)

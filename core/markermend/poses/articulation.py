@@ -106,7 +106,9 @@ class Articulation:
         self._covariance = widened(before._covariance, usual, kept, _RIDGE)
         self._weight = min(before._weight, JOINING)
 
-    def follow(self, values: FloatArray, known: BoolArray, root: FloatArray) -> FloatArray:
+    def follow(
+        self, values: FloatArray, known: BoolArray, root: FloatArray, counts: int = 1
+    ) -> FloatArray:
         """Let settle what is hidden in the next pose, and learn from what comes out.
 
         Parameters
@@ -114,6 +116,7 @@ class Articulation:
         values : (joints · 7,) without NaN, hidden features filled, rotations of unit length
         known : (joints · 7,) bool
         root : (4,) how the root, which is at 0, is turned in the same axes
+        counts : for how many poses it counts, 0 to learn nothing from it
 
         Returns
         -------
@@ -133,8 +136,10 @@ class Articulation:
                 self._precision, self._age = self._inverse_covariance(), 0
             settled = self._settled(values.reshape(-1, FEATURES), hung, hidden)
             values = np.where(known, values, settled.ravel())
-            hung = self._hung(values.reshape(-1, FEATURES))
-        self._learn(values, hung.local)
+        if counts:
+            hung = self._hung(values.reshape(-1, FEATURES)) if hidden.any() else hung
+            self._learn(values, hung.local, counts)
+        self._age += 1
         return values
 
     def _hung(self, poses: FloatArray) -> _Hung:
@@ -149,16 +154,15 @@ class Articulation:
         local[:, _PLACE:] = np.where(other[:, None], -turned, turned)
         return _Hung(back, bones, local)
 
-    def _learn(self, values: FloatArray, local: FloatArray) -> None:
+    def _learn(self, values: FloatArray, local: FloatArray, counts: int) -> None:
         """Add a pose to means, covariance and how far features stray."""
-        self._weight = min(self._weight + 1.0, _MEMORY)
-        away = local - self._mean
-        self._mean += away / self._weight
-        average_in(self._covariance, away.reshape(1, -1), 1.0 / self._weight)
+        self._weight = min(self._weight + counts, _MEMORY)
+        share, away = counts / self._weight, local - self._mean
+        self._mean += share * away
+        average_in(self._covariance, away.reshape(1, -1), share)
         strays = values.reshape(-1, FEATURES) - self._usual
-        self._usual += strays / self._weight
-        self._variance += (strays**2 - self._variance) / (_FIRST + self._weight)
-        self._age += 1
+        self._usual += share * strays
+        self._variance += (strays**2 - self._variance) * (counts / (_FIRST + self._weight))
 
     def _settled(self, poses: FloatArray, hung: _Hung, hidden: BoolArray) -> FloatArray:
         """(joints, 7) poses after one step."""

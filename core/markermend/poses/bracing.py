@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
@@ -9,8 +11,8 @@ from markermend.poses.bones import ATTACHED, BY_BONE, BY_NOISE, BY_ROTATION, RIG
 from markermend.poses.quaternion import between, lengths_of, multiply, turn
 from markermend.poses.shaking import ENOUGH
 
-# Poses that count.
-_MEMORY = 1200.0
+# Poses that count, and for which what was learnt is used before it is looked at anew.
+_MEMORY, _KEPT = 1200.0, 8
 
 
 class Bracing:
@@ -29,6 +31,9 @@ class Bracing:
         self._binds[rows, joints], self._binds[rows, parents] = 1.0, -1.0
         self._only = np.bincount(parents, minlength=count)[parents] == 1
         self._firm: BoolArray | None = None
+        self._ties: _Ties | None = None
+        self._learnt = 0
+        self._tied_of = b""
         self._solved_of: IntArray = np.zeros(0, dtype=int)
         self._solved: FloatArray = np.eye(count)
         self._poses = np.zeros((len(joints), 2))
@@ -52,7 +57,9 @@ class Bracing:
         self._mean += share[:, [0, 1, 1, 1]] * away
         squared = np.column_stack([away[:, 0] ** 2, np.sum(away[:, 1:] ** 2, axis=1)])
         self._spread += share * ((1.0 - share) * squared - self._spread)
-        self._firm = None
+        self._learnt += 1
+        if self._learnt % _KEPT == 0:
+            self._firm = self._ties = None
 
     def braced(
         self,
@@ -70,26 +77,47 @@ class Bracing:
         seen, told : (joints,) bool, positions and rotations that are known; others stay
         noise_mm : of each coordinate
         """
+        tied_of = seen.tobytes() + told.tobytes()
+        if self._ties is None or self._tied_of != tied_of:
+            self._ties, self._tied_of = self._tie(seen, told, noise_mm), tied_of
+        ties = self._ties
+        if not len(ties.joints):
+            return positions, rotations
+        way, turned = positions[ties.joints] - positions[ties.parents], rotations
+        if len(ties.fixed):
+            pointing = turn(rotations[ties.carriers], ties.places)
+            way[ties.fixed] += BY_ROTATION * (pointing - way[ties.fixed])
+        way *= (ties.lengths / np.maximum(lengths_of(way), np.finfo(float).tiny))[:, None]
+        there = np.where(seen[:, None], positions, 0.0)
+        places = ties.solver @ there + ties.by_bones @ way
+        if len(ties.swinging):
+            turned, own = rotations.copy(), ties.swung
+            swing = between(pointing[ties.swinging], way[ties.fixed[ties.swinging]])
+            turned[own] = multiply(swing, rotations[own])
+        return np.where(seen[:, None], places, positions), turned
+
+    def _tie(self, seen: BoolArray, told: BoolArray, noise_mm: float) -> _Ties:
+        """What binds the joints that are seen."""
         if self._firm is None:
             self._firm = self._tell(noise_mm)
-        firm, lengths = self._firm, self._mean[:, 0]
+        firm = self._firm
         bones = np.flatnonzero(firm[:, 0] & seen[self._joints] & seen[self._parents])
-        if not len(bones):
-            return positions, rotations
         joints, parents = self._joints[bones], self._parents[bones]
-        way, turned = positions[joints] - positions[parents], rotations
-        fixed = firm[bones, 1] & told[parents]
-        some, swings = np.flatnonzero(fixed), np.flatnonzero(fixed & self._only[bones])
-        if len(some):
-            pointing = turn(rotations[parents], self._mean[bones, 1:])
-            way[some] += BY_ROTATION * (pointing - way)[some]
-        way *= (lengths[bones] / np.maximum(lengths_of(way), np.finfo(float).tiny))[:, None]
-        there = np.where(seen[:, None], positions, 0.0)
-        places = self._solver(bones) @ (there + BY_BONE * (self._binds[bones].T @ way))
-        if len(swings):
-            turned, own = rotations.copy(), parents[swings]
-            turned[own] = multiply(between(pointing[swings], way[swings]), rotations[own])
-        return np.where(seen[:, None], places, positions), turned
+        fixed = np.flatnonzero(firm[bones, 1] & told[parents])
+        swinging = np.flatnonzero(self._only[bones[fixed]])
+        carriers, solver = parents[fixed], self._solver(bones)
+        return _Ties(
+            joints,
+            parents,
+            self._mean[bones, 0],
+            fixed,
+            carriers,
+            self._mean[bones[fixed], 1:],
+            swinging,
+            carriers[swinging],
+            solver,
+            BY_BONE * (solver @ self._binds[bones].T),
+        )
 
     def _tell(self, noise_mm: float) -> BoolArray:
         """(bones, 2) bool, those that are rigid, and those that are fixed to what carries them."""
@@ -105,3 +133,30 @@ class Bracing:
             system = np.eye(binds.shape[1]) + BY_BONE * (binds.T @ binds)
             self._solved_of, self._solved = bones, np.asarray(np.linalg.inv(system))
         return self._solved
+
+
+@dataclass(frozen=True, eq=False)
+class _Ties:
+    """What binds some joints, for as long as those are seen.
+
+    Attributes
+    ----------
+    joints, parents : (bones,) ends of the rigid ones
+    lengths : (bones,) mm
+    fixed : (some,) which bones are fixed to what carries them
+    carriers, places : (some,) what that is, and (some, 3) where in its axes, mm
+    swinging, swung : (few,) which of those are the only ones there, and what turns with them
+    solver, by_bones : (all joints, all joints), (all joints, bones) what makes positions of
+        positions, and of bones
+    """
+
+    joints: IntArray
+    parents: IntArray
+    lengths: FloatArray
+    fixed: IntArray
+    carriers: IntArray
+    places: FloatArray
+    swinging: IntArray
+    swung: IntArray
+    solver: FloatArray
+    by_bones: FloatArray

@@ -44,8 +44,8 @@ _COASTS_S, _AVERAGED_S = 0.042, 0.024
 _SETTLES_S = 0.08
 # Axes turn after the root over this time, and over the second where no rotation tells of it.
 _FOLLOWS_S, _FACES_S = 0.1, 0.3
-# How often joints are asked for it.
-_ASKED_HZ = 30.0
+# How often joints are asked for it, and how often poses are learnt from.
+_ASKED_HZ, _LEARNT_HZ = 30.0, 60.0
 _ROUNDS = 2
 
 
@@ -105,7 +105,9 @@ class Following:
         self._lengths = bone_lengths(first.positions, first.parents)
         self._values = features[0, self._others].ravel()
         self._root_pose = first.positions[0, root], first.rotations[0, root]
-        self._axes_turn, self._unasked = self._root_pose[1], 0
+        self._axes_turn, self._unasked, self._unlearnt = self._root_pose[1], 0, 0
+        # Poses that come faster than that tell the same.
+        self._learns_from = max(round(self._rate / _LEARNT_HZ), 1)
         kept = None if before is None else self._measure_as(before, first)
         self._aligning = by_right(self._offset[self._others])
         channels = len(self._values)
@@ -274,11 +276,13 @@ class Following:
         # Matrices as small as these take twice as long where two threads share one.
         with self._threads.limit(limits=1):
             filled = self._filled(values, known)
-            values = self._articulation.follow(filled, known, self._turned_root())
+            self._unlearnt += 1
+            counts = self._unlearnt if self._unlearnt >= self._learns_from else 0
+            values = self._articulation.follow(filled, known, self._turned_root(), counts)
             # As whole steps each, they would draw a joint to its mean.
             share = 1.0 - np.exp(-1.0 / (_SETTLES_S * self._rate))
             self._values = filled + share * (values - filled)
-            self._learn(self._values)
+            self._learn(self._values, counts)
         where, turned = self._absolute(values)
         where = self._with_bones(where, seen)
         free = np.ones(len(seen), dtype=bool)
@@ -334,23 +338,25 @@ class Following:
         self._known = known
         return now
 
-    def _learn(self, values: FloatArray) -> None:
+    def _learn(self, values: FloatArray, counts: int) -> None:
         """Add how far the pose is from those of some moments ago to the covariance.
 
         Slow movement tells how far limbs go together, quick one how they set out; a left limb
         moves much like a right one that is mirrored.
         """
         past = self._past
-        lags = [n for n in self._lags if n <= len(past)]
-        # Movement grows with the root of time.
-        usual = np.sqrt(_USUAL_S * self._rate / np.array(lags))
-        before = np.array([past[-n] for n in lags]).reshape(len(lags), len(values))
-        moved = (values - before) * usual[:, None]
-        if self._twins is not None:
-            moved = both_sides_moved(moved, self._twins, self._signs)
+        if counts:
+            lags = [n for n in self._lags if n <= len(past)]
+            # Movement grows with the root of time.
+            usual = np.sqrt(_USUAL_S * self._rate / np.array(lags))
+            before = np.array([past[-n] for n in lags]).reshape(len(lags), len(values))
+            moved = (values - before) * usual[:, None]
+            if self._twins is not None:
+                moved = both_sides_moved(moved, self._twins, self._signs)
+            self._weight = min(self._weight + counts, _MEMORY)
+            average_in(self._covariance, moved, counts / self._weight)
+            self._unlearnt = 0
         self._levels.learn(values)
-        self._weight = min(self._weight + 1.0, _MEMORY)
-        average_in(self._covariance, moved, 1.0 / self._weight)
         past.append(values)
 
     def _absolute(self, values: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -23,10 +23,15 @@ _ROTATING[[5, 10, 0, 10, 0, 5], [0, 0, 4, 4, 8, 8]] = -2.0
 _ROTATING[[1, 13, 2, 1, 6, 12, 2, 6], [1, 2, 2, 3, 5, 7, 6, 7]] = 2.0
 _ROTATING[[14, 12, 13], [1, 5, 6]] = -2.0
 _ROTATING[14, 3] = 2.0
+# Of fewer numbers than this whole arrays of them at a time take less than one operation each.
+_FEW = 256
+_NEXT, _LAST = np.array([1, 2, 0]), np.array([2, 0, 1])
 
 
 def multiply(a: FloatArray, b: FloatArray) -> FloatArray:
     """Return the rotation that applies b first, then a."""
+    if a.size < _FEW and b.size < _FEW:
+        return np.asarray((by_left(a) @ b[..., None])[..., 0])
     ax, ay, az, aw = a[..., 0], a[..., 1], a[..., 2], a[..., 3]
     bx, by, bz, bw = b[..., 0], b[..., 1], b[..., 2], b[..., 3]
     w = aw * bw - ax * bx - ay * by - az * bz
@@ -55,6 +60,9 @@ def turn(q: FloatArray, vectors: FloatArray) -> FloatArray:
 
 def cross(a: FloatArray, b: FloatArray) -> FloatArray:
     """Cross product, in a fraction of the time that numpy's takes for short arrays."""
+    if a.size < _FEW and b.size < _FEW:
+        ahead = a.take(_NEXT, axis=-1) * b.take(_LAST, axis=-1)
+        return np.asarray(ahead - a.take(_LAST, axis=-1) * b.take(_NEXT, axis=-1))
     ax, ay, az = a[..., 0], a[..., 1], a[..., 2]
     bx, by, bz = b[..., 0], b[..., 1], b[..., 2]
     x = ay * bz - az * by
@@ -153,10 +161,11 @@ def between(a: FloatArray, b: FloatArray) -> FloatArray:
     ----------
     a, b : (…, 3) vectors, not zero
     """
-    a = a / lengths_of(a)[..., None]
-    b = b / lengths_of(b)[..., None]
-    w = 1.0 + np.sum(a * b, axis=-1, keepdims=True)
-    return unit(np.concatenate([cross(a, b), np.maximum(w, 1e-12)], axis=-1))
+    far = lengths_of(a) * lengths_of(b)
+    w = far + np.einsum("...i,...i->...", a, b)
+    turns = np.empty((*w.shape, 4))
+    turns[..., :3], turns[..., 3] = cross(a, b), np.maximum(w, 1e-12 * far)
+    return unit(turns)
 
 
 def lengths_of(vectors: FloatArray) -> FloatArray:

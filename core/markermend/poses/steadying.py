@@ -70,15 +70,18 @@ class Steadying:
             return positions, rotations
         # A rotation's numbers change by half of a small angle; without noise they are not asked.
         turning = 0.5 * shaking.noise_rad or 1.0
-        noise = np.repeat([shaking.noise_mm, turning], (_PLACE, _TURN)) ** 2
-        known = np.repeat(np.column_stack([seen, told]), (_PLACE, _TURN), axis=1)
-        turns = np.where(told[:, None], rotations, 0.0)
+        noise = np.array([shaking.noise_mm] * _PLACE + [turning] * _TURN) ** 2
+        known = np.empty(self._tracking.at.shape, dtype=bool)
+        known[:, :_PLACE], known[:, _PLACE:] = seen[:, None], told[:, None]
+        values = np.zeros(known.shape)
+        np.copyto(values[:, :_PLACE], positions, where=known[:, :_PLACE])
+        turns = values[:, _PLACE:]
+        np.copyto(turns, rotations, where=known[:, _PLACE:])
         # Of q and -q the one that it was.
         other = np.einsum("jq,jq->j", turns, self._tracking.at[:, _PLACE:]) < 0
         turns[other] *= -1.0
-        values = np.column_stack([np.where(seen[:, None], positions, 0.0), turns])
         now = self._tracking.follow(values, known, noise)
-        turns = now[:, _PLACE:] if shaking.noise_rad else values[:, _PLACE:]
+        turns = now[:, _PLACE:] if shaking.noise_rad else turns
         turns = unit(np.where(told[:, None], turns, 1.0))
         given = now[:, :_PLACE], turns, seen, told
         places, turns = self._bracing.braced(*given, shaking.noise_mm)
