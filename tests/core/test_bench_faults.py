@@ -27,10 +27,11 @@ def test_faults_are_found_and_mended_and_little_else_is_touched(clips):
         for kind in (*KINDS, SOUND, *HOLDS, BESIDE)
     ]
     for row in rows:
-        broken, restored, told = row.off_mm
+        broken, restored, told, live, live_told = row.off_mm
         if row.kind in (SOUND, BESIDE):
             assert row.named / row.faults < 0.001
             assert restored <= max(broken, 0.1)
+            assert live < max(1.05 * broken, 10.0)
         elif row.kind in HOLDS:
             assert row.found == row.faults == 1
             assert told < broken
@@ -38,8 +39,13 @@ def test_faults_are_found_and_mended_and_little_else_is_touched(clips):
             assert row.found == row.named == row.faults == 1
             assert restored < 0.25 * broken
             assert told < 0.2 * broken
+            assert live_told < 0.4 * broken
     held = [row for row in rows if row.kind in HOLDS]
     assert sum(row.named for row in held) >= 0.9 * len(held)
+    # As poses come not all is found, and most of what is.
+    for kind, left in {"vanished": 0.1, "swapped": 0.1, "jumped": 0.2, "stranger": 0.5}.items():
+        off = np.array([row.off_mm for row in rows if row.kind == kind])
+        assert off[:, 3].mean() < left * off[:, 0].mean()
     undone = [r.off_mm[1] for r in rows if (r.kind, r.case) == ("swapped", cases[0].name)]
     np.testing.assert_allclose(undone, 0.0, atol=0.01)
     assert find_faults(clips, cases=cases[:1]) == [r for r in rows if r.case == cases[0].name]

@@ -70,8 +70,8 @@ def test_restoring_beats_what_knows_no_bodies(clips):
     for case in cases:
         for simple in ("as it is", "linear", "pchip", "pchip, filtered"):
             assert error[case.name, "restore"] < 0.8 * error[case.name, simple]
-    again = compare(clips, cases=cases[:1])
-    assert [r.error for r in again] == [r.error for r in rows if r.case == cases[0].name]
+    again = compare(clips, cases=cases[1:])
+    assert [r.error for r in again] == [r.error for r in rows if r.case == cases[1].name]
     text = "\n".join(poses_table(rows) + hidden_table(rows))
     assert "Frame by frame" in text
     assert "restore, no prior" in text

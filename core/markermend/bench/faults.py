@@ -11,7 +11,7 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.bench.columns import aligned, csv_cell, number
-from markermend.bench.poses import Case, recorded, unseen
+from markermend.bench.poses import Case, as_they_come, recorded, unseen
 from markermend.errors import DataError
 from markermend.poses.breaking import HOLDS, KINDS, Broken, break_pose
 from markermend.poses.faults import Fault
@@ -29,6 +29,7 @@ SOUND = "sound"
 BESIDE = "sound beside held"
 """The same of the recordings in which joints were held in more ways."""
 _SAME_MM = 1e-6
+_STATES = "broken", "restored", "told", "live", "live_told"
 _TRIED = ((KINDS, SOUND), (HOLDS, BESIDE))
 
 CASES = (
@@ -53,8 +54,8 @@ class FaultRow:
         touch nothing broken
     named : how many are mostly flagged by their own name; of sound joints, poses times joints
         that are flagged
-    off_mm : mean distance from the truth as broken, restored, and restored where the recording
-        says which joints are wrong
+    off_mm : mean distance from the truth as broken, restored, restored where the recording says
+        which joints are wrong, and cleaned pose by pose as it comes, unsaid and said
     samples : poses times joints that this is the mean of
     minutes : length of the recording
     """
@@ -65,7 +66,7 @@ class FaultRow:
     faults: int
     found: int
     named: int
-    off_mm: tuple[float, float, float]
+    off_mm: tuple[float, ...]
     samples: int
     minutes: float
 
@@ -109,9 +110,10 @@ def find_faults(
                     given.positions, given.rotations, np.where(wrong, 0.0, 1.0)
                 )
                 restored = restore(given, prior=prior)
+                results = [given, restored.pose, restore(told, prior=prior).pose]
+                results += [as_they_come(pose, prior)[0] for pose in (given, told)]
                 off = [
-                    np.sqrt(np.sum((p.positions - truth.positions) ** 2, axis=2))
-                    for p in (given, restored.pose, restore(told, prior=prior).pose)
+                    np.sqrt(np.sum((p.positions - truth.positions) ** 2, axis=2)) for p in results
                 ]
                 rows += _judged(name, case.name, kinds, sound, broken, restored.faults, off, truth)
     return rows
@@ -185,17 +187,17 @@ def _marked(faults: Sequence[Broken | Fault], pose: Pose) -> BoolArray:
     return mask
 
 
-def _means(off: Sequence[FloatArray], at: BoolArray) -> tuple[float, float, float]:
-    """Mean distance at some joints; NaN for none."""
-    broken, restored, told = (float(o[at].mean()) if at.any() else np.nan for o in off)
-    return broken, restored, told
+def _means(off: Sequence[FloatArray], at: BoolArray) -> tuple[float, ...]:
+    """Mean distances at some joints; NaN for none."""
+    return tuple(float(o[at].mean()) if at.any() else np.nan for o in off)
 
 
 def faults_table(rows: Sequence[FaultRow]) -> list[str]:
     """Every kind in every case, recordings pooled."""
     lines = ["Faults that the recording does not tell of; mean distance from the truth in mm."]
     for case in dict.fromkeys(row.case for row in rows):
-        cells = [["Kind", "faults", "found", "by name", "broken", "restored", "if it told"]]
+        names = "broken", "restored", "if it told", "live", "if it told"
+        cells = [["Kind", "faults", "found", "by name", *names]]
         for kind in (*KINDS, *HOLDS):
             here = [row for row in rows if (row.case, row.kind) == (case, kind)]
             count = sum(row.faults for row in here)
@@ -226,7 +228,7 @@ def _pooled(rows: Sequence[FaultRow]) -> list[str]:
     weight = sum(row.samples for row in there)
     return [
         number(sum(row.off_mm[n] * row.samples for row in there) / weight if weight else np.nan, 1)
-        for n in range(3)
+        for n in range(len(_STATES))
     ]
 
 
@@ -234,7 +236,7 @@ def faults_csv(rows: Sequence[FaultRow]) -> str:
     """Every kind in every recording."""
     file = io.StringIO()
     writer = csv.writer(file, lineterminator="\n")
-    off = [f"{state}_mm" for state in ("broken", "restored", "told")]
+    off = [f"{state}_mm" for state in _STATES]
     writer.writerow(["clip", "case", "kind", "faults", "found", "named", *off, "samples"])
     for row in rows:
         writer.writerow(

@@ -251,7 +251,7 @@ def _try(
         done = restore(given, prior=known_before).pose
         results[name] = Tried(_relative(done, normal), everywhere, ALL)
     if given.seen.all(axis=1).any():
-        came, after = _live(given, prior)
+        came, after = as_they_come(given, prior)
         results["live"] = Tried(_relative(came, normal), after, ALL)
     count = np.count_nonzero(occluded, axis=1)
     hidden = np.minimum(count, _MOST_HIDDEN)
@@ -289,7 +289,7 @@ def _try(
     return rows
 
 
-def _live(pose: Pose, prior: Prior) -> tuple[Pose, BoolArray]:
+def as_they_come(pose: Pose, prior: Prior) -> tuple[Pose, BoolArray]:
     """Each pose by those before it alone, and which ones come after the first whole one."""
     first = int(pose.seen.all(axis=1).argmax())
     positions, rotations = pose.positions.copy(), pose.rotations.copy()

@@ -6,6 +6,7 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import DataError
+from markermend.poses.doubting import Doubting
 from markermend.poses.following import Following
 from markermend.poses.normal import bone_lengths
 from markermend.poses.nuitrack import MIRROR, mirrored
@@ -17,8 +18,10 @@ from markermend.poses.steadying import Steadying
 class Live:
     """Fills joints that are not seen, once each has been seen, and takes noise out of the others.
 
-    It begins with the first pose that shows the root and a bone. A joint that was never seen is
-    passed on as it comes; once it is seen, it joins in.
+    Joints that are wrong without a word about it count as not seen, and left and right that changed
+    places are put back (:class:`markermend.poses.doubting.Doubting`). It begins with the first pose
+    that shows the root and a bone. A joint that was never seen is passed on as it comes; once it is
+    seen, it joins in.
 
     Parameters
     ----------
@@ -29,6 +32,8 @@ class Live:
     ----------
     joined : (joints,) bool, that are filled when they are not seen
     by_prior : the prior is used
+    wrong : (joints,) bool, of the last pose, those that the sensor said it saw, and did not
+    exchanged : (joints,) bool, of the last pose, those of one side that came as the other's
 
     Raises
     ------
@@ -41,10 +46,21 @@ class Live:
             raise DataError(f"Live filling starts from one pose, not {first.frames}.")
         self._body, self._prior, self._root = first, prior, first.order[0]
         self._following: Following | None = None
+        self._doubting = Doubting(first.joints, first.parents, first.rate)
         self._steadying = Steadying(first.parents, first.rate)
         self.joined: BoolArray = np.zeros(len(first.joints), dtype=bool)
         self.by_prior = self._left_handed = False
         self._join(first.positions[0], first.rotations[0], first.seen[0])
+
+    @property
+    def wrong(self) -> BoolArray:
+        """Joints of the last pose that were taken for not seen."""
+        return self._doubting.wrong
+
+    @property
+    def exchanged(self) -> BoolArray:
+        """Joints of the last pose that were put back to their side."""
+        return self._doubting.exchanged
 
     @property
     def begun(self) -> bool:
@@ -67,8 +83,10 @@ class Live:
         positions and rotations, whole but for what never joined, which is as it came; so are
         rotations of a joint that never had one, or on which one hangs that never joined
         """
+        positions, rotations, seen = self._doubting(positions, rotations, seen)
         positions, rotations = self._steadying(positions, rotations, seen)
         places, turns = self._filled(positions, rotations, seen)
+        self._doubting.keep(places, seen | self.joined)
         if not self.joined.all():
             new = seen & ~self.joined & np.isfinite(positions).all(axis=1)
             if new.any():

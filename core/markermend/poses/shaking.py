@@ -101,4 +101,6 @@ class Shaking:
         self.noise_rad = 0.0
         # Less than what positions make of it anyway cannot be told from that.
         if told.any() and np.median(turning[told]) > _BESIDE * noise**2:
-            self.noise_rad = float(np.sqrt(np.median(turning[told] / far[told] ** 2)))
+            turned = float(np.median(turning[told] / far[told] ** 2))
+            # Of bones that differ much in length the two medians are not of one bone.
+            self.noise_rad = float(np.sqrt(max(turned, 0.0)))

@@ -1,0 +1,290 @@
+"""Find joints that a sensor reports wrongly without saying so, as poses come."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from markermend.arrays import BoolArray, FloatArray, IntArray
+from markermend.poses.nuitrack import twins
+from markermend.poses.pose import parents_first
+from markermend.poses.quaternion import lengths_of
+
+# Poses that show a bone before it is asked at all, and closely; later one in so many as those is
+# learnt from. The last of them count.
+_FEWEST, _ENOUGH, _COUNT = 3, 12, 41
+# A length is impossible when off by this share of itself and of the mean bone, and so many times as
+# far as it strays half of the time.
+_OFF, _OFF_BONE, _STRAYS = 0.15, 0.12, 8.0
+# Other lengths that are the same within this share for so long are how the body is seen now, and
+# for so long at least.
+_SAME, _BELIEVED_S, _DOUBTED_S = 0.1, 2.0, 0.5
+# A joint repeats itself when it stands for so many poses to the last digit, and the bone to what
+# moves becomes another by this share of the mean bone.
+_REPEATS, _SAME_MM, _CHANGED = 2, 1e-6, 0.01
+# Left and right are told apart where they are this far from where they were, in mean bones, and
+# exchanged are at most by this share of it.
+_CLEAR, _EXCHANGED = 0.6, 0.5
+# Having come far tells as much of who is wrong as so many bones.
+_FURTHER = 3.0
+# No bone turns faster; what has stayed where it turned to for so many poses is there.
+_FASTEST_RAD_S, _STAYS = 20.0, 3
+
+
+class Doubting:
+    """Says which joints are wrong, and puts back left and right that changed places.
+
+    Wrong is a joint at exactly 0, 0, 0 that is not the root; one that repeats itself to the last
+    digit while what it hangs on moves away from it; and one that is where its bones, whose lengths
+    are learnt, cannot reach, with what went along. Left and right changed places where both are
+    nearer to where the other was. What lasts for 2 s is believed: lengths that are others but
+    constant, sides that stay exchanged. Nothing is held back, so that who repeats himself is
+    noticed in his third pose.
+
+    Parameters
+    ----------
+    joints : names, that tell the sides
+    parents : index of each joint's parent, -1 for the root
+    rate : poses per second
+
+    Attributes
+    ----------
+    wrong : (joints,) bool, of the last pose
+    exchanged : (joints,) bool, of the last pose, those that have been put back
+    """
+
+    def __init__(self, joints: Sequence[str], parents: Sequence[int], rate: float) -> None:
+        bones = [j for j in parents_first(tuple(parents), tuple(joints)) if parents[j] >= 0]
+        count, self._rate, self._above = len(joints), rate, tuple(parents)
+        self._joints: IntArray = np.array(bones, dtype=int)
+        self._parents: IntArray = np.array([parents[j] for j in bones], dtype=int)
+        self._bone_of = {joint: bone for bone, joint in enumerate(bones)}
+        self._twins = twins(joints)
+        self._sided = np.flatnonzero(np.array(self._twins) != np.arange(count))
+        self._uppermost: BoolArray = np.array(parents) < 0
+        self._pairs = [(j, self._twins[j]) for j in bones if j < self._twins[j]]
+        self.wrong, self.exchanged = np.zeros((2, count), dtype=bool)
+        self._at, self._came = np.full((2, count, 3), np.nan)
+        self._lengths, self._strays = np.zeros((2, len(bones)))
+        self._shown, self._poses = np.full((_COUNT, len(bones)), np.nan), np.zeros(len(bones), int)
+        self._others, self._other_poses = np.zeros((2, len(bones)))
+        self._bones_at, self._bones_before = np.full((2, len(bones), 3), np.nan)
+        self._then = np.full(len(bones), np.nan)
+        self._bones, self._steady = np.full((len(bones), 3), np.nan), np.zeros(len(bones))
+        self._repeats, self._exchanged_for = np.zeros((2, count), dtype=int)
+        self._frozen, self._showed = np.zeros((2, count), dtype=bool)
+        self._age, self._since, self._whole = 0, 1, False
+        self._set_limits()
+
+    def __call__(
+        self, positions: FloatArray, rotations: FloatArray, seen: BoolArray
+    ) -> tuple[FloatArray, FloatArray, BoolArray]:
+        """Look at one pose.
+
+        Parameters
+        ----------
+        positions, rotations, seen : as :class:`markermend.poses.live.Live` takes them, mm
+
+        Returns
+        -------
+        positions, rotations and seen, with sides put back and without what is wrong
+        """
+        there = seen & (positions.any(axis=1) | self._uppermost)
+        places = np.where(there[:, None], positions, np.nan)
+        bones = places[self._joints] - places[self._parents]
+        lengths = lengths_of(bones)
+        frozen = self._repeating(places, lengths)
+        places[frozen] = np.nan
+        own = self._put_back(places)
+        if own is not None:
+            positions, rotations, places = positions[own], rotations[own], places[own]
+            seen = seen[own]
+        if own is not None or frozen.any():
+            bones = places[self._joints] - places[self._parents]
+            lengths = lengths_of(bones)
+        broken = np.abs(lengths - self._lengths) > self._limits
+        broken |= self._too_fast(bones)
+        if broken.any():
+            self._believe(lengths, broken)
+            # Where most of them are, it is somebody else, or nobody knows.
+            if 2 * broken.sum() <= np.isfinite(lengths).sum():
+                places[self._out_of_reach(places, lengths, broken)] = np.nan
+        else:
+            self._other_poses[:] = 0.0
+            self._age += 1
+            if self._unsettled or self._age % _ENOUGH == 0:
+                self._learn(lengths)
+        self._showed = ~np.isnan(places[:, 0])
+        self.wrong = seen & ~self._showed
+        return positions, rotations, seen & self._showed
+
+    def keep(self, positions: FloatArray, known: BoolArray) -> None:
+        """Remember what has become of the pose.
+
+        Parameters
+        ----------
+        positions : (joints, 3) mm
+        known : (joints,) bool, joints that are seen or filled
+        """
+        self._at = np.where(known[:, None], positions, np.nan)
+        self._bones_before = self._bones_at
+        self._bones_at = self._at[self._joints] - self._at[self._parents]
+
+    def _learn(self, lengths: FloatArray) -> None:
+        """Have lengths that are possible tell how long bones are."""
+        known = np.flatnonzero(~np.isnan(lengths))
+        self._shown[self._poses[known] % _COUNT, known] = lengths[known]
+        self._poses[known] += 1
+        count = np.minimum(self._poses, _COUNT)
+        self._lengths = _middle(self._shown, count)
+        self._strays = _middle(np.abs(self._shown - self._lengths), count)
+        self._set_limits()
+
+    def _set_limits(self) -> None:
+        """Have at hand how far off lengths may be, and how far bones turn from pose to pose."""
+        shown = self._lengths[self._poses > 0]
+        self._mean_bone = float(shown.mean()) if len(shown) else 0.0
+        least, strays = _OFF_BONE * self._mean_bone, _STRAYS * self._strays
+        # Nobody knows yet how far something strays that was hardly seen.
+        times = np.where(self._poses < _ENOUGH, 2.0, 1.0)
+        # Where a bone's end is strays in three directions, how long it is in one.
+        self._room = times * (least + 2.0 * strays)
+        self._limits = times * (_OFF * self._lengths + least + strays)
+        self._turns = times * _FASTEST_RAD_S / self._rate * self._lengths
+        unasked = self._poses < _FEWEST
+        self._limits[unasked] = self._turns[unasked] = np.inf
+        # What was wrong at first, or moved at first, is soon outnumbered so.
+        rigid = strays <= _OFF * self._lengths + least
+        self._unsettled = self._age <= _COUNT or not rigid.all()
+
+    def _believe(self, lengths: FloatArray, broken: BoolArray) -> None:
+        """Take for right, in place, what is broken in the same way for long."""
+        alike = broken & (np.abs(lengths - self._others) < _SAME * self._others)
+        self._other_poses = np.where(broken, np.where(alike, self._other_poses, 0.0) + 1.0, 0.0)
+        self._others = np.where(broken & ~alike, lengths, self._others)
+        # What was hardly seen otherwise is outvoted sooner.
+        longest = np.clip(2.0 * self._poses, _DOUBTED_S * self._rate, _BELIEVED_S * self._rate)
+        believed = self._other_poses > longest
+        if believed.any():
+            self._shown[:, believed], self._lengths[believed] = lengths[believed], lengths[believed]
+            self._set_limits()
+            broken &= ~believed
+
+    def _too_fast(self, bones: FloatArray) -> BoolArray:
+        """(bones,) bool: it turned faster than a body can, and has not stayed there."""
+        most = self._since * self._turns + self._room
+        was, before = self._bones_at, self._bones_before
+        fast = lengths_of(bones - was) > most
+        if fast.any():
+            # Whoever throws gathers speed; whoever jumps does not.
+            fast &= ~(lengths_of(bones - 2.0 * was + before) < most)
+            self._steady = np.where(lengths_of(bones - self._bones) < most, self._steady + 1, 0)
+            # What was hidden before may be anywhere.
+            fast &= ~np.isnan(self._bones[:, 0]) & (self._steady < _STAYS)
+        else:
+            self._steady[:] = 0
+        self._bones = bones
+        return fast
+
+    def _repeating(self, places: FloatArray, lengths: FloatArray) -> BoolArray:
+        """(joints,) bool: it stands still, and those that it is tied to have moved away from it."""
+        before, self._came = self._came, places.copy()
+        same = (np.abs(places - before) < _SAME_MM).all(axis=1)
+        self._since = self._since + 1 if self._whole else 1
+        if not same.any():
+            self._whole, self._then = False, lengths
+            self._repeats[:] = 0
+            self._frozen[:] = False
+            return self._frozen
+        self._whole = bool((same | np.isnan(places[:, 0]) | np.isnan(before[:, 0])).all())
+        self._then = np.where(same[self._joints] | same[self._parents], self._then, lengths)
+        self._repeats = np.where(same, self._repeats + 1, 0)
+        stands, self._frozen = self._repeats >= _REPEATS, self._frozen & same
+        changed = np.abs(lengths - self._then) > _CHANGED * self._mean_bone
+        # Joints that stand still together, by the uppermost of them, and how many bones that tie
+        # them to others tell that these moved; the one to what carries them does so alone.
+        first, moved = np.arange(len(places)), np.zeros(len(places))
+        for bone, (joint, parent) in enumerate(zip(self._joints, self._parents, strict=True)):
+            if stands[joint] and stands[parent]:
+                first[joint] = first[parent]
+            elif changed[bone] and stands[joint] and not same[parent]:
+                moved[joint] += 2
+            elif changed[bone] and stands[parent] and not same[joint]:
+                moved[first[parent]] += 1
+        self._frozen |= stands & (moved[first] >= 2)
+        return self._frozen
+
+    def _put_back(self, places: FloatArray) -> IntArray | None:
+        """(joints,) where each joint's own values are, None where all are at their own."""
+        clear, longest = _CLEAR * self._mean_bone, _BELIEVED_S * self._rate
+        far = lengths_of((places - self._at)[self._sided])
+        # While a pose came again and again, legs have passed each other.
+        if not (far > 0.5 * clear).any() or self._since > _REPEATS:
+            if self.exchanged.any():
+                self.exchanged[:] = False
+                self._exchanged_for[:] = 0
+            return None
+        own = np.arange(len(places))
+        for pair in self._pairs:
+            here, there = list(pair), list(pair[::-1])
+            now = float(lengths_of(places[here] - self._at[here]).sum())
+            then = float(lengths_of(places[there] - self._at[here]).sum())
+            above = [self._above[joint] for joint in pair]
+            carried = above[0] >= 0 and own[above[0]] == above[1] != above[0]
+            # Limbs change places as a whole: what was hidden, or passes close by the other, goes
+            # with what carries it.
+            changed, tells = carried, max(now, then) > clear and self._showed[here].all()
+            if tells and carried:
+                changed = now >= _EXCHANGED * then
+            elif tells and then < _EXCHANGED * now:
+                bones = [self._bone_of[joint] for joint in pair]
+                reach = lengths_of(places[there] - places[above])
+                changed = not (np.abs(reach - self._lengths[bones]) > self._limits[bones]).any()
+            self._exchanged_for[here] = self._exchanged_for[here] + 1 if changed else 0
+            if changed and self._exchanged_for[here[0]] <= longest:
+                own[here] = there
+        self.exchanged = own != np.arange(len(own))
+        return own if self.exchanged.any() else None
+
+    def _out_of_reach(
+        self, places: FloatArray, lengths: FloatArray, broken: BoolArray
+    ) -> BoolArray:
+        """(joints,) bool: ends of broken bones that are at the wrong place, and what went along."""
+        wrong = np.zeros(len(places), dtype=bool)
+        whole = np.isfinite(lengths) & ~broken
+        far = np.nan_to_num(lengths_of(places - self._at))
+        further = far / (far + self._mean_bone)
+        left = broken.copy()
+        while left.any():
+            ends = np.zeros(len(places))
+            # Of two ends the one that came further, and with fewer bones that are right.
+            np.add.at(ends, self._joints, left * 1.0 - whole)
+            np.add.at(ends, self._parents, left * 1.0 - whole)
+            concerned = np.zeros(len(places), dtype=bool)
+            concerned[self._joints[left]] = concerned[self._parents[left]] = True
+            worst = int(np.argmax(np.where(concerned, ends + _FURTHER * further, -np.inf)))
+            wrong[worst] = True
+            left &= (self._joints != worst) & (self._parents != worst)
+        for bone, (joint, parent) in enumerate(zip(self._joints, self._parents, strict=True)):
+            if wrong[joint] or not wrong[parent] or np.isnan(lengths[bone]):
+                continue
+            length = self._lengths[bone]
+            alike = abs(lengths[bone] - length) < _OFF * length
+            if alike and far[joint] > self._turns[bone] + self._room[bone]:
+                wrong[joint] = True
+                continue
+            reach, above = length, int(parent)
+            while wrong[above] and self._above[above] >= 0:
+                reach += self._lengths[self._bone_of[above]]
+                above = self._above[above]
+            away = float(lengths_of(places[joint] - places[above]))
+            wrong[joint] = not wrong[above] and away > (1.0 + _OFF) * reach + self._room[bone]
+        return wrong
+
+
+def _middle(values: FloatArray, count: IntArray) -> FloatArray:
+    """(columns,) medians of as many values (n, columns) as are not NaN, 0 of none."""
+    rows = np.maximum(count - 1, 0) // 2
+    middle: FloatArray = np.sort(values, axis=0)[rows, np.arange(len(rows))]
+    return np.nan_to_num(middle)
