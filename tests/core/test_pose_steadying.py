@@ -231,10 +231,9 @@ def test_hidden_joints_are_nearer_where_what_is_seen_is_steadied(walk, monkeypat
 
 def test_bones_of_very_different_lengths_tell_a_number():
     """The long one's noise is of turns, the short ones' is not."""
-    rng, lengths = np.random.default_rng(0), np.array([400.0, 400.0, 400.0, 20.0, 20.0])
-    for _ in range(40):
-        shaking, sizes = Shaking(5), rng.uniform(0.0, 40.0, size=(5, 1))
-        for _ in range(60):
-            ends = rng.normal(size=(2, 5, 3)) * sizes + [1.0, 0.0, 0.0] * lengths[:, None]
-            shaking.look(lengths + rng.normal(scale=4.0, size=5), *ends)
-        assert np.isfinite([shaking.noise_mm, shaking.noise_rad]).all()
+    rng, lengths = np.random.default_rng(0), np.array([400.0, 400.0, 20.0, 20.0])
+    shaking, sizes = Shaking(4), np.array([12.0, 12.0, 0.0, 0.0])
+    for _ in range(60):
+        ends = rng.normal(size=(2, 4, 3)) * sizes[:, None] + [1.0, 0.0, 0.0] * lengths[:, None]
+        shaking.look(lengths + rng.normal(scale=4.0, size=4), *ends)
+    assert np.isfinite([shaking.noise_mm, shaking.noise_rad]).all()
