@@ -108,6 +108,19 @@ def test_a_pose_that_comes_again_is_no_fault_nor_is_what_comes_then(walk, places
     assert not found.wrong.any()
 
 
+@pytest.mark.parametrize("digit", [1.0, 10.0])
+def test_rounded_numbers_repeat_themselves(walk, places, digit):
+    """They all do where who walks slowly is shown often."""
+    n = np.arange(600) / 10.0
+    slow = np.array(
+        [walk.positions[int(k)] * (1.0 - k % 1) + walk.positions[int(k) + 1] * (k % 1) for k in n]
+    )
+    slow = np.round(slow / digit) * digit
+    pose = walk.with_samples(slow, np.tile(NO_TURN, (600, 17, 1)), np.ones(slow.shape[:2]))
+    assert (np.abs(np.diff(slow, axis=0)).max(axis=2) == 0).mean() > 0.1
+    assert Seen(pose, slow).wrong.mean() < 0.002
+
+
 def test_a_body_may_stand_still_while_its_arms_move(walk):
     arms = [*LIMBS[0], *LIMBS[1]]
     still = np.tile(walk.positions[:1], (200, 1, 1))

@@ -21,8 +21,8 @@ _OFF, _OFF_BONE, _STRAYS = 0.15, 0.12, 8.0
 # for so long at least.
 _SAME, _BELIEVED_S, _DOUBTED_S = 0.1, 2.0, 0.5
 # A joint repeats itself when it stands for so many poses to the last digit, and the bone to what
-# moves becomes another by this share of the mean bone.
-_REPEATS, _SAME_MM, _CHANGED = 2, 1e-6, 0.01
+# moves becomes another by this share of the mean bone, and by so many of those digits.
+_REPEATS, _SAME_MM, _CHANGED, _DIGITS = 2, 1e-6, 0.01, 2.5
 # Left and right are told apart where they are this far from where they were, in mean bones, and
 # exchanged are at most by this share of it.
 _CLEAR, _EXCHANGED = 0.6, 0.5
@@ -74,7 +74,7 @@ class Doubting:
         self._bones, self._steady = np.full((len(bones), 3), np.nan), np.zeros(len(bones))
         self._repeats, self._exchanged_for = np.zeros((2, count), dtype=int)
         self._frozen, self._showed = np.zeros((2, count), dtype=bool)
-        self._age, self._since, self._whole = 0, 1, False
+        self._age, self._since, self._whole, self._digit = 0, 1, False, np.inf
         self._set_limits()
 
     def __call__(
@@ -190,7 +190,8 @@ class Doubting:
     def _repeating(self, places: FloatArray, lengths: FloatArray) -> BoolArray:
         """(joints,) bool: it stands still, and those that it is tied to have moved away from it."""
         before, self._came = self._came, places.copy()
-        same = (np.abs(places - before) < _SAME_MM).all(axis=1)
+        steps = np.abs(places - before)
+        same = (steps < _SAME_MM).all(axis=1)
         self._since = self._since + 1 if self._whole else 1
         if not same.any():
             self._whole, self._then = False, lengths
@@ -201,7 +202,10 @@ class Doubting:
         self._then = np.where(same[self._joints] | same[self._parents], self._then, lengths)
         self._repeats = np.where(same, self._repeats + 1, 0)
         stands, self._frozen = self._repeats >= _REPEATS, self._frozen & same
-        changed = np.abs(lengths - self._then) > _CHANGED * self._mean_bone
+        # Numbers may be rounded: whoever moves a little stands then, too, and jumps.
+        self._digit = min(self._digit, steps[steps >= _SAME_MM].min(initial=np.inf))
+        least = max(_CHANGED * self._mean_bone, _DIGITS * self._digit)
+        changed = np.abs(lengths - self._then) > least
         # Joints that stand still together, by the uppermost of them, and how many bones that tie
         # them to others tell that these moved; the one to what carries them does so alone.
         first, moved = np.arange(len(places)), np.zeros(len(places))
