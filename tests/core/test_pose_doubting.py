@@ -185,18 +185,21 @@ def test_a_hand_for_the_other_is_put_back_and_one_unseen_stays_so(walk, places):
     assert found.wrong[HIDES + 20 : HIDES + 40, b].all()
 
 
-def test_sides_that_stay_exchanged_are_believed(walk):
-    """For 2 s; whoever was seen in a mirror at first is so no longer."""
+@pytest.mark.parametrize(("begins", "lasts"), [(1, 120), (150, 240)])
+def test_sides_that_stay_exchanged_are_believed(walk, begins, lasts):
+    """After 2 s, and after one if they came otherwise for a moment only."""
     a, b = ([*LIMBS[n], *LIMBS[n + 2]] for n in (0, 1))
-    places = np.tile(walk.positions[:1], (400, 1, 1)) + np.arange(400)[:, None, None] * 0.1
+    places = np.tile(walk.positions[:1], (450, 1, 1)) + np.arange(450)[:, None, None] * 0.1
     pose = walk.with_samples(
-        places, np.tile(walk.rotations[:1], (400, 1, 1)), np.ones(places.shape[:2])
+        places, np.tile(walk.rotations[:1], (450, 1, 1)), np.ones(places.shape[:2])
     )
     places = places.copy()
-    places[50:, a], places[50:, b] = places[50:, b].copy(), places[50:, a].copy()
+    late = slice(begins, None)
+    places[late, a], places[late, b] = places[late, b].copy(), places[late, a].copy()
     found = Seen(pose, places)
-    assert found.exchanged[50 : 50 + 240][:, a + b].all()
-    assert not found.exchanged[50 + 241 :].any()
+    assert found.exchanged[begins : begins + lasts][:, a + b].all()
+    assert not found.exchanged[begins + lasts + 1 :].any()
+    assert not found.wrong[begins + lasts + 4 :].any()
 
 
 def test_lengths_that_stay_others_are_believed(walk, places):
@@ -207,6 +210,70 @@ def test_lengths_that_stay_others_are_believed(walk, places):
     assert 0.5 * RATE <= lasts <= 2.0 * RATE
     assert found.wrong[50 : 50 + lasts, wrist].all()
     assert not found.wrong[50 + lasts :].any()
+
+
+@pytest.mark.parametrize("noise", [0.0, 5.0, 15.0])
+def test_a_fault_that_was_there_from_the_beginning_is_overcome(walk, noise):
+    places = np.concatenate([walk.positions] * 3)
+    random, root = np.random.default_rng(1), walk.order[0]
+    places += random.normal(scale=noise, size=places.shape) if noise else 0.0
+    pose = walk.with_samples(
+        places, np.tile(NO_TURN, (*places.shape[:2], 1)), np.ones(places.shape[:2])
+    )
+    broken = places.copy()
+    broken[:180, root] += 400.0
+    found = Seen(pose, broken)
+    after = found.wrong[180 + 300 :]
+    assert after.any(axis=1).mean() < 0.01
+
+
+def test_a_root_that_others_are_measured_from_may_stand(walk, places):
+    places -= places[:, :1]
+    random = np.random.default_rng(1).normal(scale=5.0, size=places[:, 1:].shape)
+    places[:, 1:] += random
+    pose = walk.with_samples(places, walk.rotations, walk.confidence)
+    assert Seen(pose, places).wrong.mean() < 0.001
+
+
+def test_noise_is_not_forgotten_while_a_pose_comes_again(walk, places):
+    places += np.random.default_rng(1).normal(scale=15.0, size=places.shape)
+    broken = np.concatenate([places[:100], np.repeat(places[100:101], 700, axis=0), places[101:]])
+    pose = walk.with_samples(
+        broken, np.tile(NO_TURN, (*broken.shape[:2], 1)), np.ones(broken.shape[:2])
+    )
+    assert Seen(pose, broken).wrong.mean() < 0.001
+
+
+def test_one_bad_joint_keeps_no_other_from_being_known(walk, places):
+    head, wrist = (walk.joints.index(name) for name in ("head", "left_wrist"))
+    random, seen = np.random.default_rng(1), np.ones(places.shape[:2], dtype=bool)
+    places[20:, head] += random.normal(scale=400.0, size=(len(places) - 20, 3))
+    seen[:100, wrist] = False
+    places[250:280, wrist] += 400.0 * np.where(random.random((30, 3)) < 0.5, -1.0, 1.0)
+    found = Seen(walk, places, seen)
+    assert found.wrong[250:280, wrist].all()
+
+
+@pytest.mark.parametrize("rate", [10.0, 15.0])
+def test_legs_may_pass_each_other_quickly(rate):
+    """Whoever swings on as he did is not the other."""
+    swing = np.deg2rad(35.0) * np.sin(2.0 * np.pi * np.arange(200) / rate + 0.7)
+    left, right = (arm(way * swing).positions.copy() for way in (1.0, -1.0))
+    left[:, 1:] += [0.0, 0.0, 30.0]
+    right[:, 1:] -= [0.0, 0.0, 30.0]
+    places = np.stack([left[:, 0], left[:, 1], right[:, 1], left[:, 2], right[:, 2]], axis=1)
+    names = ("waist", "left_hip", "right_hip", "left_foot", "right_foot")
+    turns = np.tile(NO_TURN, (200, 5, 1))
+    found = Seen(Pose(places, turns, names, (-1, 0, 0, 1, 2), rate), places)
+    assert found.exchanged.any(axis=1).sum() <= 2
+
+
+def test_what_no_number_is_is_not_there(walk, places):
+    for value in (np.nan, np.inf, 1e300):
+        places[50:60, 5, 1] = value
+        found = Seen(walk, places)
+        assert found.wrong[50:60, 5].all()
+        assert found.wrong.sum() == 10
 
 
 def test_small_bones_of_a_noisy_sensor_are_not_doubted(walk):
@@ -265,3 +332,26 @@ def test_a_stream_tells_what_it_made_up(walk, tmp_path):
     assert_allclose(clean.confidence, sure)
     off = lengths_of(clean.positions - walk.positions[:80])
     assert off[50:60, elbow].max() < 60.0
+
+
+def test_a_stream_tells_what_came_at_the_other_side(walk, tmp_path):
+    """Beside a joint that was not seen while the sides had changed places."""
+    a, b = (list(limb) for limb in LIMBS[:2])
+    broken, sure = walk.positions[:120].copy(), np.ones((120, len(walk.joints)))
+    frames = slice(60, 100)
+    rotations = walk.rotations[:120].copy()
+    for values in (broken, rotations):
+        values[frames, a], values[frames, b] = values[frames, b].copy(), values[frames, a].copy()
+    came = walk.joints.index("left_elbow")
+    hidden = walk.joints.index("right_elbow")
+    sure[70:90, came] = 0.0
+    path, out = tmp_path / "walk.csv", io.StringIO()
+    mm.write_pose(walk.with_samples(broken, rotations, sure), path)
+    follow(path.read_text().splitlines(True), out.write, rate=RATE, prior=None)
+    (tmp_path / "out.csv").write_text(out.getvalue())
+    clean = mm.read_pose(tmp_path / "out.csv")
+    wanted = np.ones_like(sure)
+    wanted[70:90, hidden] = INFERRED
+    assert_allclose(clean.confidence, wanted)
+    off = lengths_of(clean.positions - walk.positions[:120])
+    assert np.delete(off, hidden, axis=1).max() < 0.01

@@ -90,7 +90,7 @@ def follow(
             sole = Pose(places[None], turns[None], joints, parents, rate, sure[None])
             live = Live(sole, prior)
         places, turns = live(places, turns, seen)
-        seen &= ~live.wrong
+        seen, sure = seen[live.own] & ~live.wrong, sure[live.own]
         sure = np.where(seen | ~live.joined, sure, INFERRED)
         if live.begun and not told_fit:
             told_fit = True

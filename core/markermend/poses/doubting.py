@@ -20,12 +20,16 @@ _OFF, _OFF_BONE, _STRAYS = 0.15, 0.12, 8.0
 # Other lengths that are the same within this share for so long are how the body is seen now, and
 # for so long at least.
 _SAME, _BELIEVED_S, _DOUBTED_S = 0.1, 2.0, 0.5
+# So much of how they change is gone along with.
+_DRIFT = 0.1
 # A joint repeats itself when it stands for so many poses to the last digit, and the bone to what
 # moves becomes another by this share of the mean bone, and by so many of those digits.
-_REPEATS, _SAME_MM, _CHANGED, _DIGITS = 2, 1e-6, 0.01, 2.5
+_REPEATS, _SAME_MM, _CHANGED, _DIGITS = 2, 1e-6, 0.01, 3.5
 # Left and right are told apart where they are this far from where they were, in mean bones, and
 # exchanged are at most by this share of it.
 _CLEAR, _EXCHANGED = 0.6, 0.5
+# No body is further out.
+_FAR_MM = 1e6
 # Having come far tells as much of who is wrong as so many bones.
 _FURTHER = 3.0
 # No bone turns faster; what has stayed where it turned to for so many poses is there.
@@ -51,7 +55,7 @@ class Doubting:
     Attributes
     ----------
     wrong : (joints,) bool, of the last pose
-    exchanged : (joints,) bool, of the last pose, those that have been put back
+    own : (joints,) of the last pose, at which joint each one's own values came
     """
 
     def __init__(self, joints: Sequence[str], parents: Sequence[int], rate: float) -> None:
@@ -64,18 +68,24 @@ class Doubting:
         self._sided = np.flatnonzero(np.array(self._twins) != np.arange(count))
         self._uppermost: BoolArray = np.array(parents) < 0
         self._pairs = [(j, self._twins[j]) for j in bones if j < self._twins[j]]
-        self.wrong, self.exchanged = np.zeros((2, count), dtype=bool)
-        self._at, self._came = np.full((2, count, 3), np.nan)
+        self.wrong, self._moved = np.zeros((2, count), dtype=bool)
+        self.own = self._every = np.arange(count)
+        self._at, self._was, self._came = np.full((3, count, 3), np.nan)
         self._lengths, self._strays = np.zeros((2, len(bones)))
         self._shown, self._poses = np.full((_COUNT, len(bones)), np.nan), np.zeros(len(bones), int)
         self._others, self._other_poses = np.zeros((2, len(bones)))
         self._bones_at, self._bones_before = np.full((2, len(bones), 3), np.nan)
         self._then = np.full(len(bones), np.nan)
         self._bones, self._steady = np.full((len(bones), 3), np.nan), np.zeros(len(bones))
-        self._repeats, self._exchanged_for = np.zeros((2, count), dtype=int)
+        self._repeats, self._exchanged_for, self._own_for = np.zeros((3, count), dtype=int)
         self._frozen, self._showed = np.zeros((2, count), dtype=bool)
         self._age, self._since, self._whole, self._digit = 0, 1, False, np.inf
         self._set_limits()
+
+    @property
+    def exchanged(self) -> BoolArray:
+        """(joints,) bool, of the last pose, those that have been put back."""
+        return np.asarray(self.own != self._every)
 
     def __call__(
         self, positions: FloatArray, rotations: FloatArray, seen: BoolArray
@@ -90,31 +100,35 @@ class Doubting:
         -------
         positions, rotations and seen, with sides put back and without what is wrong
         """
-        there = seen & (positions.any(axis=1) | self._uppermost)
+        # NaN is not near either.
+        there = seen & (np.abs(positions) < _FAR_MM).all(axis=1)
+        there &= positions.any(axis=1) | self._uppermost
         places = np.where(there[:, None], positions, np.nan)
         bones = places[self._joints] - places[self._parents]
         lengths = lengths_of(bones)
         frozen = self._repeating(places, lengths)
         places[frozen] = np.nan
-        own = self._put_back(places)
-        if own is not None:
+        self.own = self._put_back(places)
+        if self.own is not self._every:
+            own = self.own
             positions, rotations, places = positions[own], rotations[own], places[own]
             seen = seen[own]
-        if own is not None or frozen.any():
+        if self.own is not self._every or frozen.any():
             bones = places[self._joints] - places[self._parents]
             lengths = lengths_of(bones)
         broken = np.abs(lengths - self._lengths) > self._limits
         broken |= self._too_fast(bones)
-        if broken.any():
+        minority = True
+        if broken.any() or self._other_poses.any():
             self._believe(lengths, broken)
-            # Where most of them are, it is somebody else, or nobody knows.
-            if 2 * broken.sum() <= np.isfinite(lengths).sum():
+            minority = 2 * broken.sum() <= np.isfinite(lengths).sum()
+            if minority and broken.any():
                 places[self._out_of_reach(places, lengths, broken)] = np.nan
-        else:
-            self._other_poses[:] = 0.0
-            self._age += 1
-            if self._unsettled or self._age % _ENOUGH == 0:
-                self._learn(lengths)
+                lengths = np.where(broken, np.nan, lengths)
+        self._age += 1
+        # A pose that comes again has the noise of the first.
+        if minority and not self._whole and (self._unsettled or self._age % _ENOUGH == 0):
+            self._learn(lengths)
         self._showed = ~np.isnan(places[:, 0])
         self.wrong = seen & ~self._showed
         return positions, rotations, seen & self._showed
@@ -127,7 +141,7 @@ class Doubting:
         positions : (joints, 3) mm
         known : (joints,) bool, joints that are seen or filled
         """
-        self._at = np.where(known[:, None], positions, np.nan)
+        self._was, self._at = self._at, np.where(known[:, None], positions, np.nan)
         self._bones_before = self._bones_at
         self._bones_at = self._at[self._joints] - self._at[self._parents]
 
@@ -160,14 +174,22 @@ class Doubting:
 
     def _believe(self, lengths: FloatArray, broken: BoolArray) -> None:
         """Take for right, in place, what is broken in the same way for long."""
-        alike = broken & (np.abs(lengths - self._others) < _SAME * self._others)
-        self._other_poses = np.where(broken, np.where(alike, self._other_poses, 0.0) + 1.0, 0.0)
-        self._others = np.where(broken & ~alike, lengths, self._others)
+        least = _OFF_BONE * self._mean_bone + _STRAYS * self._strays
+        alike = broken & (np.abs(lengths - self._others) < _SAME * self._others + least)
+        shown = ~np.isnan(lengths)
+        # Noise may let a pose or two look right, or yet another length.
+        votes = self._other_poses + np.where(alike, 1.0, -1.0) * shown
+        new = broken & ~alike & (votes <= 0.0)
+        self._others = np.where(new, lengths, self._others)
+        self._others += np.where(alike, _DRIFT * (lengths - self._others), 0.0)
+        self._other_poses = np.where(new, 1.0, np.maximum(votes, 0.0))
         # What was hardly seen otherwise is outvoted sooner.
         longest = np.clip(2.0 * self._poses, _DOUBTED_S * self._rate, _BELIEVED_S * self._rate)
         believed = self._other_poses > longest
         if believed.any():
-            self._shown[:, believed], self._lengths[believed] = lengths[believed], lengths[believed]
+            self._shown[:_FEWEST, believed] = self._lengths[believed] = self._others[believed]
+            self._shown[_FEWEST:, believed] = np.nan
+            self._poses[believed], self._other_poses[believed] = _FEWEST, 0.0
             self._set_limits()
             broken &= ~believed
 
@@ -192,6 +214,8 @@ class Doubting:
         before, self._came = self._came, places.copy()
         steps = np.abs(places - before)
         same = (steps < _SAME_MM).all(axis=1)
+        # Others may be measured from a root, which never moves then.
+        self._moved |= (steps >= _SAME_MM).any(axis=1)
         self._since = self._since + 1 if self._whole else 1
         if not same.any():
             self._whole, self._then = False, lengths
@@ -216,20 +240,20 @@ class Doubting:
                 moved[joint] += 2
             elif changed[bone] and stands[parent] and not same[joint]:
                 moved[first[parent]] += 1
-        self._frozen |= stands & (moved[first] >= 2)
+        self._frozen |= stands & (moved[first] >= 2) & (self._moved | ~self._uppermost)
         return self._frozen
 
-    def _put_back(self, places: FloatArray) -> IntArray | None:
-        """(joints,) where each joint's own values are, None where all are at their own."""
-        clear, longest = _CLEAR * self._mean_bone, _BELIEVED_S * self._rate
+    def _put_back(self, places: FloatArray) -> IntArray:
+        """(joints,) where each joint's own values are."""
+        clear = _CLEAR * self._mean_bone
         far = lengths_of((places - self._at)[self._sided])
         # While a pose came again and again, legs have passed each other.
         if not (far > 0.5 * clear).any() or self._since > _REPEATS:
-            if self.exchanged.any():
-                self.exchanged[:] = False
+            self._own_for += 1
+            if self.own is not self._every:
                 self._exchanged_for[:] = 0
-            return None
-        own = np.arange(len(places))
+            return self._every
+        own = self._every.copy()
         for pair in self._pairs:
             here, there = list(pair), list(pair[::-1])
             now = float(lengths_of(places[here] - self._at[here]).sum())
@@ -244,12 +268,17 @@ class Doubting:
             elif tells and then < _EXCHANGED * now:
                 bones = [self._bone_of[joint] for joint in pair]
                 reach = lengths_of(places[there] - places[above])
-                changed = not (np.abs(reach - self._lengths[bones]) > self._limits[bones]).any()
+                fits = not (np.abs(reach - self._lengths[bones]) > self._limits[bones]).any()
+                # Who goes on as he went passes the other.
+                ahead = 2.0 * self._at[here] - self._was[here]
+                changed = fits and not lengths_of(places[here] - ahead).sum() < _EXCHANGED * now
             self._exchanged_for[here] = self._exchanged_for[here] + 1 if changed else 0
+            self._own_for[here] += not changed
+            # Who was hardly seen otherwise is believed after a second.
+            longest = min(max(2 * self._own_for[here[0]], self._rate), _BELIEVED_S * self._rate)
             if changed and self._exchanged_for[here[0]] <= longest:
                 own[here] = there
-        self.exchanged = own != np.arange(len(own))
-        return own if self.exchanged.any() else None
+        return own if (own != self._every).any() else self._every
 
     def _out_of_reach(
         self, places: FloatArray, lengths: FloatArray, broken: BoolArray

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from markermend.arrays import BoolArray, FloatArray
+from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.errors import DataError
 from markermend.poses.doubting import Doubting
 from markermend.poses.following import Following
@@ -33,7 +33,8 @@ class Live:
     joined : (joints,) bool, that are filled when they are not seen
     by_prior : the prior is used
     wrong : (joints,) bool, of the last pose, those that the sensor said it saw, and did not
-    exchanged : (joints,) bool, of the last pose, those of one side that came as the other's
+    own : (joints,) of the last pose, at which joint each one's values came: the other side's where
+        these had changed places
 
     Raises
     ------
@@ -50,7 +51,9 @@ class Live:
         self._steadying = Steadying(first.parents, first.rate)
         self.joined: BoolArray = np.zeros(len(first.joints), dtype=bool)
         self.by_prior = self._left_handed = False
-        self._join(first.positions[0], first.rotations[0], first.seen[0])
+        given = self._doubting(first.positions[0], first.rotations[0], first.seen[0])
+        self._doubting.keep(given[0], given[2])
+        self._join(*given)
 
     @property
     def wrong(self) -> BoolArray:
@@ -58,9 +61,9 @@ class Live:
         return self._doubting.wrong
 
     @property
-    def exchanged(self) -> BoolArray:
-        """Joints of the last pose that were put back to their side."""
-        return self._doubting.exchanged
+    def own(self) -> IntArray:
+        """Where the values of each joint of the last pose came."""
+        return self._doubting.own
 
     @property
     def begun(self) -> bool:
