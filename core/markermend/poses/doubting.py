@@ -10,6 +10,7 @@ from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.poses.nuitrack import twins
 from markermend.poses.pose import parents_first
 from markermend.poses.quaternion import lengths_of
+from markermend.poses.repeating import REPEATS, Repeating
 
 # Poses that show a bone before it is asked at all, and closely; later one in so many as those is
 # learnt from. The last of them count.
@@ -22,9 +23,6 @@ _OFF, _OFF_BONE, _STRAYS = 0.15, 0.12, 8.0
 _SAME, _BELIEVED_S, _DOUBTED_S = 0.1, 2.0, 0.5
 # So much of how they change is gone along with.
 _DRIFT = 0.1
-# A joint repeats itself when it stands for so many poses to the last digit, and the bone to what
-# moves becomes another by this share of the mean bone, and by so many of those digits.
-_REPEATS, _SAME_MM, _CHANGED, _DIGITS = 2, 1e-6, 0.01, 3.5
 # Left and right are told apart where they are this far from where they were, in mean bones, and
 # exchanged are at most by this share of it.
 _CLEAR, _EXCHANGED = 0.6, 0.5
@@ -40,11 +38,11 @@ class Doubting:
     """Says which joints are wrong, and puts back left and right that changed places.
 
     Wrong is a joint at exactly 0, 0, 0 that is not the root; one that repeats itself to the last
-    digit while what it hangs on moves away from it; and one that is where its bones, whose lengths
-    are learnt, cannot reach, with what went along. Left and right changed places where both are
-    nearer to where the other was. What lasts for 2 s is believed: lengths that are others but
-    constant, sides that stay exchanged. Nothing is held back, so that who repeats himself is
-    noticed in his third pose.
+    digit (:class:`markermend.poses.repeating.Repeating`); and one that is where its bones, whose
+    lengths are learnt, cannot reach, or which they cannot reach so fast, with what went along.
+    Left and right changed places where both are nearer to where the other was. Other lengths and
+    exchanged sides are believed when they last for 2 s, and where most bones are others, none is
+    wrong: it is somebody else.
 
     Parameters
     ----------
@@ -68,18 +66,18 @@ class Doubting:
         self._sided = np.flatnonzero(np.array(self._twins) != np.arange(count))
         self._uppermost: BoolArray = np.array(parents) < 0
         self._pairs = [(j, self._twins[j]) for j in bones if j < self._twins[j]]
-        self.wrong, self._moved = np.zeros((2, count), dtype=bool)
+        self.wrong = np.zeros(count, dtype=bool)
         self.own = self._every = np.arange(count)
-        self._at, self._was, self._came = np.full((3, count, 3), np.nan)
+        self._at, self._was = np.full((2, count, 3), np.nan)
         self._lengths, self._strays = np.zeros((2, len(bones)))
         self._shown, self._poses = np.full((_COUNT, len(bones)), np.nan), np.zeros(len(bones), int)
         self._others, self._other_poses = np.zeros((2, len(bones)))
         self._bones_at, self._bones_before = np.full((2, len(bones), 3), np.nan)
-        self._then = np.full(len(bones), np.nan)
+        self._repeating = Repeating(self._joints, self._parents, count)
         self._bones, self._steady = np.full((len(bones), 3), np.nan), np.zeros(len(bones))
-        self._repeats, self._exchanged_for, self._own_for = np.zeros((3, count), dtype=int)
-        self._frozen, self._showed = np.zeros((2, count), dtype=bool)
-        self._age, self._since, self._whole, self._digit = 0, 1, False, np.inf
+        self._exchanged_for, self._own_for = np.zeros((2, count), dtype=int)
+        self._showed = np.zeros(count, dtype=bool)
+        self._age = 0
         self._set_limits()
 
     @property
@@ -106,7 +104,7 @@ class Doubting:
         places = np.where(there[:, None], positions, np.nan)
         bones = places[self._joints] - places[self._parents]
         lengths = lengths_of(bones)
-        frozen = self._repeating(places, lengths)
+        frozen = self._repeating.frozen_in(places, lengths, self._mean_bone)
         places[frozen] = np.nan
         self.own = self._put_back(places)
         if self.own is not self._every:
@@ -127,7 +125,7 @@ class Doubting:
                 lengths = np.where(broken, np.nan, lengths)
         self._age += 1
         # A pose that comes again has the noise of the first.
-        if minority and not self._whole and (self._unsettled or self._age % _ENOUGH == 0):
+        if minority and not self._repeating.whole and (self._unsettled or self._age % _ENOUGH == 0):
             self._learn(lengths)
         self._showed = ~np.isnan(places[:, 0])
         self.wrong = seen & ~self._showed
@@ -195,7 +193,7 @@ class Doubting:
 
     def _too_fast(self, bones: FloatArray) -> BoolArray:
         """(bones,) bool: it turned faster than a body can, and has not stayed there."""
-        most = self._since * self._turns + self._room
+        most = self._repeating.since * self._turns + self._room
         was, before = self._bones_at, self._bones_before
         fast = lengths_of(bones - was) > most
         if fast.any():
@@ -209,46 +207,12 @@ class Doubting:
         self._bones = bones
         return fast
 
-    def _repeating(self, places: FloatArray, lengths: FloatArray) -> BoolArray:
-        """(joints,) bool: it stands still, and those that it is tied to have moved away from it."""
-        before, self._came = self._came, places.copy()
-        steps = np.abs(places - before)
-        same = (steps < _SAME_MM).all(axis=1)
-        # Others may be measured from a root, which never moves then.
-        self._moved |= (steps >= _SAME_MM).any(axis=1)
-        self._since = self._since + 1 if self._whole else 1
-        if not same.any():
-            self._whole, self._then = False, lengths
-            self._repeats[:] = 0
-            self._frozen[:] = False
-            return self._frozen
-        self._whole = bool((same | np.isnan(places[:, 0]) | np.isnan(before[:, 0])).all())
-        self._then = np.where(same[self._joints] | same[self._parents], self._then, lengths)
-        self._repeats = np.where(same, self._repeats + 1, 0)
-        stands, self._frozen = self._repeats >= _REPEATS, self._frozen & same
-        # Numbers may be rounded: whoever moves a little stands then, too, and jumps.
-        self._digit = min(self._digit, steps[steps >= _SAME_MM].min(initial=np.inf))
-        least = max(_CHANGED * self._mean_bone, _DIGITS * self._digit)
-        changed = np.abs(lengths - self._then) > least
-        # Joints that stand still together, by the uppermost of them, and how many bones that tie
-        # them to others tell that these moved; the one to what carries them does so alone.
-        first, moved = np.arange(len(places)), np.zeros(len(places))
-        for bone, (joint, parent) in enumerate(zip(self._joints, self._parents, strict=True)):
-            if stands[joint] and stands[parent]:
-                first[joint] = first[parent]
-            elif changed[bone] and stands[joint] and not same[parent]:
-                moved[joint] += 2
-            elif changed[bone] and stands[parent] and not same[joint]:
-                moved[first[parent]] += 1
-        self._frozen |= stands & (moved[first] >= 2) & (self._moved | ~self._uppermost)
-        return self._frozen
-
     def _put_back(self, places: FloatArray) -> IntArray:
         """(joints,) where each joint's own values are."""
         clear = _CLEAR * self._mean_bone
         far = lengths_of((places - self._at)[self._sided])
         # While a pose came again and again, legs have passed each other.
-        if not (far > 0.5 * clear).any() or self._since > _REPEATS:
+        if not (far > 0.5 * clear).any() or self._repeating.since > REPEATS:
             self._own_for += 1
             if self.own is not self._every:
                 self._exchanged_for[:] = 0
