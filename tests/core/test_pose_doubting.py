@@ -41,7 +41,8 @@ class Seen:
         self.places, self.rotations = places.copy(), pose.rotations[: len(places)].copy()
         for n, given in enumerate(places):
             now, turned, known = doubting(given, pose.rotations[n], seen[n])
-            self.wrong[n], self.exchanged[n] = doubting.wrong, doubting.exchanged
+            self.wrong[n] = doubting.wrong
+            self.exchanged[n] = doubting.own != np.arange(len(known))
             self.rotations[n] = turned
             # As if it were filled without any error.
             self.places[n] = np.where(known[:, None], now, pose.positions[n])

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
+from markermend.poses.misplacing import FASTEST_RAD_S, OFF, OFF_BONE
 from markermend.poses.nuitrack import twins
 from markermend.poses.pose import parents_first
 from markermend.poses.quaternion import lengths_of
@@ -15,12 +16,12 @@ from markermend.poses.repeating import REPEATS, Repeating
 # Poses that show a bone before it is asked at all, and closely; later one in so many as those is
 # learnt from. The last of them count.
 _FEWEST, _ENOUGH, _COUNT = 3, 12, 41
-# A length is impossible when off by this share of itself and of the mean bone, and so many times as
-# far as it strays half of the time.
-_OFF, _OFF_BONE, _STRAYS = 0.15, 0.12, 8.0
-# Other lengths that are the same within this share for so long are how the body is seen now, and
-# for so long at least.
-_SAME, _BELIEVED_S, _DOUBTED_S = 0.1, 2.0, 0.5
+# A length may be off by so many times as far as it strays half of the time, beside what it may
+# anyway.
+_STRAYS = 8.0
+# Other lengths that are the same within this share, and sides that stay exchanged, are how the body
+# is seen now after so long; sooner, but not before these, where it was hardly seen otherwise.
+_SAME, _BELIEVED_S, _LENGTHS_S, _SIDES_S = 0.1, 2.0, 0.5, 1.0
 # So much of how they change is gone along with.
 _DRIFT = 0.1
 # Left and right are told apart where they are this far from where they were, in mean bones, and
@@ -30,8 +31,8 @@ _CLEAR, _EXCHANGED = 0.6, 0.5
 _FAR_MM = 1e6
 # Having come far tells as much of who is wrong as so many bones.
 _FURTHER = 3.0
-# No bone turns faster; what has stayed where it turned to for so many poses is there.
-_FASTEST_RAD_S, _STAYS = 20.0, 3
+# What has stayed for so many poses where it turned to too fast is there.
+_STAYS = 3
 
 
 class Doubting:
@@ -41,8 +42,9 @@ class Doubting:
     digit (:class:`markermend.poses.repeating.Repeating`); and one that is where its bones, whose
     lengths are learnt, cannot reach, or which they cannot reach so fast, with what went along.
     Left and right changed places where both are nearer to where the other was. Other lengths and
-    exchanged sides are believed when they last for 2 s, and where most bones are others, none is
-    wrong: it is somebody else.
+    exchanged sides are believed when they last for 2 s, or less at the beginning; a joint that is
+    at 0, 0, 0 or repeats itself never is. Where most bones are others, none is wrong: it is
+    somebody else.
 
     Parameters
     ----------
@@ -79,11 +81,6 @@ class Doubting:
         self._showed = np.zeros(count, dtype=bool)
         self._age = 0
         self._set_limits()
-
-    @property
-    def exchanged(self) -> BoolArray:
-        """(joints,) bool, of the last pose, those that have been put back."""
-        return np.asarray(self.own != self._every)
 
     def __call__(
         self, positions: FloatArray, rotations: FloatArray, seen: BoolArray
@@ -157,22 +154,22 @@ class Doubting:
         """Have at hand how far off lengths may be, and how far bones turn from pose to pose."""
         shown = self._lengths[self._poses > 0]
         self._mean_bone = float(shown.mean()) if len(shown) else 0.0
-        least, strays = _OFF_BONE * self._mean_bone, _STRAYS * self._strays
+        least, strays = OFF_BONE * self._mean_bone, _STRAYS * self._strays
         # Nobody knows yet how far something strays that was hardly seen.
         times = np.where(self._poses < _ENOUGH, 2.0, 1.0)
         # Where a bone's end is strays in three directions, how long it is in one.
         self._room = times * (least + 2.0 * strays)
-        self._limits = times * (_OFF * self._lengths + least + strays)
-        self._turns = times * _FASTEST_RAD_S / self._rate * self._lengths
+        self._limits = times * (OFF * self._lengths + least + strays)
+        self._turns = times * FASTEST_RAD_S / self._rate * self._lengths
         unasked = self._poses < _FEWEST
         self._limits[unasked] = self._turns[unasked] = np.inf
         # What was wrong at first, or moved at first, is soon outnumbered so.
-        rigid = strays <= _OFF * self._lengths + least
+        rigid = strays <= OFF * self._lengths + least
         self._unsettled = self._age <= _COUNT or not rigid.all()
 
     def _believe(self, lengths: FloatArray, broken: BoolArray) -> None:
         """Take for right, in place, what is broken in the same way for long."""
-        least = _OFF_BONE * self._mean_bone + _STRAYS * self._strays
+        least = OFF_BONE * self._mean_bone + _STRAYS * self._strays
         alike = broken & (np.abs(lengths - self._others) < _SAME * self._others + least)
         shown = ~np.isnan(lengths)
         # Noise may let a pose or two look right, or yet another length.
@@ -181,8 +178,7 @@ class Doubting:
         self._others = np.where(new, lengths, self._others)
         self._others += np.where(alike, _DRIFT * (lengths - self._others), 0.0)
         self._other_poses = np.where(new, 1.0, np.maximum(votes, 0.0))
-        # What was hardly seen otherwise is outvoted sooner.
-        longest = np.clip(2.0 * self._poses, _DOUBTED_S * self._rate, _BELIEVED_S * self._rate)
+        longest = np.clip(2.0 * self._poses, _LENGTHS_S * self._rate, _BELIEVED_S * self._rate)
         believed = self._other_poses > longest
         if believed.any():
             self._shown[:_FEWEST, believed] = self._lengths[believed] = self._others[believed]
@@ -212,7 +208,7 @@ class Doubting:
         clear = _CLEAR * self._mean_bone
         far = lengths_of((places - self._at)[self._sided])
         # While a pose came again and again, legs have passed each other.
-        if not (far > 0.5 * clear).any() or self._repeating.since > REPEATS:
+        if not (2.0 * far > clear).any() or self._repeating.since > REPEATS:
             self._own_for += 1
             if self.own is not self._every:
                 self._exchanged_for[:] = 0
@@ -238,8 +234,9 @@ class Doubting:
                 changed = fits and not lengths_of(places[here] - ahead).sum() < _EXCHANGED * now
             self._exchanged_for[here] = self._exchanged_for[here] + 1 if changed else 0
             self._own_for[here] += not changed
-            # Who was hardly seen otherwise is believed after a second.
-            longest = min(max(2 * self._own_for[here[0]], self._rate), _BELIEVED_S * self._rate)
+            longest = np.clip(
+                2.0 * self._own_for[here[0]], _SIDES_S * self._rate, _BELIEVED_S * self._rate
+            )
             if changed and self._exchanged_for[here[0]] <= longest:
                 own[here] = there
         return own if (own != self._every).any() else self._every
@@ -267,7 +264,7 @@ class Doubting:
             if wrong[joint] or not wrong[parent] or np.isnan(lengths[bone]):
                 continue
             length = self._lengths[bone]
-            alike = abs(lengths[bone] - length) < _OFF * length
+            alike = abs(lengths[bone] - length) < OFF * length
             if alike and far[joint] > self._turns[bone] + self._room[bone]:
                 wrong[joint] = True
                 continue
@@ -276,7 +273,7 @@ class Doubting:
                 reach += self._lengths[self._bone_of[above]]
                 above = self._above[above]
             away = float(lengths_of(places[joint] - places[above]))
-            wrong[joint] = not wrong[above] and away > (1.0 + _OFF) * reach + self._room[bone]
+            wrong[joint] = not wrong[above] and away > (1.0 + OFF) * reach + self._room[bone]
         return wrong
 
 

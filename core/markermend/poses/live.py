@@ -91,7 +91,7 @@ class Live:
         places, turns = self._filled(positions, rotations, seen)
         self._doubting.keep(places, seen | self.joined)
         if not self.joined.all():
-            new = seen & ~self.joined & np.isfinite(positions).all(axis=1)
+            new = seen & ~self.joined
             if new.any():
                 self._join(places, turns, new)
         return places, turns

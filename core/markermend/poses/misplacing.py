@@ -11,12 +11,15 @@ from markermend.poses.normal import bone_lengths
 from markermend.poses.pose import Pose, parents_first
 from markermend.poses.quaternion import lengths_of
 
-# A distance is impossible when off by this share of itself and of the mean bone.
-_OFF, _OFF_BONE = 0.15, 0.12
+OFF, OFF_BONE = 0.15, 0.12
+"""A distance is impossible when off by this share of itself and of the mean bone."""
+FASTEST_RAD_S = 20.0
+"""No bone turns faster."""
+
 _USUAL = (2.0, 98.0)
 # So few possible frames in a row, between or beside impossible ones, may be so by chance; beside
 # them they are where the next frame could only be reached by turning this fast.
-_BY_CHANCE, _FASTEST_RAD_S = 2, 20.0
+_BY_CHANCE = 2
 # Where its parent is misplaced, a joint whose bone is as usual in this share of frames went along.
 _ALONG = 0.8
 # Bodies may be looked at from joints that this many bones meet at, besides from the root.
@@ -40,7 +43,7 @@ def misplaced(pose: Pose) -> BoolArray:
     nowhere = np.zeros((pose.frames, len(pose.joints)), dtype=bool)
     if np.isnan(bones).all():
         return nowhere
-    room = _OFF_BONE * float(np.nanmean(bones))
+    room = OFF_BONE * float(np.nanmean(bones))
     gone = jumped(pose, bones)
     wrong = _seen_from(pose, pose.parents, gone, room)
     # From elsewhere no more can be wrong than where a root, or what hangs on it, is.
@@ -87,9 +90,9 @@ def _seen_from(pose: Pose, parents: tuple[int, ...], gone: BoolArray, room: floa
             pose.seen[:, joint],
         )
         bone = pose.positions[:, joint] - pose.positions[:, parent]
-        alike = np.abs(lengths_of(bone) - bones[joint]) < _OFF * bones[joint]
+        alike = np.abs(lengths_of(bone) - bones[joint]) < OFF * bones[joint]
         bone[wrong[:, parent]] = np.nan
-        mine |= seen & _by_chance(mine, bone, _FASTEST_RAD_S / pose.rate * bones[joint] + room)
+        mine |= seen & _by_chance(mine, bone, FASTEST_RAD_S / pose.rate * bones[joint] + room)
         for start, stop in runs(seen & wrong[:, parent]).tolist():
             # Whether it went along where its parent jumped away and came back is known already.
             if alike[start:stop].mean() >= _ALONG and not gone[start:stop, parent].all():
@@ -114,7 +117,7 @@ def _out_of_reach(
             low, high = np.percentile(shown, _USUAL)
             if ancestor == parents[joint]:
                 low = high = np.median(shown)
-            out |= judged & ((far > (1 + _OFF) * high + room) | (far < (1 - _OFF) * low - room))
+            out |= judged & ((far > (1 + OFF) * high + room) | (far < (1 - OFF) * low - room))
         unjudged &= ~judged
         ancestor = parents[ancestor]
     return out

@@ -15,8 +15,6 @@ from markermend.poses.turnless import given_turns
 
 # So many poses are looked at at first, then so many in a row of as many as the last.
 _AT_FIRST, _IN_A_ROW, _OF = 240, 8, 32
-# No body is further out.
-_FAR_MM = 1e6
 _PLACE, _TURN = 3, 4
 
 
@@ -49,14 +47,12 @@ class Steadying:
 
         Parameters
         ----------
-        positions, rotations, seen : as :class:`markermend.poses.live.Live` takes them, mm
+        positions, rotations, seen : as :class:`markermend.poses.doubting.Doubting` returns them, mm
 
         Returns
         -------
         positions and rotations; as they came of what was not seen, and where there is no noise
         """
-        # NaN is not near either.
-        seen = seen & (np.abs(positions) < _FAR_MM).all(axis=1)
         told = given_turns(rotations, seen)
         self._age += 1
         turn_of = self._age % _OF
