@@ -258,15 +258,40 @@ def test_one_bad_joint_keeps_no_other_from_being_known(walk, places):
 @pytest.mark.parametrize("rate", [10.0, 15.0])
 def test_legs_may_pass_each_other_quickly(rate):
     """Whoever swings on as he did is not the other."""
-    swing = np.deg2rad(35.0) * np.sin(2.0 * np.pi * np.arange(200) / rate + 0.7)
-    left, right = (arm(way * swing).positions.copy() for way in (1.0, -1.0))
-    left[:, 1:] += [0.0, 0.0, 30.0]
-    right[:, 1:] -= [0.0, 0.0, 30.0]
-    places = np.stack([left[:, 0], left[:, 1], right[:, 1], left[:, 2], right[:, 2]], axis=1)
-    names = ("waist", "left_hip", "right_hip", "left_foot", "right_foot")
-    turns = np.tile(NO_TURN, (200, 5, 1))
-    found = Seen(Pose(places, turns, names, (-1, 0, 0, 1, 2), rate), places)
-    assert found.exchanged.any(axis=1).sum() <= 2
+    exchanged = 0
+    for phase in np.arange(8) * np.pi / 4.0:
+        swing = np.deg2rad(35.0) * np.sin(2.0 * np.pi * np.arange(100) / rate * 1.03 + phase)
+        left, right = (2.0 * arm(way * swing).positions for way in (1.0, -1.0))
+        left[:, 1:] += [0.0, 0.0, 30.0]
+        right[:, 1:] -= [0.0, 0.0, 30.0]
+        places = np.stack([left[:, 0], left[:, 1], right[:, 1], left[:, 2], right[:, 2]], axis=1)
+        names = ("waist", "left_hip", "right_hip", "left_foot", "right_foot")
+        turns = np.tile(NO_TURN, (100, 5, 1))
+        found = Seen(Pose(places, turns, names, (-1, 0, 0, 1, 2), rate), places)
+        exchanged += int(found.exchanged.any(axis=1).sum())
+    assert exchanged <= 4
+
+
+def test_who_came_far_is_wrong_and_not_who_hangs_on_him(walk):
+    """Though the bone that carries him is as long as it was, and turned no faster than one can."""
+    hip, knee = (walk.joints.index(f"left_{name}") for name in ("hip", "knee"))
+    slow = Pose(walk.positions[::4], walk.rotations[::4], walk.joints, walk.parents, RATE / 4)
+    places = slow.positions.copy()
+    thigh = places[:, knee] - places[:, hip]
+    aside = np.cross(thigh, [0.0, 0.0, 1.0])
+    aside *= (lengths_of(thigh) / lengths_of(aside))[:, None]
+    places[40, knee] = (places[:, hip] + np.cos(0.6) * thigh + np.sin(0.6) * aside)[40]
+    found = Seen(slow, places)
+    assert found.wrong[40, knee]
+    assert found.wrong.sum() == 1
+
+
+def test_a_joint_at_zero_in_the_first_pose_is_not_there(walk, places):
+    elbow = walk.joints.index("left_elbow")
+    places[0, elbow] = 0.0
+    found = Seen(walk, places)
+    assert found.wrong[0, elbow]
+    assert found.wrong.sum() == 1
 
 
 def test_what_no_number_is_is_not_there(walk, places):
@@ -287,7 +312,7 @@ def test_small_bones_of_a_noisy_sensor_are_not_doubted(walk):
 
 def test_who_throws_gathers_speed_and_who_jumps_does_not():
     speed = np.concatenate([np.linspace(0.0, 50.0, 40), np.linspace(50.0, 0.0, 40)])
-    throw = arm(np.cumsum(np.concatenate([np.zeros(40), speed, np.zeros(20)])) / RATE)
+    throw = arm(np.cumsum(np.concatenate([np.ones(60), speed, np.ones(20)])) / RATE)
     assert lengths_of(np.diff(throw.positions[:, 2], axis=0)).max() > 120.0
     assert not Seen(throw, throw.positions).wrong.any()
     jump = arm(np.where(np.arange(100) < 50, 0.0, 0.5) + 1e-3 * np.arange(100))

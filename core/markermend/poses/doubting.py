@@ -152,8 +152,8 @@ class Doubting:
 
     def _set_limits(self) -> None:
         """Have at hand how far off lengths may be, and how far bones turn from pose to pose."""
-        shown = self._lengths[self._poses > 0]
-        self._mean_bone = float(shown.mean()) if len(shown) else 0.0
+        known = self._poses > 0
+        self._mean_bone = float(self._lengths[known].mean()) if known.any() else 0.0
         least, strays = OFF_BONE * self._mean_bone, _STRAYS * self._strays
         # Nobody knows yet how far something strays that was hardly seen.
         times = np.where(self._poses < _ENOUGH, 2.0, 1.0)
@@ -163,9 +163,9 @@ class Doubting:
         self._turns = times * FASTEST_RAD_S / self._rate * self._lengths
         unasked = self._poses < _FEWEST
         self._limits[unasked] = self._turns[unasked] = np.inf
-        # What was wrong at first, or moved at first, is soon outnumbered so.
-        rigid = strays <= OFF * self._lengths + least
-        self._unsettled = self._age <= _COUNT or not rigid.all()
+        # What is new, or was wrong at first, is soon known so.
+        loose = strays > OFF * self._lengths + least
+        self._unsettled = not known.any() or bool((loose | (self._poses < _COUNT))[known].any())
 
     def _believe(self, lengths: FloatArray, broken: BoolArray) -> None:
         """Take for right, in place, what is broken in the same way for long."""
