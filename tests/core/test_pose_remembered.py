@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
-from recordings import seventeen_joints
+from recordings import seventeen_joints, to_and_fro
 
 import markermend as mm
 from markermend.cli import main
@@ -83,15 +83,20 @@ def part_of(pose: Pose, start: int, stop: int) -> Pose:
     return pose.with_samples(pose.positions[rows], pose.rotations[rows], pose.confidence[rows])
 
 
-def test_strangers_are_not_asked(clips, prior) -> None:
-    damaged = corrupt_pose(clips["02_01"], Noise(displacement=0.0, burst=60), seed=1)
-    assert len(remembered_of(damaged, prior)) == 1
-    assert not remembered_of(damaged, replace(prior, remembered=prior.remembered[1:]))
-    results = [
-        restore(damaged, prior=replace(prior, remembered=some)).pose.positions
-        for some in ((), prior.remembered[1:])
-    ]
-    assert_array_equal(*results)
+def test_strangers_are_asked_where_a_recording_is_short(clips, prior) -> None:
+    strange = replace(prior, remembered=prior.remembered[1:])
+    short = clips["02_01"]
+    long = to_and_fro(short, round(20 * short.rate) + 1)
+    for pose, asked in ((short, True), (long, False)):
+        damaged = corrupt_pose(pose, Noise(displacement=0.0, burst=60), seed=1)
+        assert len(remembered_of(damaged, prior)) == 1
+        assert not remembered_of(damaged, strange)
+        assert len(remembered_of(damaged, strange, strangers=True)) == 1
+        without, with_them = (
+            restore(damaged, prior=replace(prior, remembered=some)).pose.positions
+            for some in ((), strange.remembered)
+        )
+        assert np.array_equal(without, with_them) != asked
 
 
 def test_bodies_are_told_whatever_order_and_hand_their_joints_have(clips, prior) -> None:

@@ -23,6 +23,7 @@ from markermend.poses.normal import bone_lengths
 from markermend.poses.nuitrack import to_nuitrack
 from markermend.poses.quaternion import between, turn, unit
 from markermend.poses.restore import denoise, restore
+from markermend.poses.sides import Mirror
 from markermend.poses.smoothing import (
     _in_each_frame,
     _power,
@@ -146,6 +147,36 @@ def test_gaps_that_last_begin_where_a_rough_look_ended():
     plain, astray = (fill(values, known, 100.0, begun=by) for by in (begun, told))
     # What was made of the second channel tells of the first.
     assert np.abs((astray.values - plain.values)[100:150, 0]).max() > 0.05
+
+
+def test_the_shorter_a_recording_the_less_sure_is_what_alike_moments_tell(monkeypatch):
+    def told(moved, start, own, *_rest):
+        shape = len(moved), own.targets.shape[1]
+        return np.zeros(shape, dtype=np.float32), np.ones(shape, dtype=np.float32)
+
+    monkeypatch.setattr("markermend.poses.filling.by_likeness", told)
+    doubt = []
+    for seconds in (5, 40):
+        values = np.sin(np.arange(60 * seconds)[:, None] * [0.05, 0.07, 0.11])
+        known = np.ones(values.shape, dtype=bool)
+        known[100:160, 0] = False
+        doubt.append(fill(values, known, 60.0).variance[130, 0])
+    assert_allclose(doubt, [3.0, 1.25])
+
+
+@pytest.mark.parametrize("length", [1, 10])
+def test_how_the_other_side_moves_is_expected_of_a_side_that_has_not_moved_yet(length):
+    driver, right = np.random.default_rng(1).normal(size=(2, 300)) * [[1.0], [1.7]]
+    right += driver
+    driver[50], right[50] = 3.0, 0.0
+    known = np.ones((300, 3), dtype=bool)
+    known[50 - length // 2 : 51 + length // 2, 0] = False
+    # The left side stands still wherever it is seen.
+    values = np.stack([np.zeros(300), right, driver], axis=1)
+    mirror = Mirror(np.array([1, 0, 2]), np.ones(3, dtype=np.float32))
+    alone, told = (fill(values, known, 60.0, mirror=by).values[50, 0] for by in (None, mirror))
+    assert abs(alone) < 0.01
+    assert told > 0.2
 
 
 def test_noise_is_told_from_movement_and_taken_out():

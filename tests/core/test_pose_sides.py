@@ -8,8 +8,9 @@ import pytest
 import markermend as mm
 from markermend.poses import Pose
 from markermend.poses.channels import Channels, to_channels
+from markermend.poses.covariance import learn
 from markermend.poses.nuitrack import MIRROR, to_nuitrack, twins
-from markermend.poses.sides import mirror_of
+from markermend.poses.sides import OTHER_SIDE, mirror_of, of_both_sides
 from markermend.poses.stance import IN_MIRROR, stance
 
 
@@ -60,3 +61,17 @@ def test_movement_beside_poses_is_mirrored_alike(walk):
     )
     both = mirror.image(np.hstack([values, 2.0 * values]))
     assert both == pytest.approx(np.hstack([mirror.image(values), 2.0 * mirror.image(values)]))
+
+
+def test_moments_of_both_sides_are_in_part_those_of_the_mirrored_person(walk):
+    own, channels = columns_of(walk)
+    mirror = mirror_of(
+        [walk.joints[j] for j in channels.joints], channels.values.mean(axis=0), IN_MIRROR
+    )
+    one, other = (learn(rows, walk.rate) for rows in (own, mirror.image(own.astype(np.float32))))
+    both = of_both_sides(one, mirror)
+    for name in ("whole", "within"):
+        parts = (1.0 - OTHER_SIDE) * getattr(one, name) + OTHER_SIDE * getattr(other, name)
+        assert getattr(both, name) == pytest.approx(parts, abs=1e-4)
+    assert np.array_equal(both.mean, one.mean)
+    assert both.weight == one.weight

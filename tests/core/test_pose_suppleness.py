@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from recordings import seventeen_joints
+from recordings import seventeen_joints, to_and_fro
 from scipy.spatial.transform import Rotation
 from sensed_bodies import with_hands
 
@@ -284,8 +284,10 @@ def test_each_step_of_restoring_is_told(clips, prior, monkeypatch) -> None:
     for name in ("settle", "settle_in_time"):
         assert told[name].covariance.shape == (96, 96)
     noisy = told["settle"].share
-    restore(corrupt_pose(clips["03_02"], Noise(displacement=0.0), seed=1), prior=prior)
-    assert told["settle"].share < noisy
+    for seconds, share in ((40.0, 0.5), (10.0, 0.8), (3.0, noisy)):
+        lasting = to_and_fro(clips["03_02"], round(seconds * clips["03_02"].rate))
+        restore(corrupt_pose(lasting, Noise(displacement=0.0), seed=1), prior=prior)
+        assert told["settle"].share == pytest.approx(share)
 
 
 def test_what_moves_together_elsewhere_tells_movement_from_noise(clips, prior) -> None:

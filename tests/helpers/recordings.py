@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
+
 import markermend as mm
 from markermend.bench.gaps import only_named
 from markermend.poses.nuitrack import to_nuitrack
@@ -18,6 +20,13 @@ def seventeen_joints(shared: Path, *names: str) -> dict[str, mm.Pose]:
     """Skeleton recordings by name, as the 17 joints that sensors share."""
     folder = shared / "poses"
     return {name: to_nuitrack(mm.read_pose(folder / f"{name}.amc")) for name in names}
+
+
+def to_and_fro(pose: mm.Pose, frames: int) -> mm.Pose:
+    """So many poses of a recording, played forwards and backwards."""
+    there = np.arange(pose.frames)
+    rows = np.resize(np.append(there, there[-2:0:-1]), frames)
+    return mm.Pose(pose.positions[rows], pose.rotations[rows], pose.joints, pose.parents, pose.rate)
 
 
 def exchange_angles(source: Path, target: Path, names: tuple[str, ...], frames: range) -> Path:

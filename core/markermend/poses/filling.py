@@ -34,7 +34,7 @@ from markermend.poses.likeness import (
     weights_of,
 )
 from markermend.poses.remembered import Performances
-from markermend.poses.sides import Mirror
+from markermend.poses.sides import Mirror, of_both_sides
 from markermend.poses.solving import add_to_diagonal, solved
 
 # Gaps up to this long are many and alike, and are crossed all at once; a rough result crosses gaps
@@ -45,6 +45,9 @@ BRIEF_S = 0.3
 
 # Share of the deviations' estimate beside the levels', in brief gaps and in longer ones.
 _BRIEF, _LONG = 0.85, 0.5
+# A short recording shows less than there is, which it cannot tell by itself: squared errors of what
+# alike moments tell are larger by so many seconds over how long it is.
+_TOO_SURE_S = 10.0
 # Added to variances before regressing: absolute, and of a channel hidden part of the time.
 _RIDGE, _LEVEL_RIDGE, _DOUBT = 1e-4, 1e-3, 0.1
 # Share of the whole variance that is added where that is not enough.
@@ -153,7 +156,7 @@ def fill(
     prior : moments of the same channels from other recordings
     beside : (frames, n) what else tells of them, known in every frame, of which the prior knows
         nothing
-    mirror : of a body whose other side tells of gaps that last, and of what stands beside it
+    mirror : of a body whose other side tells of its gaps, and of what stands beside it
     noise : standard deviation of what is left of noise in the known values
     rough : to look for noise: once, and short gaps by time alone
     begun : what a rough look made, which gaps that last are filled from
@@ -193,6 +196,11 @@ def fill(
             performed=performed,
         )
         return whole.but(more)
+
+    def learnt(whole: NDArray[Any], lengths: Iterable[int]) -> Moments:
+        own = learn(whole, rate, lengths)
+        return pooled(of_both_sides(own, mirror) if mirror is not None else own, prior)
+
     cross = straight if rough or noise > 0 else bridge
     short = max(round((_ROUGH_S if rough else _SHORT_S) * rate), 1)
     if near is None:
@@ -202,7 +210,7 @@ def fill(
         base, gaps, variance = near.base, near.gaps, near.variance.copy()
     if not rough and near is None:
         shortest = [gap for gap in gaps if gap.length <= short]
-        moments = pooled(learn(base, rate, range(1, short + 1)), prior)
+        moments = learnt(base, range(1, short + 1))
         cross_short(base, variance, known, shortest, moments, rate, cross)
     lengthy = [gap for gap in gaps if gap.length > short]
     brief, again = (lengthy, []) if rough else by_lasting(lengthy, len(known), BRIEF_S * rate)
@@ -223,7 +231,7 @@ def fill(
             base,
             seen_by_channel,
             so_far,
-            _covariances(pooled(learn(single, rate, lengths), prior), lengths, rate),
+            _covariances(learnt(single, lengths), lengths, rate),
             rate,
             cross,
             noise,
@@ -285,6 +293,7 @@ def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
                 [*_mirrored(look.moved, look, gap, by), *_performed(look, gap, trust, by)],
                 _borders(look, gap),
             )
+            variance *= np.float32(1.0 + _TOO_SURE_S * rate / frames)
             return look.estimate[start:stop] @ by + strays, variance
     seen = look.estimate[start:stop, others]
     inside = seen @ weights

@@ -39,7 +39,7 @@ _TINY = 1e-30
 # Numbers that count alike.
 _ALIKE = np.ones(1, dtype=np.float32)
 # What it never saw, the process does not expect: squared errors are larger by about this.
-_TOO_SURE = 5.0
+_TOO_SURE = 3.5
 # How sure it is is asked of every so many frames.
 _EVERY = 4
 

@@ -99,13 +99,14 @@ def fitting(pose: Pose, prior: Prior) -> tuple[Moments, bool] | None:
     return (moments, apart[1] < apart[0]) if min(apart) < limit else None
 
 
-def remembered_of(pose: Pose, prior: Prior) -> list[Remembered]:
+def remembered_of(pose: Pose, prior: Prior, *, strangers: bool = False) -> list[Remembered]:
     """What a prior remembers of the body that a recording shows, told by its bones.
 
     Parameters
     ----------
     pose : a recording that the prior fits, right-handed
     prior : of exactly the same joints; of a body that has more or fewer it remembers nothing
+    strangers : what it remembers of others is wanted, too
 
     Returns
     -------
@@ -116,7 +117,7 @@ def remembered_of(pose: Pose, prior: Prior) -> list[Remembered]:
         return []
     own = bones_of(pose)
     recordings = (one.of(_columns(order)) for one in prior.remembered)
-    return [one for one in recordings if one.of_body(own)]
+    return [one for one in recordings if strangers or one.of_body(own)]
 
 
 def bending_of(pose: Pose, prior: Prior) -> OthersBends | None:

@@ -55,9 +55,11 @@ from markermend.progress import Progress, part, quiet
 
 # What was filled without noise is filled again so many times from what comes out.
 _ROUNDS = 2
-# How much others' bends count beside a recording's own where nothing is noisy, and where it is and
-# these tell of the noise as of the body.
-_OTHERS = (0.5, 0.85)
+# How much others' bends count beside a recording's own: where nothing is noisy, as if seen for so
+# long; at most, and where it is noisy and its own tell of the noise as of the body, by this share.
+_OTHERS_S, _OTHERS = 40.0, 0.85
+# Shorter recordings tell too little by themselves, so strangers that a prior remembers are asked.
+_SHORT_S = 20.0
 # Lasting gaps are filled again so many times where they are few and where they are many, then once
 # less where it is noisy.
 _LOOKS, _MANY = (4, 2), 150
@@ -155,7 +157,7 @@ def restore(
         remembered: Sequence[Remembered] = ()
         bending = None
         if prior is not None and fit is not None:
-            remembered = remembered_of(shown, prior)
+            remembered = remembered_of(shown, prior, strangers=pose.frames < _SHORT_S * pose.rate)
             bending = bending_of(shown, prior)
         run = partial(_restore, prior=moments, remembered=remembered, bending=bending)
         restored = run(shown, tell=tell)
@@ -219,7 +221,10 @@ def _restore(
     else:
         tell(0.3, "Smoothing")
         values = smooth(rough, noise[usable], pose.rate, prior)
-    others = bending and replace(bending, share=_OTHERS[int(level > NOISY)])
+    share = _OTHERS
+    if level <= NOISY:
+        share = min(_OTHERS, _OTHERS_S / (_OTHERS_S + pose.frames / pose.rate))
+    others = bending and replace(bending, share=share)
     ever_seen, ever_turned = (np.asarray(x.any(axis=0)) for x in seen_turned)
     body = jointed(pose, ever_seen, ever_turned, others)
     tell(0.5, "Filling")

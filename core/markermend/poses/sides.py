@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from markermend.arrays import BoolArray, Float32Array, FloatArray, IntArray
+from markermend.poses.covariance import Moments
 from markermend.poses.normal import FEATURES
 from markermend.poses.nuitrack import MIRROR, twins
 from markermend.poses.solving import part_of
@@ -88,7 +89,9 @@ def mirror_signs(usual: FloatArray, twins: IntArray) -> FloatArray:
     return signs.ravel()
 
 
-def both_sides(covariance: FloatArray, twins: IntArray, signs: FloatArray) -> FloatArray:
+def both_sides(
+    covariance: FloatArray, twins: IntArray, signs: FloatArray | Float32Array
+) -> FloatArray:
     """Mix a covariance with that of the mirrored body.
 
     Parameters
@@ -98,6 +101,21 @@ def both_sides(covariance: FloatArray, twins: IntArray, signs: FloatArray) -> Fl
     """
     mirrored = signs[:, None] * part_of(covariance, twins, twins) * signs
     return np.asarray((1.0 - OTHER_SIDE) * covariance + OTHER_SIDE * mirrored)
+
+
+def of_both_sides(moments: Moments, mirror: Mirror) -> Moments:
+    """Moments in which each side of the body tells of the other, too.
+
+    Parameters
+    ----------
+    moments : of the mirror's channels
+    mirror : of all of them
+    """
+    whole, *within = (
+        both_sides(covariance, mirror.twins, mirror.signs)
+        for covariance in (moments.whole, *moments.within)
+    )
+    return replace(moments, whole=whole, within=np.stack(within))
 
 
 def both_sides_moved(moved: FloatArray, twins: IntArray, signs: FloatArray) -> FloatArray:
