@@ -10,6 +10,7 @@ from numpy.testing import assert_allclose
 from recordings import seventeen_joints
 
 import markermend as mm
+from markermend.bench.parts import in_parts
 from markermend.bench.poses import CASES, KNOWN, Row, compare, left_out, unseen
 from markermend.bench.poses_network import error_of
 from markermend.bench.poses_text import hidden_table, movements_table, poses_csv, poses_table
@@ -26,6 +27,21 @@ from markermend.poses.restore import restore
 @pytest.fixture(scope="module")
 def clips(shared_data):
     return seventeen_joints(shared_data, "02_01", "03_02")
+
+
+def test_parts_are_equal_and_hold_every_pose(clips):
+    pose = clips["02_01"]
+    seen = np.arange(pose.frames * len(pose.joints)).reshape(pose.frames, -1) % 3 / 2
+    pose = pose.with_samples(pose.positions, pose.rotations, seen)
+    parts = in_parts("02_01", pose, 1.0)
+    assert list(parts) == ["02_01.1", "02_01.2", "02_01.3"]
+    assert np.ptp([part.frames for part in parts.values()]) <= 1
+    for name in ("positions", "rotations", "confidence"):
+        whole = np.concatenate([getattr(part, name) for part in parts.values()])
+        assert_allclose(whole, getattr(pose, name), atol=1e-12)
+    assert {subject_of(name) for name in parts} == {"02"}
+    for whole in (60.0, None):
+        assert in_parts("02_01", pose, whole) == {"02_01": pose}
 
 
 def test_who_is_shown_is_known_where_others_show_the_same_person(shared_data):
@@ -185,3 +201,11 @@ def test_command_line(shared_data, tmp_path, capsys):
     assert main(["bench", "pose", *clips, "--case", "0.25", "--hidden", "--csv", str(table)]) == 0
     assert "Joints occluded" in capsys.readouterr().out
     assert "restore" in table.read_text()
+    parts = ["--parts", "0.6", "--case", "clean, 120", "--csv", "-"]
+    assert main(["bench", "pose", *clips, *parts]) == 0
+    named = {row.partition(",")[0] for row in capsys.readouterr().out.splitlines()[1:]}
+    assert named == {"02_01.1", "02_01.2", "03_02.1", "03_02.2"}
+    assert main(["bench", "pose", *clips, "--parts", "0.001"]) == 1
+    assert "Parts must last 0.5 s at least" in capsys.readouterr().err
+    assert main(["bench", "pose", *clips, *parts, "--networks", "n.npz"]) == 1
+    assert "“--parts” or “--networks”" in capsys.readouterr().err

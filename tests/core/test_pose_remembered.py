@@ -92,6 +92,8 @@ def test_strangers_are_asked_where_a_recording_is_short(clips, prior) -> None:
         assert len(remembered_of(damaged, prior)) == 1
         assert not remembered_of(damaged, strange)
         assert len(remembered_of(damaged, strange, strangers=True)) == 1
+        (known,) = remembered_of(damaged, prior, strangers=True)
+        assert_array_equal(known.bones, remembered_of(damaged, prior)[0].bones)
         without, with_them = (
             restore(damaged, prior=replace(prior, remembered=some)).pose.positions
             for some in ((), strange.remembered)

@@ -9,6 +9,7 @@ import numpy as np
 from scipy.interpolate import PchipInterpolator
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
+from markermend.bench.parts import in_parts
 from markermend.bench.poses_network import ALL, Tried, by_networks, error_of
 from markermend.errors import DataError
 from markermend.poses.holding import held
@@ -114,6 +115,7 @@ def compare(
     *,
     cases: Sequence[Case] = CASES,
     networks: Mapping[str, Network] | None = None,
+    part_s: float | None = None,
     seed: int = 1,
     progress: Progress | None = None,
 ) -> list[Row]:
@@ -125,7 +127,9 @@ def compare(
     cases : what is done to them
     networks : ``without<subject>-…`` to network, trained on the others; ``fold<n>of10-…`` to
         one that was trained on nine tenths of all poses, tried on the tenth only (a random split)
-    seed : of the damage; each clip has its own
+    part_s : seconds; clips are cut into parts of about so long, each restored by itself, by what
+        whole clips taught
+    seed : of the damage; each clip, or part, has its own
     progress : told the share done; may raise to stop
 
     Raises
@@ -134,18 +138,21 @@ def compare(
         when all clips show one subject, or one is so short that it is occluded throughout
     """
     rows: list[Row] = []
-    steps, done = len(clips) * len(cases), 0
-    seeds = {name: seed + n for n, name in enumerate(clips)}
+    parts = {name: in_parts(name, clip, part_s) for name, clip in clips.items()}
+    names = [part for some in parts.values() for part in some]
+    seeds = {part: seed + n for n, part in enumerate(names)}
+    steps, done = len(names) * len(cases), 0
     for name, pose, prior, knowing in left_out(clips):
         mine = {
             trained: network
             for trained, network in (networks or {}).items()
             if never_saw(trained, name)
         }
-        for case in cases:
-            (progress or quiet)(done / steps, f"{name}: {case.name}")
-            done += 1
-            rows += _try(name, pose, case, (prior, knowing), mine, seeds[name])
+        for part, body in in_parts(name, pose, part_s).items():
+            for case in cases:
+                (progress or quiet)(done / steps, f"{part}: {case.name}")
+                done += 1
+                rows += _try(part, body, case, (prior, knowing), mine, seeds[part])
     return rows
 
 
@@ -236,7 +243,7 @@ def _try(
     if not known.any(axis=0).all():
         raise DataError(
             f"The recording {clip} is too short for “{case.name}”: a joint is never seen in it."
-            " Leave it out, or choose other cases."
+            " Leave it out, or choose other cases, or longer parts."
         )
     everywhere = np.ones(len(features), dtype=bool)
     results = {

@@ -7,11 +7,14 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from markermend.cli.console import STDOUT, Bar, check_outputs, say, warn, write_text
-from markermend.cli.numbers import add_seed
+from markermend.cli.numbers import add_seed, positive
 from markermend.cli.recordings import read_by_name
 from markermend.errors import MethodError
 
 SUMMARY = "damage clean skeleton recordings, restore people never seen, compare with the truth"
+
+# So much is needed to learn anything from.
+_LEAST_PART_S = 0.5
 
 
 def add_pose(p: argparse.ArgumentParser) -> None:
@@ -35,6 +38,13 @@ def add_pose(p: argparse.ArgumentParser) -> None:
         "--hidden",
         action="store_true",
         help="show errors by number of occluded joints, of a pose and of a movement",
+    )
+    p.add_argument(
+        "--parts",
+        metavar="SECONDS",
+        type=positive,
+        help="cut recordings into parts of about so long, each restored by itself; what is learnt"
+        " is learnt from whole ones",
     )
     add_seed(p, "damage", 1)
     p.add_argument(
@@ -63,6 +73,13 @@ def run_pose(options: argparse.Namespace) -> int:
     if not cases:
         names = ", ".join(dict.fromkeys(case.name for case in CASES))
         raise MethodError(f"No case has “{wanted[0]}” in its name; there are: {names}.")
+    if options.parts is not None and options.networks:
+        raise MethodError(
+            "Networks are tried on the poses that they did not see of whole recordings; leave out"
+            " “--parts” or “--networks”."
+        )
+    if options.parts is not None and options.parts < _LEAST_PART_S:
+        raise MethodError(f"Parts must last {_LEAST_PART_S:g} s at least; choose longer ones.")
     networks: dict[str, Network] = {}
     for path in options.networks:
         networks |= load_networks(Path(path))
@@ -70,6 +87,7 @@ def run_pose(options: argparse.Namespace) -> int:
     with Bar() as bar:
         rows = compare(
             read_by_name(options.poses),
+            part_s=options.parts,
             cases=cases,
             networks=networks,
             seed=options.seed,

@@ -46,8 +46,9 @@ BRIEF_S = 0.3
 # Share of the deviations' estimate beside the levels', in brief gaps and in longer ones.
 _BRIEF, _LONG = 0.85, 0.5
 # A short recording shows less than there is, which it cannot tell by itself: squared errors of what
-# alike moments tell are larger by so many seconds over how long it is.
-_TOO_SURE_S = 10.0
+# alike moments tell are larger by so many seconds over how long it is, which is taken to be so long
+# at least.
+_TOO_SURE_S, _LEAST_S = 10.0, 5.0
 # Added to variances before regressing: absolute, and of a channel hidden part of the time.
 _RIDGE, _LEVEL_RIDGE, _DOUBT = 1e-4, 1e-3, 0.1
 # Share of the whole variance that is added where that is not enough.
@@ -104,7 +105,7 @@ class _Look:
     compared : moments that are asked besides those beside a gap, mirrored ones, others' ones
     joints : (channels,) number of the joint that each is of
     mirror : of all channels, where there is one
-    performed : of the same body in other recordings, where there are any
+    performed : other recordings that are asked, where there are any
     """
 
     estimate: Float32Array
@@ -166,7 +167,7 @@ def fill(
     joints : (channels,) number of the joint that each is of; what tells more of a gap by a
         regression counts more in comparing moments, all of a joint alike. None where each channel
         stands for itself
-    performed : other recordings of the same body, with what stands beside it
+    performed : other recordings, of the same body or of strangers, with what stands beside it
 
     Notes
     -----
@@ -293,7 +294,7 @@ def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
                 [*_mirrored(look.moved, look, gap, by), *_performed(look, gap, trust, by)],
                 _borders(look, gap),
             )
-            variance *= np.float32(1.0 + _TOO_SURE_S * rate / frames)
+            variance *= np.float32(1.0 + _TOO_SURE_S / max(frames / rate, _LEAST_S))
             return look.estimate[start:stop] @ by + strays, variance
     seen = look.estimate[start:stop, others]
     inside = seen @ weights
@@ -344,7 +345,7 @@ def _mirrored(moved: Float32Array, look: _Look, gap: Gap, by: Float32Array) -> l
 
 
 def _performed(look: _Look, gap: Gap, trust: Float32Array, by: Float32Array) -> list[Telling]:
-    """Moments of other recordings of the same body, recording by recording."""
+    """Moments of other recordings, recording by recording."""
     others, most = look.performed, look.compared[2]
     if others is None or look.moved is None or not most:
         return []

@@ -14,7 +14,7 @@ from markermend.poses.borders import Borders
 from markermend.poses.solving import add_to_diagonal, solved
 
 MOMENTS, SOME_MOMENTS, FEW_MOMENTS = (250, 200, 200), (100, 60, 80), (30, 20, 0)
-"""Of a whole recording compared with a gap, as it is and mirrored, and of others of the same body.
+"""Of a whole recording compared with a gap, as it is and mirrored, and of others.
 
 Some are enough where gaps are so many that time counts, few where gaps are filled again.
 """
@@ -159,9 +159,8 @@ def by_likeness(
     Half of a difference is of all that is seen, half of what the regression makes of it, which
     leaves out what a limb has no part in. Where more than a joint is gone, poses further away tell,
     too. The other side of the body moves much the same way, but for a constant and for what is
-    particular to a time; so does the same body in another recording. Where what is hidden was
-    before and after tells less the nearer a border is, since what stands beside it tells more
-    there.
+    particular to a time; so do other recordings. Where what is hidden was before and after tells
+    less the nearer a border is, since what stands beside it tells more there.
     """
     moments, length = len(own.frames), len(moved)
     ends = list(accumulate([moments, *(len(other.frames) for other in others)]))

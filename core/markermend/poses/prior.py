@@ -100,13 +100,13 @@ def fitting(pose: Pose, prior: Prior) -> tuple[Moments, bool] | None:
 
 
 def remembered_of(pose: Pose, prior: Prior, *, strangers: bool = False) -> list[Remembered]:
-    """What a prior remembers of the body that a recording shows, told by its bones.
+    """What a prior remembers of the body that a recording shows, told by its bones, or of others.
 
     Parameters
     ----------
     pose : a recording that the prior fits, right-handed
     prior : of exactly the same joints; of a body that has more or fewer it remembers nothing
-    strangers : what it remembers of others is wanted, too
+    strangers : what it remembers of others is wanted where it does not know the body
 
     Returns
     -------
@@ -116,8 +116,9 @@ def remembered_of(pose: Pose, prior: Prior, *, strangers: bool = False) -> list[
     if (order < 0).any() or len(order) != len(prior.joints) - 1:
         return []
     own = bones_of(pose)
-    recordings = (one.of(_columns(order)) for one in prior.remembered)
-    return [one for one in recordings if strangers or one.of_body(own)]
+    recordings = [one.of(_columns(order)) for one in prior.remembered]
+    known = [one for one in recordings if one.of_body(own)]
+    return known if known or not strangers else recordings
 
 
 def bending_of(pose: Pose, prior: Prior) -> OthersBends | None:

@@ -1,4 +1,4 @@
-"""Recordings of a performer that a prior remembers, to ask them where the same body moves alike."""
+"""Recordings that a prior remembers, to ask them where a body moves alike."""
 
 from __future__ import annotations
 
@@ -115,7 +115,7 @@ def resampled(poses: FloatArray | Float32Array, rate: float, wanted: float) -> F
 
 @dataclass(frozen=True, eq=False)
 class Performances:
-    """What is remembered of the performer that a recording shows, at its rate and in its columns.
+    """What is remembered of whom a recording shows, or of others, at its rate and in its columns.
 
     Attributes
     ----------

@@ -55,10 +55,12 @@ from markermend.progress import Progress, part, quiet
 
 # What was filled without noise is filled again so many times from what comes out.
 _ROUNDS = 2
-# How much others' bends count beside a recording's own: where nothing is noisy, as if seen for so
-# long; at most, and where it is noisy and its own tell of the noise as of the body, by this share.
+# How much others' bends count beside a recording's own. Where nothing is noisy these count by how
+# long the recording is, and others' as if they had been seen for so many seconds, but by no more
+# than the share. That is how much they count where it is noisy, and its own tell of the noise, too.
 _OTHERS_S, _OTHERS = 40.0, 0.85
-# Shorter recordings tell too little by themselves, so strangers that a prior remembers are asked.
+# Shorter recordings tell too little by themselves, so strangers that a prior remembers are asked,
+# where it does not know the body.
 _SHORT_S = 20.0
 # Lasting gaps are filled again so many times where they are few and where they are many, then once
 # less where it is noisy.

@@ -96,8 +96,8 @@ def both_sides(
 
     Parameters
     ----------
-    covariance : (joints · 7, joints · 7)
-    twins, signs : (joints · 7,), the latter of :func:`mirror_signs`
+    covariance : (channels, channels)
+    twins, signs : (channels,), as a :class:`Mirror` has them
     """
     mirrored = signs[:, None] * part_of(covariance, twins, twins) * signs
     return np.asarray((1.0 - OTHER_SIDE) * covariance + OTHER_SIDE * mirrored)
