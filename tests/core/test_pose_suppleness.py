@@ -285,7 +285,7 @@ def test_each_step_of_restoring_is_told(clips, prior, monkeypatch) -> None:
         assert told[name].covariance.shape == (96, 96)
     noisy = told["settle"].share
     for seconds, share in ((40.0, 0.5), (10.0, 0.8), (3.0, noisy)):
-        lasting = to_and_fro(clips["03_02"], round(seconds * clips["03_02"].rate))
+        lasting = to_and_fro(clips["03_02"], seconds)
         restore(corrupt_pose(lasting, Noise(displacement=0.0), seed=1), prior=prior)
         assert told["settle"].share == pytest.approx(share)
 

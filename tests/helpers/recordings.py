@@ -22,11 +22,11 @@ def seventeen_joints(shared: Path, *names: str) -> dict[str, mm.Pose]:
     return {name: to_nuitrack(mm.read_pose(folder / f"{name}.amc")) for name in names}
 
 
-def to_and_fro(pose: mm.Pose, frames: int) -> mm.Pose:
-    """So many poses of a recording, played forwards and backwards."""
-    there = np.arange(pose.frames)
-    rows = np.resize(np.append(there, there[-2:0:-1]), frames)
-    return mm.Pose(pose.positions[rows], pose.rotations[rows], pose.joints, pose.parents, pose.rate)
+def to_and_fro(pose: mm.Pose, seconds: float) -> mm.Pose:
+    """So much of every fourth pose of a recording, played forwards and backwards."""
+    rate, there = pose.rate / 4, np.arange(0, pose.frames, 4)
+    rows = np.resize(np.append(there, there[-2:0:-1]), round(seconds * rate))
+    return mm.Pose(pose.positions[rows], pose.rotations[rows], pose.joints, pose.parents, rate)
 
 
 def exchange_angles(source: Path, target: Path, names: tuple[str, ...], frames: range) -> Path:
