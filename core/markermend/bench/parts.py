@@ -29,12 +29,6 @@ def in_parts(name: str, pose: Pose, seconds: float | None) -> dict[str, Pose]:
     parts = {}
     for n, both in enumerate(pairwise(borders), start=1):
         frames = slice(*both)
-        parts[f"{name}.{n}"] = Pose(
-            pose.positions[frames],
-            pose.rotations[frames],
-            pose.joints,
-            pose.parents,
-            pose.rate,
-            pose.confidence[frames],
-        )
+        given = (pose.positions, pose.rotations, pose.confidence)
+        parts[f"{name}.{n}"] = pose.with_samples(*(some[frames] for some in given))
     return parts

@@ -138,8 +138,7 @@ def compare(
         when all clips show one subject, or one is so short that it is occluded throughout
     """
     rows: list[Row] = []
-    parts = {name: in_parts(name, clip, part_s) for name, clip in clips.items()}
-    names = [part for some in parts.values() for part in some]
+    names = [part for name, clip in clips.items() for part in in_parts(name, clip, part_s)]
     seeds = {part: seed + n for n, part in enumerate(names)}
     steps, done = len(names) * len(cases), 0
     for name, pose, prior, knowing in left_out(clips):
