@@ -93,26 +93,6 @@ def test_odd_takes_are_shown(open_plots, positions):
         bench.panel.grab()
 
 
-def test_long_takes_pan_quickly(open_plots):
-    import time
-
-    rng = np.random.default_rng(3)
-    t = np.linspace(0, 600, 144_000)
-    positions = np.sin(t)[:, None, None] * 300 + rng.normal(0, 0.5, (144_000, 5, 3))
-    for start in range(1000, 143_000, 2_000):
-        positions[start : start + 40] = np.nan
-    bench = open_plots(Take(positions, tuple("ABCDE"), 240.0), mesh=False)
-    bench.document.show("ABCDE")
-    spent = []
-    for start in range(20_000, 30_000, 1_000):
-        began = time.perf_counter()
-        bench.panel.framing.set_view(start, start + 14_400)
-        bench.port.repaint()
-        spent.append(time.perf_counter() - began)
-    # Measured at 20 ms; the bound leaves room for busy machines.
-    assert float(np.median(spent)) < 0.25
-
-
 def test_curves_are_used_again_and_keep_nothing_of_the_marker_before(bench):
     row, take = bench.panel.rows[0], bench.document.session.take
     names = take.labels[:5]

@@ -10,13 +10,12 @@ from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from markermend.artifact import Artifact, Kind, Status
+from markermend.artifact import Artifact, Kind
 from markermend.mesh import Group, Mesh
 from markermend.take import Take
 from markermend_app.document import Document
 from markermend_app.panels.overview.overview import Overview
 from markermend_app.panels.overview.picture import arrange, row_edges
-from markermend_app.rows import Rows
 from markermend_app.style import theme
 
 LEFT = Qt.MouseButton.LeftButton
@@ -213,21 +212,3 @@ def test_nothing_open(qtbot):
     assert panel.describe(QPoint(10, 10)) == ""
     assert panel.artifact_at(QPointF(10, 10)) is None
     document.proposals.close()
-
-
-def test_long_takes_with_many_markers_are_quick(open_overview):
-    import time
-
-    positions = np.zeros((144_000, 40, 3))
-    labels = tuple(f"M{i}" for i in range(40))
-    artifacts = [
-        Artifact(m, "xyz", s, s + 30, Kind.NOISE) for m in labels for s in range(0, 140_000, 5_000)
-    ]
-    panel = open_overview(Take(positions, labels, 240.0), artifacts)
-    panel.grab()
-    began = time.process_time()
-    panel.document.set_queue(Rows([[a.id] for a in artifacts]))
-    panel.document.decisions.accept([artifacts[3].id])
-    panel.grab()
-    assert time.process_time() - began < 0.5
-    assert panel.document.session.artifact(artifacts[3].id).status is Status.ACCEPTED

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from pictures import colours, off
 from PySide6.QtCore import QPoint, Qt
 from scenes import place
 
@@ -37,21 +38,18 @@ def colors_around(scene, at: QPoint, reach: int = 12) -> set[tuple[int, int, int
 
 
 def test_colours_of_groups_can_be_told_apart(scene, document):
-    def colours() -> set[str]:
+    def filling() -> set[int]:
         """Colours that fill at least a square of 4 by 4 pixels somewhere."""
-        image = scene.grab().toImage()
-        names = np.array(
-            [[image.pixel(x, y) for x in range(image.width())] for y in range(image.height())]
-        )
+        names = colours(scene) @ (1, 256, 256**2)
         views = np.lib.stride_tricks.sliding_window_view(names, (4, 4)).reshape(-1, 16)
         return set(views[(views == views[:, :1]).all(axis=1), 0].tolist())
 
     document.show([])
     document.select(None)
     document.decisions.remove([a.id for a in document.session.artifacts])
-    plain = colours()
+    plain = filling()
     scene.looks.set_colours("group")
-    assert len(colours() - plain) >= 1
+    assert len(filling() - plain) >= 1
     scene.looks.set_colours("plain")
 
 
@@ -69,12 +67,8 @@ def test_segments_of_the_wrong_length_are_red(tmp_path, qtbot):
     scene.show()
 
     def red() -> int:
-        image, target = scene.grab().toImage(), theme.current().axes["x"]
-        return sum(
-            image.pixelColor(x, y) == target
-            for x in range(60, image.width() - 60)
-            for y in range(image.height())
-        )
+        away = off(colours(scene), theme.current().axes["x"])
+        return np.count_nonzero(away[:, 60:-60] == 0)
 
     document.go_to(50)
     assert scene.seen.off(positions[50]).tolist() == [False, False]

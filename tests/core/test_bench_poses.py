@@ -10,6 +10,7 @@ from numpy.testing import assert_allclose
 from recordings import seventeen_joints
 
 import markermend as mm
+from markermend.bench import poses
 from markermend.bench.parts import in_parts
 from markermend.bench.poses import CASES, KNOWN, Row, compare, left_out, unseen
 from markermend.bench.poses_network import error_of
@@ -21,7 +22,7 @@ from markermend.poses.noise import Noise, corrupt_pose
 from markermend.poses.nuitrack import mirrored, to_nuitrack
 from markermend.poses.prior import fitting, load_prior, save_prior, shipped_prior
 from markermend.poses.prior_learning import learn_prior
-from markermend.poses.restore import restore
+from markermend.poses.restore import Restored, restore
 
 
 @pytest.fixture(scope="module")
@@ -86,14 +87,25 @@ def test_restoring_beats_what_knows_no_bodies(clips):
     for case in cases:
         for simple in ("as it is", "linear", "pchip", "pchip, filtered"):
             assert error[case.name, "restore"] < 0.8 * error[case.name, simple]
-    again = compare(clips, cases=cases[1:])
-    assert [r.error for r in again] == [r.error for r in rows if r.case == cases[1].name]
     text = "\n".join(poses_table(rows) + hidden_table(rows))
     assert "Frame by frame" in text
     assert "restore, no prior" in text
     assert len(poses_csv(rows).splitlines()) == 1 + len(rows)
     with pytest.raises(DataError, match="two or more"):
         compare({"02_01": clips["02_01"]}, cases=cases)
+
+
+def test_a_case_is_damaged_alike_whatever_is_run_beside_it(clips, monkeypatch):
+    monkeypatch.setattr(poses, "restore", lambda pose, prior: Restored(pose, *(None,) * 3))
+    monkeypatch.setattr(poses, "as_they_come", lambda pose, prior: (pose, pose.seen.any(axis=1)))
+    cases = [CASES[0], CASES[7]]
+
+    def damaged(cases, seed=1):
+        rows = compare(clips, cases=cases, seed=seed)
+        asked = CASES[7].name, "as it is"
+        return [(r.clip, r.error) for r in rows if (r.case, r.method) == asked]
+
+    assert damaged(cases) == damaged(cases[1:]) != damaged(cases[1:], seed=2)
 
 
 def test_who_is_occluded_throughout_is_named(clips):

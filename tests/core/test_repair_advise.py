@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 
 import numpy as np
@@ -173,23 +172,20 @@ def test_expected_errors_follow_the_true_ones_on_real_takes(shared_data: Path) -
         pytest.skip(f"the gap list is not here ({BENCH})")
     cases = [c for c in read_cases(BENCH) if c.take == "85_12" and c.length <= 120][::12]
     take = read_named("85_12", shared_data)
-    expected, true, seconds = [], [], []
+    expected, true = [], []
     for case in cases:
         positions = take.positions.copy()
         for label, start, stop in case.gaps:
             positions[start:stop, take.index(label)] = np.nan
         evidence = evidence_for(Take(positions, take.labels, take.rate))
         for label, start, stop in case.gaps:
-            began = time.process_time()
             best = advise(evidence, Artifact(label, "xyz", start, stop, Kind.GAP))[0]
-            seconds.append(time.process_time() - began)
             truth = take.positions[start:stop, take.index(label)]
             miss = np.linalg.norm(best.repair.patches[0].values - truth, axis=1)
             expected.append(best.error_mm)
             true.append(miss.mean())
     assert np.corrcoef(np.log(expected), np.log(true))[0, 1] > 0.8
     assert 0.6 < np.mean(expected) / np.mean(true) < 1.7
-    assert np.median(seconds) < 1.0
 
 
 def swaying_take(frames: int = 700) -> Take:
