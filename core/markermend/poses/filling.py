@@ -33,9 +33,10 @@ from markermend.poses.likeness import (
     some_of,
     weights_of,
 )
+from markermend.poses.paces import Paces, lengths_of_paces, paces_of
+from markermend.poses.regressing import regress
 from markermend.poses.remembered import Performances
 from markermend.poses.sides import Mirror, of_both_sides
-from markermend.poses.solving import add_to_diagonal, solved
 
 # Gaps up to this long are many and alike, and are crossed all at once; a rough result crosses gaps
 # up to this long by time alone.
@@ -51,8 +52,6 @@ _BRIEF, _LONG = 0.85, 0.5
 _TOO_SURE_S, _LEAST_S = 10.0, 5.0
 # Added to variances before regressing: absolute, and of a channel hidden part of the time.
 _RIDGE, _LEVEL_RIDGE, _DOUBT = 1e-4, 1e-3, 0.1
-# Share of the whole variance that is added where that is not enough.
-_ILL = 1e-6
 _MOSTLY_HIDDEN = 0.999
 # How much movement within a gap counts beside whole poses where levels are regressed.
 _PASSING = 1.5
@@ -97,6 +96,7 @@ class _Look:
     ----------
     estimate : (frames, channels) what the pass before made
     moved : of :func:`markermend.poses.likeness.moving`; None where no alike moments are asked
+    paces : what moves faster than a moment; None likewise
     base : (frames, channels) all gaps bridged
     known : (channels, frames) bool
     so_far : (channels, frames + 1) in how many of the frames before a channel is known
@@ -110,6 +110,7 @@ class _Look:
 
     estimate: Float32Array
     moved: Float32Array | None
+    paces: Paces | None
     base: FloatArray
     known: BoolArray
     so_far: Float32Array
@@ -176,7 +177,8 @@ def fill(
     values are noisy bridges are straight, since curves carry on what two frames do at a side. A
     regression on the levels of the visible channels, its residual bridged, is mixed in. Channels
     hidden part of the time enter with what the pass before made of them. A second pass fills gaps
-    that last, where what the regression on levels leaves is told by alike moments instead
+    that last, where what moves faster than a moment is regressed by itself
+    (:mod:`markermend.poses.paces`), and what regressions leave is told by alike moments
     (:func:`markermend.poses.likeness.by_likeness`).
     """
     joints = np.arange(values.shape[1]) if joints is None else joints
@@ -226,13 +228,16 @@ def fill(
     for some in filter(len, [first, again]):
         single = np.asarray(estimate, dtype=np.float32)
         lengths = {gap.length for gap in some}
+        alike = some is again
+        moments = learnt(single, lengths | (lengths_of_paces(rate) if alike else set()))
         look = _Look(
             single,
-            moving(single, rate) if some is again else None,
+            moving(single, rate) if alike else None,
+            paces_of(single, rate, moments) if alike else None,
             base,
             seen_by_channel,
             so_far,
-            _covariances(learnt(single, lengths), lengths, rate),
+            _covariances(moments, lengths, rate),
             rate,
             cross,
             noise,
@@ -274,28 +279,33 @@ def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
     doubt = _DOUBT * hidden[others]
     levels_by, strays_by = look.covariances[length]
     ridge = _LEVEL_RIDGE * float(np.trace(levels_by)) / len(levels_by)
-    weights, left = _regress(levels_by, others, gap.channels, ridge, doubt)
-    if look.moved is not None and length >= BRIEF_S * rate:
+    weights, left = regress(levels_by, others, gap.channels, ridge, doubt)
+    if look.moved is not None and look.paces is not None and length >= BRIEF_S * rate:
         there = look.frames_of(gap.channels)
         chosen = moments_to_compare(there, start, stop, rate, look.compared[0])
         if len(chosen):
             by = np.zeros((len(hidden), len(gap.channels)), dtype=np.float32)
             by[others] = weights
+            faster = look.paces.beside(by, others, gap.channels, doubt)
             trust = np.zeros(len(hidden), dtype=np.float32)
             trust[others] = (1 - hidden[others]) * weights_of(by, look.joints)[others]
             strays, variance = by_likeness(
                 look.moved[start:stop],
                 start,
-                _telling(chosen, look.moved, look, gap, by),
+                _telling(chosen, look.moved, look.paces, gap, by, faster),
                 trust,
                 by,
                 rate,
                 look.noise,
-                [*_mirrored(look.moved, look, gap, by), *_performed(look, gap, trust, by)],
+                [
+                    *_mirrored(look.moved, look.paces, look, gap, by, faster),
+                    *_performed(look, gap, trust, by),
+                ],
                 _borders(look, gap),
             )
             variance *= np.float32(1.0 + _TOO_SURE_S / max(frames / rate, _LEAST_S))
-            return look.estimate[start:stop] @ by + strays, variance
+            told = look.estimate[start:stop] @ by + look.paces.moved[start:stop] @ faster
+            return told + strays, variance
     seen = look.estimate[start:stop, others]
     inside = seen @ weights
     ends = np.array([start - 1, stop]).clip(0, frames - 1)
@@ -308,7 +318,7 @@ def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
     shape = arch(length)[:, None]
     if start < SIDE or stop + SIDE > frames:
         return levels, shape * left
-    weights, left = _regress(strays_by, others, gap.channels, _RIDGE, doubt)
+    weights, left = regress(strays_by, others, gap.channels, _RIDGE, doubt)
     bridges = look.cross(length) @ look.estimate[around(start, stop)]
     told = (seen - bridges[:, others]) @ weights
     share = _BRIEF if length < BRIEF_S * rate else _LONG
@@ -321,19 +331,29 @@ def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
 def _telling(
     frames: IntArray,
     moved: Float32Array,
+    paces: Paces,
+    gap: Gap,
+    by: Float32Array,
+    faster: Float32Array,
+    mirror: Mirror | None = None,
+) -> Telling:
+    """Moments, and what regressions leave of a gap's channels then."""
+    rows, fast = moved[frames], paces.moved[frames]
+    if mirror is not None:
+        rows, fast = mirror.image(rows), mirror.image(fast)
+    # How they change stands beside the poses.
+    poses = rows[:, : len(by)]
+    return Telling(rows, poses[:, gap.channels] - poses @ by - fast @ faster, frames)
+
+
+def _mirrored(
+    moved: Float32Array,
+    paces: Paces,
     look: _Look,
     gap: Gap,
     by: Float32Array,
-    mirror: Mirror | None = None,
-) -> Telling:
-    """Moments, and what a regression leaves of a gap's channels then."""
-    rows = moved[frames] if mirror is None else mirror.image(moved[frames])
-    # How they change stands beside the poses.
-    poses = rows[:, : len(by)]
-    return Telling(rows, poses[:, gap.channels] - poses @ by, frames)
-
-
-def _mirrored(moved: Float32Array, look: _Look, gap: Gap, by: Float32Array) -> list[Telling]:
+    faster: Float32Array,
+) -> list[Telling]:
     """Moments in which the other side of the body was seen, mirrored."""
     mirror = look.mirror
     if mirror is None:
@@ -341,7 +361,7 @@ def _mirrored(moved: Float32Array, look: _Look, gap: Gap, by: Float32Array) -> l
     twins = mirror.twins[gap.channels]
     there = some_of(look.frames_of(twins), look.compared[1])
     path = look.estimate[:, twins] * mirror.signs[gap.channels] if _asks(look) else None
-    return [replace(_telling(there, moved, look, gap, by, mirror), path=path)]
+    return [replace(_telling(there, moved, paces, gap, by, faster, mirror), path=path)]
 
 
 def _performed(look: _Look, gap: Gap, trust: Float32Array, by: Float32Array) -> list[Telling]:
@@ -368,26 +388,3 @@ def _borders(look: _Look, gap: Gap) -> Borders | None:
 def _asks(look: _Look) -> bool:
     """Whether borders are asked of: where most moments are compared; few are too few."""
     return look.compared == MOMENTS
-
-
-def _regress(
-    covariance: Float32Array,
-    inputs: IntArray,
-    targets: IntArray,
-    ridge: float,
-    doubt: Float32Array,
-) -> tuple[Float32Array, Float32Array]:
-    """(inputs, targets) weights, and the variance of each target that they leave."""
-    rows = covariance.take(inputs, axis=0)
-    among, across = rows.take(inputs, axis=1), rows.take(targets, axis=1)
-    own = np.asarray(covariance[targets, targets])
-    if not len(inputs):
-        return across, own
-    add_to_diagonal(among, np.diagonal(among) * doubt + np.float32(ridge))
-    try:
-        weights = solved(among, across)
-    except np.linalg.LinAlgError:
-        # Movement so large that single precision does not see the ridge beside it.
-        more = ridge + _ILL * float(np.diagonal(covariance)[inputs].sum())
-        return _regress(covariance, inputs, targets, more, doubt)
-    return weights, np.maximum(own - np.sum(across * weights, axis=0), 0)

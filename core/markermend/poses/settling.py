@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from markermend.arrays import BoolArray, Float32Array, FloatArray
+from markermend.arrays import BoolArray, Float32Array, FloatArray, IntArray
 from markermend.poses.bending import Bends, OthersBends, find_bends
 from markermend.poses.smoothing import smooth_bands
 from markermend.poses.solving import solved
@@ -48,19 +49,21 @@ def settle(
     one. A normal distribution over those local coordinates of the pilot, all joints together, is
     the prior, in which others' recordings have their share. Features are linearised at the pilot,
     and each frame is one least-squares problem. A few frames in a row bend alike and share slopes
-    and variances.
+    and variances; where only some poses are to settle, each is between what it is with the slopes
+    of those beside it, so that none jumps where the next ones begin.
     """
     given = _single(features)
     bends = find_bends(_signed(_single(pilot), given), parents, order, others)
     rows = np.arange(len(given))
     if not bends.at.shape[1] or (wanted is not None and not wanted.any()):
         return features
+    groups = _groups(rows, rate)
     if wanted is not None:
         alike = _alike(rate)
         rows = rows[np.logical_or.reduceat(wanted, rows[::alike])[rows // alike]]
-        bends = bends.of(rows)
+        bends, groups = bends.of(rows), _groups(rows, rate, fading=True)
     given, settled = given[rows], features.copy()
-    moved, _ = _solved(bends, given, variance[rows], bends.at, rate)
+    moved, _ = _solved(bends, given, variance[rows], bends.at, groups)
     settled[rows] = bends.features(bends.at + moved, given)
     return settled
 
@@ -94,7 +97,8 @@ def settle_in_time(
     bends = find_bends(_signed(_single(pilot), given), parents, order, others)
     if not bends.at.shape[1]:
         return features
-    moved, known = _solved(bends, given, variance, np.zeros_like(bends.at), rate)
+    groups = _groups(np.arange(len(given)), rate)
+    moved, known = _solved(bends, given, variance, np.zeros_like(bends.at), groups)
     white = np.linalg.cholesky(known)
     found = smooth_bands((bends.at + moved) @ white, bends.at @ white, rate)
     settled = bends.features(np.linalg.solve(white.T, found.T).T, given)
@@ -114,33 +118,72 @@ def _signed(pilot: FloatArray, features: FloatArray) -> FloatArray:
     return poses
 
 
+@dataclass(frozen=True, eq=False)
+class _Groups:
+    """Frames in a row that bend alike.
+
+    Attributes
+    ----------
+    firsts, counts : (groups,) their first frame, and how many there are
+    rows : (groups, n) frames that each is solved for
+    shares : (groups, n) how much what comes out counts; of each frame 1 in sum
+    """
+
+    firsts: IntArray
+    counts: IntArray
+    rows: IntArray
+    shares: FloatArray
+
+
+def _groups(frames: IntArray, rate: float, fading: bool = False) -> _Groups:
+    """Group frames, which are whole groups of a recording; ``fading`` from each to the next."""
+    alike, last = _alike(rate), len(frames) - 1
+    firsts = np.arange(0, len(frames), alike)
+    counts = np.diff(np.append(firsts, len(frames)))
+    reach = alike // 2 if fading else 0
+    rows = firsts[:, None] + np.arange(-reach, alike + reach)
+    inside = (rows >= firsts[:, None]) & (rows < (firsts + counts)[:, None])
+    shares = inside.astype(float)
+    if fading:
+        middles = firsts + (counts - 1) / 2.0
+        between, follows = np.diff(middles), np.diff(frames[firsts]) == alike
+        away = rows - middles[:, None]
+        for some, linked, apart, side in (
+            (np.s_[:-1], follows, between, away),
+            (np.s_[1:], follows, between, -away),
+        ):
+            fades = (side[some] > 0) & linked[:, None]
+            less = np.maximum(1.0 - side[some] / apart[:, None], 0.0)
+            shares[some] = np.where(fades, less, shares[some])
+        shares *= (rows >= 0) & (rows <= last)
+    return _Groups(firsts, counts, rows.clip(0, last), shares)
+
+
 def _solved(
-    bends: Bends, features: FloatArray, variance: FloatArray, back: FloatArray, rate: float
+    bends: Bends, features: FloatArray, variance: FloatArray, back: FloatArray, groups: _Groups
 ) -> tuple[FloatArray, FloatArray]:
     """(frames, n) the most probable steps, and (n, n) mean precision.
 
     ``back`` is (frames, n): minus the step that would be most probable if features told nothing.
     """
     frames, joints, count = len(features), list(bends.joints), bends.at.shape[1]
-    alike = _alike(rate)
-    firsts = np.arange(0, frames, alike)
-    counts = np.diff(np.append(firsts, frames))
+    firsts, counts = groups.firsts, groups.counts
     unsure = variance[:, joints].reshape(frames, -1)
     certain = 1.0 / np.sqrt(np.add.reduceat(unsure, firsts) / counts[:, None])
     left = (features - bends.poses)[:, joints].reshape(frames, -1)
-    moved, total = np.empty_like(bends.at), np.zeros((count, count))
+    moved, total = np.zeros_like(bends.at), np.zeros((count, count))
     starts = range(0, len(firsts), _AT_ONCE)
     for first, told in zip(starts, bends.slopes(firsts + counts // 2, _AT_ONCE), strict=True):
         some = slice(first, first + _AT_ONCE)
-        rows = slice(firsts[first], firsts[some][-1] + counts[some][-1])
-        given = certain[some], _grouped(left[rows], alike), _grouped(back[rows], alike)
+        rows, shares = groups.rows[some], groups.shares[some, :, None]
+        given = certain[some], left[rows], back[rows]
         try:
             steps, precision = _stepped(told, *map(_single, given))
         except np.linalg.LinAlgError:
             # Beside what is sure by a million, single precision does not see the rest.
             steps, precision = _stepped(told, *given)
         total += precision
-        moved[rows] = steps.transpose(0, 2, 1).reshape(-1, count)[: len(moved[rows])]
+        np.add.at(moved, rows, (shares * steps.transpose(0, 2, 1)).astype(moved.dtype))
     return moved, total / len(firsts)
 
 
@@ -167,9 +210,3 @@ def _stepped(
 def _alike(rate: float) -> int:
     """Frames in a row that bend alike."""
     return max(round(_ALIKE_S * rate), _ALIKE)
-
-
-def _grouped(rows: FloatArray, size: int) -> FloatArray:
-    """(groups, size, columns) of rows in turn, zeros after the last."""
-    padded = np.pad(rows, ((0, -len(rows) % size), (0, 0)))
-    return padded.reshape(-1, size, rows.shape[1])
