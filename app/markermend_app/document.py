@@ -23,6 +23,7 @@ from markermend.review.session import Session
 from markermend_app.background.preview import Preview
 from markermend_app.decisions import Decisions
 from markermend_app.following import Following
+from markermend_app.later import Later
 from markermend_app.looking import Looking
 from markermend_app.rows import Rows
 from markermend_app.walk import ahead_and_beside, open_after
@@ -43,6 +44,7 @@ class Document(Looking):
     artifacts_changed() : artifacts, decisions or repair notes changed
     history_changed() : a step was done, undone or redone
     current_changed() : another artifact is under review, or it was changed
+    together_changed() : the same one is under review, with others than before
     proposal_changed() : the previewed repair of the current artifact came, went or was replaced
     failed(object) : a verb could not be done; an exception
     said(str) : a verb did something else than its name says; a sentence
@@ -54,6 +56,7 @@ class Document(Looking):
     artifacts_changed = Signal()
     history_changed = Signal()
     current_changed = Signal()
+    together_changed = Signal()
     proposal_changed = Signal()
     failed = Signal(object)
     said = Signal(str)
@@ -65,6 +68,8 @@ class Document(Looking):
         self._rows = Rows()
         self._current: str | None = None
         self._holding_back = False
+        self._told_together: tuple[str, ...] = ()
+        self._regrouped = Later(self._tell_together, self)
         self.preview = Preview(self)
         self.preview.ready.connect(self._proposal_came)
         self.proposals = self.preview.proposals
@@ -150,6 +155,14 @@ class Document(Looking):
     def set_queue(self, rows: Rows) -> None:
         """Take over in which order artifacts are walked; the review queue calls this."""
         self._rows = rows
+        self._regrouped.ask()
+
+    def _tell_together(self) -> None:
+        """Tell of what keys decide at once where the queue lists it otherwise than before."""
+        before, self._told_together = self._told_together, self.together
+        if before[:1] == self._told_together[:1] and before != self._told_together:
+            self.together_changed.emit()
+            self._propose()
 
     def select(
         self, artifact_id: str | None, *, frame: bool = True, unless_seen: bool = False
@@ -169,6 +182,7 @@ class Document(Looking):
                 bring(artifact.markers, *self.asked_frames(artifact))
             else:
                 self.show_too(artifact.markers)
+        self._told_together = self.together
         self.current_changed.emit()
         self._propose()
 
@@ -256,9 +270,14 @@ class Document(Looking):
         """Show a proposal that was waited for, or use it when F was pressed already."""
         if artifact_id not in self.together:
             return
-        if artifact_id == self._current:
+        if artifact_id == self._current or self._all_proposed():
             self.proposal_changed.emit()
         self.decisions.go_on()
+
+    def _all_proposed(self) -> bool:
+        """Whether repairs of all that is decided at once are there."""
+        now = () if self.session is None else self.at_once(self.session)
+        return len(now) > 1 and all(self.preview.get(a) is not None for a in now)
 
     # Changing it
 

@@ -89,7 +89,7 @@ PROBLEMS = (
     "There is no file “{0}”; check its name and folder.",
     "There is no take at “{0}”; check its name and folder.",
     "“{0}” is a folder; name a file in it.",
-    "“{0}” holds no take ending in {1}; name others, or match them as by “*.amc”.",
+    "“{0}” holds no take ending in {1}; name others, or match them as by “*.csv”.",
     "{0} is damaged: line {1} begins with “{2}”, which is the number of no pose.",
     "{0} is damaged: line {1} has only numbers; it should begin with the name of a segment, or be "
     "the number of a pose.",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from markermend.artifact import Artifact
 from markermend_app.document import Document
 from markermend_app.telling import told_group
 from markermend_app.words import tr
@@ -24,6 +25,12 @@ class Scope:
     markers: frozenset[str] | None
     start: int = 0
     stop: int | None = None
+
+    def reaches(self, artifact: Artifact) -> bool:
+        """Whether it has a part of an artifact."""
+        mine = self.markers is None or not self.markers.isdisjoint(artifact.markers)
+        before_its_end = self.stop is None or artifact.start < self.stop
+        return mine and before_its_end and self.start < artifact.stop
 
 
 def scopes(document: Document, marker: str) -> tuple[Scope, ...]:

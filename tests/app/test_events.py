@@ -117,6 +117,32 @@ def test_from_a_joint_that_stands_for_no_row_keys_go_on_as_from_its_row(opened, 
     assert document.current.marker == "head"
 
 
+def test_the_worst_of_what_one_key_repairs_is_what_is_promised(opened, qtbot):
+    document, page = opened.document, opened.inspector.findChild(ArtifactPage)
+    opened.document.select(opened.queue.model.rows[1].id)
+    now = document.at_once(document.session)
+    qtbot.waitUntil(lambda: all(document.preview.get(a) for a in now), timeout=WAIT)
+    errors = {a.marker: document.preview.get(a).error_mm for a in now}
+    worst = max(errors, key=errors.get)
+    assert worst != "left_shoulder"
+    said = f"expected error up to {errors[worst]:.1f} mm ({worst})"
+    qtbot.waitUntil(lambda: said in page.methods.outcome.text())
+    decided(opened, qtbot, Qt.Key.Key_F)
+    document.select(now[0].id)
+    assert f"± {errors[worst]:.1f} mm" in page.status.text()
+
+
+def test_details_follow_what_the_queue_lists_together(opened, qtbot):
+    document, title = opened.document, opened.inspector.findChild(ArtifactPage).title
+    opened.queue.filters.marker.setText("elbow")
+    document.select(opened.queue.model.rows[-1].id)
+    assert title.text() == "left_elbow"
+    opened.queue.filters.marker.setText("")
+    qtbot.waitUntil(lambda: title.text() == "left_elbow +2")
+    outcome = opened.inspector.findChild(ArtifactPage).methods.outcome
+    qtbot.waitUntil(lambda: "expected error up to" in outcome.text(), timeout=WAIT)
+
+
 def test_a_name_that_is_asked_for_stands_alone(opened, qtbot):
     document = opened.document
     opened.queue.filters.marker.setText("elbow")

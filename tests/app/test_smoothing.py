@@ -62,6 +62,23 @@ def choose(box, text):
     assert box.currentText().startswith(text)
 
 
+def test_what_is_not_repaired_is_said_to_be_spread(window, qtbot):
+    dialog = preview(window, qtbot)
+    # T10 itself has none.
+    assert not dialog.damage.isVisible()
+    choose(dialog.scope, "In the whole take")
+    # Where nothing was recorded there is nothing to spread.
+    assert dialog.damage.text().startswith("3 artifacts there are not repaired.")
+    assert dialog.damage.isVisible()
+    dialog.reject()
+    for artifact in window.document.session.artifacts:
+        if artifact.marker != "C7":
+            window.document.decisions.reject([artifact.id])
+    dialog = preview(window, qtbot)
+    choose(dialog.scope, "In the whole take")
+    assert dialog.damage.text().startswith("1 artifact there is not repaired.")
+
+
 def enter(dialog, name, text):
     """Type the value of a parameter."""
     box = dialog.params.fields[name]

@@ -246,11 +246,14 @@ def test_takes_are_found_and_named(tmp_path: Path, monkeypatch: pytest.MonkeyPat
         found = find_takes([named], leave_out="b/table.csv")
         with pytest.raises(ExportError, match="is a file; name a folder"):
             run_batch(found, "b/table.csv", jobs=1)
-    Path("poses").mkdir()
-    Path("poses/02_01.amc").touch()
-    with pytest.raises(MarkermendError, match=r"“poses” holds no take ending in \.c3d, \.trc"):
-        names("poses")
-    assert names("poses/*.amc") == ["02_01"]
+    for name in ("tables/a.csv", "poses/02.asf", "poses/02_01.amc", "poses/02_01_clean.amc"):
+        Path(name).parent.mkdir(exist_ok=True)
+        Path(name).touch()
+    Path("poses/dance.BVH").touch()
+    with pytest.raises(MarkermendError, match=r"“tables” holds no take ending in \.c3d, \.trc"):
+        names("tables")
+    assert names("tables/*.csv") == ["a"]
+    assert names("poses") == ["02_01", "dance"]
 
 
 def test_exports_beside_their_source_are_not_takes(tmp_path: Path) -> None:

@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
 )
 
 from markermend.arrays import ByteArray, FloatArray
+from markermend.artifact import Artifact, Kind
 from markermend.take import AXES, Take
 from markermend_app.actions import shortcuts
 from markermend_app.dialogs.help_key import help_in
@@ -75,6 +76,7 @@ class SmoothDialog(QDialog):
     marker : looked at first
     frame : the cursor
     method, values : smoother to begin with, and its parameters
+    damage : artifacts that were not repaired
     parent : the window
 
     Signals
@@ -98,6 +100,7 @@ class SmoothDialog(QDialog):
         frame: int,
         method: str,
         values: Mapping[str, Any],
+        damage: Sequence[Artifact],
         pictures: SmoothPictures,
         parent: QWidget,
     ) -> None:
@@ -107,7 +110,7 @@ class SmoothDialog(QDialog):
         from markermend.smoothers import SMOOTHERS
 
         self.setWindowTitle(self.tr("Smooth"))
-        self._take, self._smoothers = take, SMOOTHERS
+        self._take, self._smoothers, self._damage = take, SMOOTHERS, damage
         self.answer: Smoothed | None = None
         self._found: Any = None
         self._make_choices(scopes)
@@ -118,6 +121,7 @@ class SmoothDialog(QDialog):
         self.method.setCurrentIndex(max(0, self.method.findData(method)))
         self._method_chosen(values)
         self._offer_markers(marker)
+        self._say_damage()
         self.scope.currentIndexChanged.connect(self._scope_chosen)
         self.method.currentIndexChanged.connect(lambda _: self._method_chosen({}))
         self.params.changed.connect(self._want)
@@ -143,8 +147,10 @@ class SmoothDialog(QDialog):
         self.params = ParamsForm()
         self.percent = QLabel()
         self.warning = QLabel()
-        self.warning.setProperty("role", "warning")
-        for label in (self.percent, self.warning):
+        self.damage = QLabel()
+        for label in (self.warning, self.damage):
+            label.setProperty("role", "warning")
+        for label in (self.percent, self.warning, self.damage):
             label.setWordWrap(True)
         self.bar = QProgressBar()
         self.bar.setRange(0, 1000)
@@ -189,6 +195,7 @@ class SmoothDialog(QDialog):
         column.addLayout(form)
         column.addWidget(self.summary)
         column.addWidget(self.params)
+        column.addWidget(self.damage)
         column.addStretch(1)
         column.addWidget(self.percent)
         column.addWidget(self.warning)
@@ -250,7 +257,19 @@ class SmoothDialog(QDialog):
 
     def _scope_chosen(self) -> None:
         self._offer_markers(self.looked_at)
+        self._say_damage()
         self._want()
+
+    def _say_damage(self) -> None:
+        """Say what a smoother would spread; where nothing was recorded there is nothing to."""
+        scope = self.chosen_scope
+        left = [a for a in self._damage if a.kind is not Kind.GAP and scope.reaches(a)]
+        one = self.tr("1 artifact there is not repaired. Smoothing spreads damage: repair first.")
+        many = self.tr(
+            "{0} artifacts there are not repaired. Smoothing spreads damage: repair first."
+        )
+        self.damage.setText((one if len(left) == 1 else many.format(len(left))) if left else "")
+        self.damage.setVisible(bool(left))
 
     def _method_chosen(self, values: Mapping[str, Any]) -> None:
         smoother = self._smoothers[self.chosen_method]

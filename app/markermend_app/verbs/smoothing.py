@@ -7,6 +7,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
+from markermend.artifact import Status
 from markermend.progress import Progress
 from markermend.review import hand
 from markermend.take import Take
@@ -63,8 +64,10 @@ class Smoothing(QObject):
             where = (own, *where) if swept.marker == marker else (*where, own)
         # No copy, which takes long: what changes under the dialog is noticed, and nothing done.
         take, self._stale = session.take, False
+        left = session.listed_with(Status.PENDING, Status.ACCEPTED)
+        looked_at = marker, self._document.frame
         dialog = SmoothDialog(
-            take, where, marker, self._document.frame, *self._last, self._plots(), self._window
+            take, where, *looked_at, *self._last, left, self._plots(), self._window
         )
         dialog.wanted.connect(lambda: self._work_out(dialog, take))
         dialog.look_wanted.connect(lambda: self._inspect(dialog, take))

@@ -13,7 +13,7 @@ from markermend.plugins.formats import formats
 
 # In a folder, beside those of plugins; a CSV there may be any table, so it is taken only when named
 # or matched.
-_SUFFIXES = (".c3d", ".trc")
+_SUFFIXES = (".c3d", ".trc", ".amc", ".bvh")
 # What exports are named by themselves.
 _EXPORTED = "_clean"
 
@@ -39,8 +39,8 @@ def find_takes(
 
     Parameters
     ----------
-    given : files; folders, searched with all below for ``.c3d``, ``.trc`` and what plugins
-        read, without the exports ``NAME_clean`` beside their source; and patterns such as
+    given : files; folders, searched with all below for ``.c3d``, ``.trc``, ``.amc``, ``.bvh``
+        and what plugins read, without the exports ``NAME_clean`` beside their source; and patterns such as
         ``day1/**/walk*.c3d``
     leave_out : a folder whose files are passed over, such as the one that is written to
 
@@ -64,7 +64,7 @@ def find_takes(
         if not matched and Path(item).is_dir():
             raise MarkermendError(
                 f"“{item}” holds no take ending in {', '.join(_searched())}; name others, or"
-                " match them as by “*.amc”."
+                " match them as by “*.csv”."
             )
         if not matched:
             raise MarkermendError(f"There is no take at “{item}”; check its name and folder.")

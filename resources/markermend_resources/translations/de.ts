@@ -2320,10 +2320,6 @@
         <translation>„{0}“ ist ein Ordner; nennen Sie eine Datei darin.</translation>
     </message>
     <message>
-        <source>“{0}” holds no take ending in {1}; name others, or match them as by “*.amc”.</source>
-        <translation>„{0}“ enthält keine Aufnahme mit der Endung {1}; nennen Sie andere, oder wählen Sie sie mit einem Muster wie „*.amc“.</translation>
-    </message>
-    <message>
         <source>{0} is damaged: line {1} begins with “{2}”, which is the number of no pose.</source>
         <translation>{0} ist beschädigt: Zeile {1} beginnt mit „{2}“, was keine Nummer einer Pose ist.</translation>
     </message>
@@ -3130,6 +3126,10 @@
     <message>
         <source>{0} does not fit this recording, whose joints are others or stand elsewhere, and is not used.</source>
         <translation>{0} passt nicht zu dieser Aufnahme, deren Gelenke andere sind oder anderswo stehen, und wird nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>“{0}” holds no take ending in {1}; name others, or match them as by “*.csv”.</source>
+        <translation>„{0}“ enthält keine Aufnahme mit der Endung {1}; nennen Sie andere, oder wählen Sie sie mit einem Muster wie „*.csv“.</translation>
     </message>
     <message>
         <source>Found before the export</source>
@@ -4591,6 +4591,10 @@
         <translation>{0} nimmt den Befund an, lässt die Werte und geht weiter.</translation>
     </message>
     <message>
+        <source>, expected error up to {0} ({1})</source>
+        <translation>, erwarteter Fehler bis {0} ({1})</translation>
+    </message>
+    <message>
         <source>, expected error {0}</source>
         <translation>, erwarteter Fehler {0}</translation>
     </message>
@@ -5529,6 +5533,14 @@ Schließen Sie sie, um dies für die nächste Aufnahme festzulegen.</translation
     <message>
         <source>Quantity looked at</source>
         <translation>Betrachtete Größe</translation>
+    </message>
+    <message>
+        <source>1 artifact there is not repaired. Smoothing spreads damage: repair first.</source>
+        <translation>1 Artefakt dort ist nicht repariert. Glätten verschmiert Schäden: zuerst reparieren.</translation>
+    </message>
+    <message>
+        <source>{0} artifacts there are not repaired. Smoothing spreads damage: repair first.</source>
+        <translation>{0} Artefakte dort sind nicht repariert. Glätten verschmiert Schäden: zuerst reparieren.</translation>
     </message>
     <message>
         <source>%SM1: how much shorter the way of the marker becomes on each axis. Noise makes it longer; above {0:g} % some of the movement may go, too.</source>

@@ -121,6 +121,7 @@ class ArtifactPage(QWidget):
         column.addLayout(form)
         column.addStretch(1)
         document.current_changed.connect(self._refresh)
+        document.together_changed.connect(self._refresh)
         theme.watcher.changed.connect(self._recolour)
         self._recolour()
         self._refresh()
@@ -202,9 +203,13 @@ class ArtifactPage(QWidget):
 
     def _status_text(self, a: Artifact) -> str:
         """What was decided, by which method, and how far off it is expected to be."""
-        note = self._document.session.notes.get(a.id) if self._document.session else None
+        notes = self._document.session.notes if self._document.session else {}
+        note = notes.get(a.id)
         if a.status is Status.REPAIRED and note is not None:
-            repair = told_repair(note.method, note.error_mm, joints=self._document.joints)
+            # Of what was repaired at once the worst.
+            known = [notes[i].error_mm for i in self._document.together if i in notes]
+            worst = max((error for error in known if error), default=note.error_mm)
+            repair = told_repair(note.method, worst, joints=self._document.joints)
             return self.tr("Repaired: {0}").format(repair)
         return {
             Status.PENDING: self.tr("Open: not decided yet"),

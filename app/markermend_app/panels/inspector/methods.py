@@ -72,6 +72,7 @@ class MethodList(QWidget):
         column.addSpacing(4)
         column.addWidget(self.more)
         document.current_changed.connect(self._refresh)
+        document.together_changed.connect(self._refresh)
         document.proposal_changed.connect(self._refresh)
         document.proposals.progressed.connect(self._tell)
 
@@ -154,7 +155,7 @@ class MethodList(QWidget):
         doubtful = (
             offered
             and proposal is not None
-            and ((proposal.error_mm or 0.0) > most or bool(proposal.leaves))
+            and (max(self._expected().values(), default=0.0) > most or bool(proposal.leaves))
         )
         role = "warning" if doubtful else "muted"
         if self.outcome.property("role") != role:
@@ -196,6 +197,16 @@ class MethodList(QWidget):
         if self._document.current is not None and self._document.proposal is None:
             self.outcome.setText(self.tr("Working out the repair… {0}").format(doing))
 
+    def _expected(self) -> dict[str, float]:
+        """Errors in mm that are expected of what is repaired at once, by marker, as far as known.
+
+        One key decides of a whole limb or body, of which some joints are far surer than others.
+        """
+        session = self._document.session
+        now = [] if session is None else self._document.at_once(session)
+        made = [(a.marker, self._document.preview.get(a)) for a in now]
+        return {marker: repair.error_mm for marker, repair in made if repair and repair.error_mm}
+
     def _promise(self) -> str:
         """What the preview is expected to achieve, or why there is none."""
         a, proposal = self._document.current, self._document.proposal
@@ -216,7 +227,12 @@ class MethodList(QWidget):
         method = proposal.method
         text = label_of(method, joints=self._document.joints)
         # A swap invents nothing, so that there is nothing to be off by.
-        if proposal.error_mm:
+        expected = self._expected()
+        if len(expected) > 1:
+            worst = max(expected, key=lambda marker: expected[marker])
+            most = self.tr(", expected error up to {0} ({1})")
+            text += most.format(units.error(expected[worst]), worst)
+        elif proposal.error_mm:
             text += self.tr(", expected error {0}").format(units.error(proposal.error_mm))
         elif proposal.error_mm is None and method != "leave_empty":
             text += self.tr(", expected error not measured")
