@@ -92,6 +92,30 @@ def test_files_of_different_kinds(shared_data: Path, tmp_path: Path) -> None:
     assert render(found).endswith("Bytes: not listed, since the files are of different formats")
 
 
+def test_text_is_compared_line_by_line(tmp_path: Path) -> None:
+    take, longer = Take(np.full((6, 1, 3), 9.5), ("A",), 100.0), tmp_path / "longer.csv"
+    mm.write(take, tmp_path / "a.csv")
+    positions = take.positions.copy()
+    # A longer number moves all bytes behind it.
+    positions[[1, 2, 4]] = 1234.5
+    mm.write(Take(positions, ("A",), 100.0), tmp_path / "b.csv")
+    found = compare(tmp_path / "a.csv", tmp_path / "b.csv")
+    text = (tmp_path / "a.csv").read_text().splitlines()
+    head = len(text) - 6
+    assert found.lines is not None
+    assert (found.lines.lines, found.lines.differing) == (len(text), 3)
+    assert found.lines.runs == ((head + 2, head + 4), (head + 5, head + 6))
+    assert found.bytes == ()
+    told = render(found)
+    assert f"a.csv and b.csv: 3 of {len(text)} lines differ." in told
+    assert f"Lines: 2\n  {head + 2}–{head + 3}\n  {head + 5}" in told
+    assert to_dict(found)["lines"]["runs"][1] == {"start": head + 5, "stop": head + 6}
+    longer.write_text("\n".join([*text, text[-1].replace(text[-1].split(",")[0], "7", 1), ""]))
+    for pair in ((tmp_path / "a.csv", longer), (longer, tmp_path / "a.csv")):
+        assert compare(*pair).lines is None
+        assert to_dict(compare(*pair))["lines"] is None
+
+
 def test_describe_file(shared_data: Path) -> None:
     told = describe_file(mm.read(shared_data / "gait/PiG_Motion-FlatFoot-Full.c3d"))
     assert json.loads(json.dumps(told)) == told

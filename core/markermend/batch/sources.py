@@ -40,8 +40,8 @@ def find_takes(
     Parameters
     ----------
     given : files; folders, searched with all below for ``.c3d``, ``.trc``, ``.amc``, ``.bvh``
-        and what plugins read, without the exports ``NAME_clean`` beside their source; and patterns such as
-        ``day1/**/walk*.c3d``
+        and what plugins read, without the exports ``NAME_clean`` beside their source; and
+        patterns such as ``day1/**/walk*.c3d``
     leave_out : a folder whose files are passed over, such as the one that is written to
 
     Returns

@@ -54,6 +54,13 @@ def to_dict(comparison: Comparison) -> dict[str, Any]:
             {"start": int(b.start), "stop": int(b.stop), "part": b.part} for b in comparison.bytes
         ],
         "bytes_cut": comparison.bytes_cut,
+        "lines": None
+        if comparison.lines is None
+        else {
+            "all": comparison.lines.lines,
+            "differing": comparison.lines.differing,
+            "runs": [{"start": start, "stop": stop} for start, stop in comparison.lines.runs],
+        },
     }
 
 
@@ -68,7 +75,12 @@ def render(comparison: Comparison, *, most: int = 20) -> str:
     names = comparison.a.name, comparison.b.name
     if comparison.identical:
         return f"{names[0]} and {names[1]} are the same, byte for byte."
-    lines = [f"{names[0]} and {names[1]}: {count(comparison.differing_bytes, 'byte')} differ."]
+    told = comparison.lines
+    if told is None:
+        how_many = f"{count(comparison.differing_bytes, 'byte')} differ"
+    else:
+        how_many = f"{told.differing:,} of {count(told.lines, 'line')} differ"
+    lines = [f"{names[0]} and {names[1]}: {how_many}."]
     if comparison.sizes[0] != comparison.sizes[1]:
         lines.append(f"They have {comparison.sizes[0]} and {comparison.sizes[1]} bytes.")
     lines += [f"Renamed: {old} → {new}" for old, new in comparison.renamed[:most]]
@@ -84,7 +96,12 @@ def render(comparison: Comparison, *, most: int = 20) -> str:
         f"{d.start}–{d.stop - 1} ({d.part}, {count(d.stop - d.start, 'byte')})"
         for d in comparison.bytes
     ]
-    for title, entries in (("Samples", samples), ("Parameters", parameters), ("Bytes", found)):
+    sections = [("Samples", samples), ("Parameters", parameters)]
+    if told is None:
+        sections.append(("Bytes", found))
+    else:
+        sections.append(("Lines", [_line_numbers(*run) for run in told.runs]))
+    for title, entries in sections:
         if entries is found and not found and comparison.differing_bytes:
             lines.append("Bytes: not listed, since the files are of different formats")
             continue
@@ -102,6 +119,11 @@ def _cut_title(comparison: Comparison) -> str:
         f"Bytes: {comparison.differing_bytes:,} differ in all; only the first"
         f" {len(comparison.bytes):,} runs of them are listed"
     )
+
+
+def _line_numbers(start: int, stop: int) -> str:
+    """Numbers of lines in a row, as editors count them."""
+    return f"{start}–{stop - 1}" if stop > start + 1 else f"{start}"
 
 
 def _sample_line(sample: SampleDifference) -> str:

@@ -14,12 +14,14 @@ from markermend.errors import FileFormatError
 from markermend.files import read
 from markermend.files.c3d_layout import C3dLayout
 from markermend.files.c3d_records import Record, record_numbers, record_strings
+from markermend.files.diff_lines import LineDifferences, differing_lines
 from markermend.progress import Progress, part
 from markermend.take import AXES, Take
 
 _CHUNK = 1 << 22
 _MOST_RUNS = 10_000
 _MOST_VALUES = 6
+_TEXT = (".trc", ".csv", ".amc", ".bvh")
 
 
 @dataclass(frozen=True)
@@ -86,6 +88,8 @@ class Comparison:
     differing_bytes : how many bytes differ in the length that both have
     sizes : of the two files
     bytes_cut : whether there are more runs of bytes than are listed
+    lines : what differs line by line, of two files of text of one format that have as many lines;
+        runs of bytes are not listed then
     """
 
     a: Path
@@ -97,6 +101,7 @@ class Comparison:
     differing_bytes: int
     sizes: tuple[int, int]
     bytes_cut: bool = False
+    lines: LineDifferences | None = None
 
     @property
     def identical(self) -> bool:
@@ -142,7 +147,10 @@ def compare(
     report = part(progress, 0.8, 1.0)
     report(0.0, "Comparing bytes")
     differing, found, cut = _bytes(first, second, layouts[0])
-    if _format(one) != _format(two):
+    lines = None
+    if _format(one) == _format(two) and first.suffix.lower() in _TEXT:
+        lines = differing_lines(first, second)
+    if _format(one) != _format(two) or lines is not None:
         found, cut = (), False
     sizes = (first.stat().st_size, second.stat().st_size)
     samples = tuple(_samples(one, paired, renamed))
@@ -156,6 +164,7 @@ def compare(
         differing,
         sizes,
         cut,
+        lines,
     )
 
 
