@@ -154,6 +154,8 @@ def _groups(frames: IntArray, rate: float, fading: bool = False) -> _Groups:
         ):
             fades = (side[some] > 0) & linked[:, None]
             less = np.maximum(1.0 - side[some] / apart[:, None], 0.0)
+            # Where one takes over from another nothing shall bend.
+            less = less**2 * (3.0 - 2.0 * less)
             shares[some] = np.where(fades, less, shares[some])
         shares *= (rows >= 0) & (rows <= last)
     return _Groups(firsts, counts, rows.clip(0, last), shares)
