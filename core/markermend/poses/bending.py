@@ -15,6 +15,7 @@ from markermend.poses.quaternion import (
     by_turning,
     cross_matrices,
     inverse,
+    lengths_of,
     multiply,
     rotation_vector,
     turn,
@@ -28,6 +29,8 @@ TURN = 3
 _LEAST = 1e-6
 # Where a body bends less than this share of what others do, theirs are less by the square of it.
 _CALM = 0.2
+# A joint turned by so many radians from its mean is drawn back less, and not at all at half a turn.
+_FAR_TURNED = 2.0
 # A body whose features change by the root of this at most does not bend at all.
 _STILL = 1e-20
 
@@ -81,12 +84,14 @@ class Bends:
     joints : all but the root, parents first
     at : (frames, n) the same poses as coordinates, of mean 0, and of variance 1 as bodies are taken
         to bend
+    back : (frames, n) the same, but nearer to 0 where a joint is turned by more than bodies bend
     """
 
     poses: FloatArray
     parents: tuple[int, ...]
     joints: tuple[int, ...]
     at: FloatArray
+    back: FloatArray
     _local: FloatArray
     _middle: dict[int, FloatArray]
     _mean: FloatArray
@@ -94,8 +99,8 @@ class Bends:
 
     def of(self, frames: IntArray) -> Bends:
         """The same body in some of the frames."""
-        poses, at, local = (x[frames] for x in (self.poses, self.at, self._local))
-        return replace(self, poses=poses, at=at, _local=local)
+        poses, at, back, local = (x[frames] for x in (self.poses, self.at, self.back, self._local))
+        return replace(self, poses=poses, at=at, back=back, _local=local)
 
     def slopes(self, frames: IntArray, at_once: int) -> Iterator[Float32Array]:
         """(at_once, joints · 7, n) how features change with coordinates, for some frames in turn.
@@ -146,11 +151,24 @@ def find_bends(
     spread, axes = np.linalg.eigh(covariance)
     kept = spread > max(_LEAST * spread[-1], _STILL)
     scale = np.sqrt(spread[kept])
-    at, mean, directions = (
+    across = axes[:, kept] / scale
+    at, back, mean, directions = (
         np.asarray(x, dtype=poses.dtype)
-        for x in (away @ (axes[:, kept] / scale), mean, axes[:, kept] * scale)
+        for x in (away @ across, _less_turned(away) @ across, mean, axes[:, kept] * scale)
     )
-    return Bends(poses, tuple(parents), joints, at, local, middle, mean, directions)
+    return Bends(poses, tuple(parents), joints, at, back, local, middle, mean, directions)
+
+
+def _less_turned(away: FloatArray) -> FloatArray:
+    """Local coordinates, turns nearer to 0 the nearer they are to half a turn.
+
+    Beyond half a turn a joint would be drawn back the other way round. No joint is turned so, but
+    what is filled may be: from one frame to the next it would be thrown about.
+    """
+    parts = away.reshape(len(away), -1, LOCAL).copy()
+    angle = lengths_of(parts[..., :TURN])[..., None]
+    parts[..., :TURN] *= np.clip((np.pi - angle) / (np.pi - _FAR_TURNED), 0.0, 1.0)
+    return parts.reshape(away.shape)
 
 
 def _befitting(theirs: FloatArray, own: FloatArray, others: OthersBends) -> FloatArray:

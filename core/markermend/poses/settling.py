@@ -63,7 +63,7 @@ def settle(
         rows = rows[np.logical_or.reduceat(wanted, rows[::alike])[rows // alike]]
         bends, groups = bends.of(rows), _groups(rows, rate, fading=True)
     given, settled = given[rows], features.copy()
-    moved, _ = _solved(bends, given, variance[rows], bends.at, groups)
+    moved, _ = _solved(bends, given, variance[rows], bends.back, groups)
     settled[rows] = bends.features(bends.at + moved, given)
     return settled
 
