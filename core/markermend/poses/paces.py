@@ -9,17 +9,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import gaussian_filter1d
+from scipy.ndimage import uniform_filter1d
 
 from markermend.arrays import Float32Array, IntArray
 from markermend.poses.covariance import Moments
 from markermend.poses.regressing import regress
 
-# Each pace is what a Gaussian of this width in seconds leaves, less the paces before it; how it
-# goes together is how channels stray from bridges over so many seconds.
+# Each pace is what three running means leave, together a Gaussian of this width in seconds,
+# less the paces before it; how it goes together is how channels stray from bridges over so many
+# seconds.
 _PACES = ((0.05, 0.067), (0.15, 0.25))
 # Share of the mean variance that is added to variances.
 _RIDGE = 0.1
+_MEANS = 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,8 +78,15 @@ def paces_of(poses: Float32Array, rate: float, moments: Moments) -> Paces:
     """
     moved, rest = [], poses
     for width, _ in _PACES:
-        slower = gaussian_filter1d(poses, width * rate, axis=0, mode="nearest")
+        slower = poses
+        for _ in range(_MEANS):
+            slower = uniform_filter1d(slower, _frames(width * rate), axis=0, mode="nearest")
         moved.append(rest - slower)
         rest = slower
     covariances = (moments.within_s(seconds).astype(np.float32) for _, seconds in _PACES)
     return Paces(np.hstack(moved), tuple(covariances))
+
+
+def _frames(width: float) -> int:
+    """Frames of each running mean that together are as wide, an odd number."""
+    return 2 * int(np.sqrt(12.0 * width**2 / _MEANS + 1.0) / 2.0) + 1
