@@ -147,6 +147,18 @@ def test_closing_with_unexported_work_asks(reviewed, monkeypatch):
     assert reviewed.document.session is not None
 
 
+def test_where_a_review_is_kept_is_told(reviewed, monkeypatch, tmp_path):
+    said = []
+    monkeypatch.setattr(QMessageBox, "exec", lambda box: said.append(box.informativeText()))
+    reviewed.document.decisions.accept([reviewed.document.queue[0]])
+    assert not reviewed.close()
+    assert "beside the take" in said[0]
+    # As where nothing can be written beside a demo take.
+    reviewed.document.file.path = tmp_path / "reviews" / "box.json"
+    assert not reviewed.close()
+    assert f"it is saved in {tmp_path / 'reviews'}, with its full history" in said[1]
+
+
 def test_a_kept_review_comes_back(reviewed, qtbot, monkeypatch, take_path):
     document = reviewed.document
     chosen = document.queue[0]

@@ -117,7 +117,7 @@ def _few(names: Sequence[str]) -> str:
 
 
 def ask_unexported(
-    parent: QWidget, path: Path | None, changed: bool = True, renamed: bool = False
+    parent: QWidget, path: Path | None, kept: Path, changed: bool = True, renamed: bool = False
 ) -> str:
     """Ask what becomes of work not yet exported: ``export, keep, discard`` or ``cancel``.
 
@@ -125,6 +125,7 @@ def ask_unexported(
     ----------
     parent : the window
     path : of the take
+    kept : file of the review, which is elsewhere where nothing can be written beside the take
     changed : whether samples were changed, rather than intervals decided and notes written only
     renamed : whether markers were given other names
     """
@@ -139,9 +140,12 @@ def ask_unexported(
             "You changed no sample of {0}, but its review and its new names would be lost."
         )
     box.setText((repaired if changed else looked_at).format(name))
-    box.setInformativeText(
-        _tr("Keep the review to go on later: it is saved beside the take, with its full history.")
+    beside = _tr(
+        "Keep the review to go on later: it is saved beside the take, with its full history."
     )
+    elsewhere = _tr("Keep the review to go on later: it is saved in {0}, with its full history.")
+    there = path is not None and kept.parent == path.parent
+    box.setInformativeText(beside if there else elsewhere.format(kept.parent))
     export = box.addButton(_tr("Export…"), Role.AcceptRole)
     keep = box.addButton(_tr("Keep review"), Role.AcceptRole)
     discard = box.addButton(_tr("Discard review"), Role.DestructiveRole)

@@ -215,7 +215,8 @@ class Commands(QObject):
         session = document.session
         changed = changed_outside(session.original, session.take, (0, 0))
         renamed = session.renamed
-        answer = dialogs.ask_unexported(self._window, document.path, changed, renamed)
+        kept = document.file.path
+        answer = dialogs.ask_unexported(self._window, document.path, kept, changed, renamed)
         if answer == "cancel":
             return False
         self._lane.cancel()

@@ -68,6 +68,10 @@
         <translation>Behalten Sie die Durchsicht, um später weiterzumachen: Sie wird mit ihrem ganzen Verlauf neben der Aufnahme gespeichert.</translation>
     </message>
     <message>
+        <source>Keep the review to go on later: it is saved in {0}, with its full history.</source>
+        <translation>Behalten Sie die Durchsicht, um später weiterzumachen: Sie wird mit ihrem ganzen Verlauf in {0} gespeichert.</translation>
+    </message>
+    <message>
         <source>Export…</source>
         <translation>Exportieren…</translation>
     </message>
