@@ -106,7 +106,7 @@ def test_the_shorter_a_recording_the_less_sure_is_what_alike_moments_tell(monkey
         shape = len(moved), own.targets.shape[1]
         return np.zeros(shape, dtype=np.float32), np.ones(shape, dtype=np.float32)
 
-    monkeypatch.setattr("markermend.poses.filling.by_likeness", told)
+    monkeypatch.setattr("markermend.poses.lasting.by_likeness", told)
     doubt = []
     for seconds in (4, 5, 40):
         values = np.sin(np.arange(60 * seconds)[:, None] * [0.05, 0.07, 0.11])

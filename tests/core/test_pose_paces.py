@@ -37,13 +37,12 @@ def test_each_pace_is_regressed_by_itself() -> None:
     seen, hidden = np.array([0]), np.array([1])
     by = np.zeros((2, 1), dtype=np.float32)
     by[0] = 1.0
-    faster = paces.beside(by, seen, hidden, np.zeros(1, dtype=np.float32))
-    alike = poses @ by
-    told = alike + paces.moved @ faster
-    off, off_alike = (np.abs(x[:, 0] - values[:, 1]).mean() for x in (told, alike))
+    told = paces.regressed(by, seen, hidden, np.zeros(1, dtype=np.float32))
+    found = told.tell(poses, paces.moved), poses @ by
+    off, off_alike = (np.abs(x[:, 0] - values[:, 1]).mean() for x in found)
     assert off < 0.5 * off_alike
     # What a channel that is hidden does itself tells nothing.
-    assert_array_equal(faster.reshape(-1, 2, 1)[:, 1], 0.0)
+    assert_array_equal(told.faster.reshape(-1, 2, 1)[:, 1], 0.0)
 
 
 def test_paces_and_what_is_slower_are_the_whole() -> None:

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from markermend.arrays import BoolArray, Float32Array, FloatArray, IntArray
-from markermend.poses.borders import Borders
 from markermend.poses.bridging import (
     SIDE,
     arch,
@@ -23,17 +22,9 @@ from markermend.poses.bridging import (
 from markermend.poses.covariance import Moments, learn, pooled
 from markermend.poses.crossing import cross_short
 from markermend.poses.gaps import Gap, by_lasting, gaps_of
-from markermend.poses.likeness import (
-    FEW_MOMENTS,
-    MOMENTS,
-    Telling,
-    by_likeness,
-    moments_to_compare,
-    moving,
-    some_of,
-    weights_of,
-)
-from markermend.poses.paces import Paces, lengths_of_paces, paces_of
+from markermend.poses.lasting import Look, fill_lasting
+from markermend.poses.likeness import FEW_MOMENTS, moving
+from markermend.poses.paces import lengths_of_paces, paces_of
 from markermend.poses.regressing import regress
 from markermend.poses.remembered import Performances
 from markermend.poses.sides import Mirror, of_both_sides
@@ -46,10 +37,6 @@ BRIEF_S = 0.3
 
 # Share of the deviations' estimate beside the levels', in brief gaps and in longer ones.
 _BRIEF, _LONG = 0.85, 0.5
-# A short recording shows less than there is, which it cannot tell by itself: squared errors of what
-# alike moments tell are larger by so many seconds over how long it is, which is taken to be so long
-# at least.
-_TOO_SURE_S, _LEAST_S = 10.0, 5.0
 # Added to variances before regressing: absolute, and of a channel hidden part of the time.
 _RIDGE, _LEVEL_RIDGE, _DOUBT = 1e-4, 1e-3, 0.1
 _MOSTLY_HIDDEN = 0.999
@@ -86,50 +73,6 @@ class Filled:
         """The same without the last channels."""
         values, variance, base = (x[:, :-count] for x in (self.values, self.variance, self.base))
         return replace(self, values=values, variance=variance, base=base)
-
-
-@dataclass(frozen=True, eq=False)
-class _Look:
-    """What gaps are filled from, so precise as it takes.
-
-    Attributes
-    ----------
-    estimate : (frames, channels) what the pass before made
-    moved : of :func:`markermend.poses.likeness.moving`; None where no alike moments are asked
-    paces : what moves faster than a moment; None likewise
-    base : (frames, channels) all gaps bridged
-    known : (channels, frames) bool
-    so_far : (channels, frames + 1) in how many of the frames before a channel is known
-    covariances : length of a gap to those that levels and deviations are regressed with
-    rate, cross, noise : as :func:`fill` has them
-    compared : moments that are asked besides those beside a gap, mirrored ones, others' ones
-    joints : (channels,) number of the joint that each is of
-    mirror : of all channels, where there is one
-    performed : other recordings that are asked, where there are any
-    """
-
-    estimate: Float32Array
-    moved: Float32Array | None
-    paces: Paces | None
-    base: FloatArray
-    known: BoolArray
-    so_far: Float32Array
-    covariances: dict[int, tuple[Float32Array, Float32Array]]
-    rate: float
-    cross: Callable[[int], FloatArray]
-    noise: float
-    compared: tuple[int, int, int]
-    joints: IntArray
-    mirror: Mirror | None
-    performed: Performances | None
-    _frames_of: dict[bytes, IntArray] = field(default_factory=dict)
-
-    def frames_of(self, channels: IntArray) -> IntArray:
-        """Frames in which channels are all known; many gaps ask of the same ones."""
-        key = channels.tobytes()
-        if key not in self._frames_of:
-            self._frames_of[key] = np.flatnonzero(self.known[channels].all(axis=0))
-        return self._frames_of[key]
 
 
 def fill(
@@ -230,7 +173,7 @@ def fill(
         lengths = {gap.length for gap in some}
         alike = some is again
         moments = learnt(single, lengths | (lengths_of_paces(rate) if alike else set()))
-        look = _Look(
+        look = Look(
             single,
             moving(single, rate) if alike else None,
             paces_of(single, rate, moments) if alike else None,
@@ -268,7 +211,7 @@ def _covariances(
     return found
 
 
-def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
+def _fill_gap(gap: Gap, look: Look) -> tuple[NDArray[Any], NDArray[Any]]:
     """(length, channels) values of a gap and their variances; by alike moments if so wished."""
     start, stop, length = gap.start, gap.stop, gap.length
     frames, rate = len(look.estimate), look.rate
@@ -280,32 +223,10 @@ def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
     levels_by, strays_by = look.covariances[length]
     ridge = _LEVEL_RIDGE * float(np.trace(levels_by)) / len(levels_by)
     weights, left = regress(levels_by, others, gap.channels, ridge, doubt)
-    if look.moved is not None and look.paces is not None and length >= BRIEF_S * rate:
-        there = look.frames_of(gap.channels)
-        chosen = moments_to_compare(there, start, stop, rate, look.compared[0])
-        if len(chosen):
-            by = np.zeros((len(hidden), len(gap.channels)), dtype=np.float32)
-            by[others] = weights
-            faster = look.paces.beside(by, others, gap.channels, doubt)
-            trust = np.zeros(len(hidden), dtype=np.float32)
-            trust[others] = (1 - hidden[others]) * weights_of(by, look.joints)[others]
-            strays, variance = by_likeness(
-                look.moved[start:stop],
-                start,
-                _telling(chosen, look.moved, look.paces, gap, by, faster),
-                trust,
-                by,
-                rate,
-                look.noise,
-                [
-                    *_mirrored(look.moved, look.paces, look, gap, by, faster),
-                    *_performed(look, gap, trust, by),
-                ],
-                _borders(look, gap),
-            )
-            variance *= np.float32(1.0 + _TOO_SURE_S / max(frames / rate, _LEAST_S))
-            told = look.estimate[start:stop] @ by + look.paces.moved[start:stop] @ faster
-            return told + strays, variance
+    if length >= BRIEF_S * rate:
+        lasting = fill_lasting(gap, look, weights, others, hidden, doubt)
+        if lasting is not None:
+            return lasting
     seen = look.estimate[start:stop, others]
     inside = seen @ weights
     ends = np.array([start - 1, stop]).clip(0, frames - 1)
@@ -326,65 +247,3 @@ def _fill_gap(gap: Gap, look: _Look) -> tuple[NDArray[Any], NDArray[Any]]:
         share * (bridges[:, gap.channels] + told) + (1.0 - share) * levels,
         shape * left,
     )
-
-
-def _telling(
-    frames: IntArray,
-    moved: Float32Array,
-    paces: Paces,
-    gap: Gap,
-    by: Float32Array,
-    faster: Float32Array,
-    mirror: Mirror | None = None,
-) -> Telling:
-    """Moments, and what regressions leave of a gap's channels then."""
-    rows, fast = moved[frames], paces.moved[frames]
-    if mirror is not None:
-        rows, fast = mirror.image(rows), mirror.image(fast)
-    # How they change stands beside the poses.
-    poses = rows[:, : len(by)]
-    return Telling(rows, poses[:, gap.channels] - poses @ by - fast @ faster, frames)
-
-
-def _mirrored(
-    moved: Float32Array,
-    paces: Paces,
-    look: _Look,
-    gap: Gap,
-    by: Float32Array,
-    faster: Float32Array,
-) -> list[Telling]:
-    """Moments in which the other side of the body was seen, mirrored."""
-    mirror = look.mirror
-    if mirror is None:
-        return []
-    twins = mirror.twins[gap.channels]
-    there = some_of(look.frames_of(twins), look.compared[1])
-    path = look.estimate[:, twins] * mirror.signs[gap.channels] if _asks(look) else None
-    return [replace(_telling(there, moved, paces, gap, by, faster, mirror), path=path)]
-
-
-def _performed(look: _Look, gap: Gap, trust: Float32Array, by: Float32Array) -> list[Telling]:
-    """Moments of other recordings, recording by recording."""
-    others, most = look.performed, look.compared[2]
-    if others is None or look.moved is None or not most:
-        return []
-    found = []
-    for path, chosen in others.nearest(look.moved[gap.start : gap.stop], trust, most):
-        poses, frames = others.paths[path], others.frames[chosen]
-        targets = poses[np.ix_(frames, gap.channels)] - poses[frames] @ by
-        way = poses[:, gap.channels] if _asks(look) else None
-        found.append(Telling(others.moved[chosen], targets, frames, way))
-    return found
-
-
-def _borders(look: _Look, gap: Gap) -> Borders | None:
-    """The borders of a gap, where they are asked of."""
-    if not _asks(look):
-        return None
-    return Borders(look.estimate[:, gap.channels], gap.start, gap.stop, look.rate)
-
-
-def _asks(look: _Look) -> bool:
-    """Whether borders are asked of: where most moments are compared; few are too few."""
-    return look.compared == MOMENTS

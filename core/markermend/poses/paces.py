@@ -25,6 +25,24 @@ _MEANS = 3
 
 
 @dataclass(frozen=True, eq=False)
+class Weights:
+    """Regressions of hidden channels on seen ones.
+
+    Attributes
+    ----------
+    by : (channels, hidden) on where these are; 0 for those that are hidden
+    faster : (paces · channels, hidden) what is added to that for faster movement
+    """
+
+    by: Float32Array
+    faster: Float32Array
+
+    def tell(self, poses: Float32Array, moved: Float32Array) -> Float32Array:
+        """(frames, hidden) of (frames, channels) poses and their rows of :attr:`Paces.moved`."""
+        return np.asarray(poses @ self.by + moved @ self.faster)
+
+
+@dataclass(frozen=True, eq=False)
 class Paces:
     """A recording's faster movement.
 
@@ -37,20 +55,16 @@ class Paces:
     moved: Float32Array
     covariances: tuple[Float32Array, ...]
 
-    def beside(
+    def regressed(
         self, by: Float32Array, seen: IntArray, hidden: IntArray, doubt: Float32Array
-    ) -> Float32Array:
-        """Weights that correct those of a regression on all movement alike.
+    ) -> Weights:
+        """Regress each pace by itself, beside a regression on all movement alike.
 
         Parameters
         ----------
-        by : (channels, hidden) those
+        by : (channels, hidden) weights of that one
         seen, hidden : channels
         doubt : (seen,) share of their variance that is added
-
-        Returns
-        -------
-        (paces · channels, hidden)
         """
         found = []
         for covariance in self.covariances:
@@ -59,7 +73,7 @@ class Paces:
             more = -by
             more[seen] += weights
             found.append(more)
-        return np.vstack(found)
+        return Weights(by, np.vstack(found))
 
 
 def lengths_of_paces(rate: float) -> set[int]:
