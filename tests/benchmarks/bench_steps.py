@@ -116,6 +116,7 @@ def panels(folder: Path) -> Iterator[tuple[str, Callable[[], object], int]]:
     reviewed = Document()
     overview = Overview(reviewed)
     overview.resize(692, 182)
+    overview.show()
     open_in(reviewed, take, folder, found)
     overview.grab()
     rest = iter(found)

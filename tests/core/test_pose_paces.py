@@ -9,6 +9,8 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 import markermend as mm
 from markermend.arrays import FloatArray, IntArray
+from markermend.poses.bending import _less_turned
+from markermend.poses.borders import Borders
 from markermend.poses.covariance import learn
 from markermend.poses.noise import Noise, corrupt_pose
 from markermend.poses.nuitrack import to_nuitrack
@@ -94,3 +96,27 @@ def test_a_filled_limb_moves_no_more_jerkily_than_a_true_one(shared_data: Path) 
 
     ours, true = jerks(restored.positions), jerks(truth.positions)
     assert np.sqrt(np.mean(ours**2)) < np.sqrt(np.mean(true**2))
+
+
+def test_looks_at_moments_take_over_from_each_other_without_a_bend() -> None:
+    path = np.zeros((400, 3), dtype=np.float32)
+    whole = np.zeros(120)
+    for place, part, share in Borders(path, 100, 220, RATE).looks():
+        whole[part] += share
+        there = place - part.start
+        assert share[there] == 1.0
+        # Straight shares would change by a sixteenth in each frame, also beside the place.
+        assert np.abs(np.diff(share[max(there - 1, 0) : there + 2])).max() < 0.02
+    assert_allclose(whole, 1.0)
+
+
+def test_what_is_turned_by_half_a_turn_is_not_drawn_back() -> None:
+    angles = np.array([0.0, 1.0, 1.9, 2.6, 3.1, np.pi])
+    away = np.zeros((len(angles), 6))
+    away[:, 1], away[:, 4] = angles, 0.3
+    less = _less_turned(away)
+    assert_array_equal(less[:3], away[:3])
+    assert less[3, 1] < away[3, 1]
+    # Just beyond, the same turn is one the other way round.
+    assert_allclose(less[4:, 1], 0.0, atol=0.15)
+    assert_array_equal(less[:, 4], away[:, 4])

@@ -57,12 +57,12 @@ def settle(
     rows = np.arange(len(given))
     if not bends.at.shape[1] or (wanted is not None and not wanted.any()):
         return features
-    groups = _groups(rows, rate)
     if wanted is not None:
         alike = _alike(rate)
         rows = rows[np.logical_or.reduceat(wanted, rows[::alike])[rows // alike]]
-        bends, groups = bends.of(rows), _groups(rows, rate, fading=True)
+        bends = bends.of(rows)
     given, settled = given[rows], features.copy()
+    groups = _groups(rows, rate, fading=wanted is not None)
     moved, _ = _solved(bends, given, variance[rows], bends.back, groups)
     settled[rows] = bends.features(bends.at + moved, given)
     return settled
@@ -136,7 +136,11 @@ class _Groups:
 
 
 def _groups(frames: IntArray, rate: float, fading: bool = False) -> _Groups:
-    """Group frames, which are whole groups of a recording; ``fading`` from each to the next."""
+    """Group frames, which are whole groups of a recording.
+
+    Where they are ``fading``, each counts less from its middle to those of its neighbours, unless
+    what lies between is not among the frames.
+    """
     alike, last = _alike(rate), len(frames) - 1
     firsts = np.arange(0, len(frames), alike)
     counts = np.diff(np.append(firsts, len(frames)))
@@ -146,17 +150,13 @@ def _groups(frames: IntArray, rate: float, fading: bool = False) -> _Groups:
     shares = inside.astype(float)
     if fading:
         middles = firsts + (counts - 1) / 2.0
-        between, follows = np.diff(middles), np.diff(frames[firsts]) == alike
+        between, follows = np.diff(middles)[:, None], np.diff(frames[firsts]) == alike
         away = rows - middles[:, None]
-        for some, linked, apart, side in (
-            (np.s_[:-1], follows, between, away),
-            (np.s_[1:], follows, between, -away),
-        ):
-            fades = (side[some] > 0) & linked[:, None]
-            less = np.maximum(1.0 - side[some] / apart[:, None], 0.0)
+        for some, side in ((np.s_[:-1], away[:-1]), (np.s_[1:], -away[1:])):
+            less = np.maximum(1.0 - side / between, 0.0)
             # Where one takes over from another nothing shall bend.
             less = less**2 * (3.0 - 2.0 * less)
-            shares[some] = np.where(fades, less, shares[some])
+            shares[some] = np.where((side > 0) & follows[:, None], less, shares[some])
         shares *= (rows >= 0) & (rows <= last)
     return _Groups(firsts, counts, rows.clip(0, last), shares)
 
