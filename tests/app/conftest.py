@@ -15,8 +15,8 @@ from PySide6.QtCore import QCoreApplication, QEvent, QSettings
 import markermend as mm
 from markermend.artifact import Artifact, Kind
 from markermend.mesh import Group, Mesh, infer_mesh
-from markermend.poses.breaking import break_pose
 from markermend.poses.nuitrack import JOINTS, to_nuitrack
+from markermend.poses.simulated.breaking import break_pose
 from markermend.review.file import open_session
 from markermend.take import Take
 from markermend_app import settings

@@ -18,8 +18,8 @@ from markermend.detectors import detect
 from markermend.errors import DataError
 from markermend.mesh.names import _FROM_THE_TOP
 from markermend.poses.from_markers import joint_centres
-from markermend.poses.noise import Noise, corrupt_pose
 from markermend.poses.nuitrack import to_nuitrack
+from markermend.poses.simulated.noise import Noise, corrupt_pose
 from markermend.repairs import propose
 from markermend.repairs.look_again import in_words
 from markermend.review import hand

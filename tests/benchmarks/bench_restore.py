@@ -15,11 +15,11 @@ import numpy as np
 import markermend as mm
 from markermend.poses.inverse import inverse_kinematics
 from markermend.poses.live import Live
-from markermend.poses.noise import Noise, corrupt_pose
 from markermend.poses.nuitrack import to_nuitrack
 from markermend.poses.pose import Pose
 from markermend.poses.prior import shipped_prior
 from markermend.poses.restore import restore
+from markermend.poses.simulated.noise import Noise, corrupt_pose
 from markermend.poses.skeleton import forward_kinematics
 
 POSES = 5000

@@ -10,8 +10,8 @@ import markermend as mm
 from markermend.bench import faults
 from markermend.bench.faults import BESIDE, CASES, SOUND, faults_csv, faults_table, find_faults
 from markermend.errors import DataError
-from markermend.poses.breaking import HOLDS, KINDS
 from markermend.poses.restore import Restored
+from markermend.poses.simulated.breaking import HOLDS, KINDS
 
 
 @pytest.fixture(scope="module")

@@ -17,12 +17,12 @@ from markermend.bench.poses_network import error_of
 from markermend.bench.poses_text import hidden_table, movements_table, poses_csv, poses_table
 from markermend.cli import main
 from markermend.errors import DataError, FileFormatError
-from markermend.poses.learning_sets import subject_of
-from markermend.poses.noise import Noise, corrupt_pose
+from markermend.poses.networks.learning_sets import subject_of
 from markermend.poses.nuitrack import mirrored, to_nuitrack
 from markermend.poses.prior import fitting, load_prior, save_prior, shipped_prior
 from markermend.poses.prior_learning import learn_prior
 from markermend.poses.restore import Restored, restore
+from markermend.poses.simulated.noise import Noise, corrupt_pose
 
 
 @pytest.fixture(scope="module")

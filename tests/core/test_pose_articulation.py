@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from markermend.poses.articulation import Articulation
 from markermend.poses.quaternion import NO_TURN, matrices
+from markermend.poses.streaming.articulation import Articulation
 
 RATE = 120.0
 SHOULDER, ELBOW, WRIST = 0, 1, 2

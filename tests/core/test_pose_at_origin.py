@@ -7,7 +7,7 @@ import pytest
 
 import markermend as mm
 from markermend.poses import Pose
-from markermend.poses.faults import VANISHED
+from markermend.poses.faults.finding import VANISHED
 from markermend.poses.restore import restore
 
 FRAMES = 60

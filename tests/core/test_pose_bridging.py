@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from markermend.poses.bridging import bridged, bridging_error
+from markermend.poses.filling.bridging import bridged, bridging_error
 
 
 def test_bridges_over_every_gap_follow_the_movement():

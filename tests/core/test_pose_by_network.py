@@ -8,10 +8,10 @@ import pytest
 import markermend as mm
 from markermend.cli import main
 from markermend.errors import DataError
-from markermend.poses.by_network import denoise_by_network
-from markermend.poses.network import PARTS, Network, save_networks
-from markermend.poses.noise import Noise, corrupt_pose
+from markermend.poses.networks.by_network import denoise_by_network
+from markermend.poses.networks.network import PARTS, Network, save_networks
 from markermend.poses.nuitrack import JOINTS, mirrored, to_nuitrack
+from markermend.poses.simulated.noise import Noise, corrupt_pose
 
 
 @pytest.fixture(scope="module")

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from markermend.poses.bridging import SIDE, around, bridge, straight
-from markermend.poses.covariance import (
+from markermend.poses.filling.bridging import SIDE, around, bridge, straight
+from markermend.poses.filling.covariance import (
     LENGTHS_S,
     averaged,
     deviations,

@@ -11,11 +11,11 @@ from numpy.testing import assert_allclose
 import markermend as mm
 from markermend.files.pose_stream import follow
 from markermend.poses import Pose
-from markermend.poses.doubting import Doubting
-from markermend.poses.guessing import INFERRED
+from markermend.poses.faults.guessing import INFERRED
 from markermend.poses.live import Live
 from markermend.poses.nuitrack import LIMBS, to_nuitrack
 from markermend.poses.quaternion import NO_TURN, lengths_of
+from markermend.poses.streaming.doubting import Doubting
 
 RATE = 120.0
 HIDES = 60

@@ -7,7 +7,7 @@ from itertools import product
 import numpy as np
 import pytest
 
-from markermend.poses.exchanging import cheapest
+from markermend.poses.faults.exchanging import cheapest
 
 
 @pytest.mark.parametrize("seed", range(60))

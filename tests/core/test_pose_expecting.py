@@ -7,8 +7,8 @@ import pytest
 
 import markermend as mm
 from markermend.bench.poses import Case, recorded
-from markermend.poses.expecting import left_of_noise, limbs_doubted
-from markermend.poses.gaps import Gap
+from markermend.poses.filling.expecting import left_of_noise, limbs_doubted
+from markermend.poses.filling.gaps import Gap
 from markermend.poses.nuitrack import to_nuitrack
 from markermend.poses.restore import restore
 

@@ -10,10 +10,10 @@ import pytest
 import markermend as mm
 from markermend.artifact import Artifact, Kind
 from markermend.cli import main
-from markermend.poses.breaking import break_pose
-from markermend.poses.faults import SWAPPED
-from markermend.poses.guessing import INFERRED
+from markermend.poses.faults.finding import SWAPPED
+from markermend.poses.faults.guessing import INFERRED
 from markermend.poses.nuitrack import to_nuitrack
+from markermend.poses.simulated.breaking import break_pose
 from markermend.poses.take import changed_joints, pose_of, restored
 
 pytestmark = pytest.mark.usefixtures("restored_once")

@@ -9,14 +9,14 @@ from numpy.testing import assert_allclose
 from recordings import seventeen_joints
 from scipy.spatial.transform import Rotation
 
-from markermend.poses.facing import facing, sides_of
+from markermend.poses.body.facing import facing, sides_of
 from markermend.poses.live import Live
-from markermend.poses.noise import Noise, corrupt_pose
 from markermend.poses.nuitrack import mirrored
 from markermend.poses.pose import Pose
 from markermend.poses.prior import fitting, shipped_prior
 from markermend.poses.quaternion import inverse, lengths_of, multiply, turn
 from markermend.poses.restore import restore
+from markermend.poses.simulated.noise import Noise, corrupt_pose
 
 
 @pytest.fixture(scope="module")
@@ -116,8 +116,8 @@ def from_the_side(pose):
 def without_facing(monkeypatch):
     """Have the root stand in the axes of the room."""
     nothing = lambda pose: np.full((pose.frames, 4), np.nan)  # noqa: E731
-    monkeypatch.setattr("markermend.poses.rooting.facing", nothing)
-    monkeypatch.setattr("markermend.poses.following.facing", nothing)
+    monkeypatch.setattr("markermend.poses.body.rooting.facing", nothing)
+    monkeypatch.setattr("markermend.poses.streaming.following.facing", nothing)
 
 
 def test_positions_alone_are_nearer_for_it(clips, monkeypatch):

@@ -11,8 +11,7 @@ from scipy.interpolate import CubicSpline
 import markermend as mm
 from markermend.bench.poses import Case, recorded
 from markermend.errors import DataError
-from markermend.poses.breaking import HOLDS, KINDS, break_pose
-from markermend.poses.faults import (
+from markermend.poses.faults.finding import (
     CARRIED,
     CROSSED,
     FROZEN,
@@ -21,12 +20,13 @@ from markermend.poses.faults import (
     VANISHED,
     mend_faults,
 )
-from markermend.poses.noise import Noise, corrupt_pose
 from markermend.poses.nuitrack import to_nuitrack, twins
 from markermend.poses.prior import shipped_prior
 from markermend.poses.quaternion import turn, unit
 from markermend.poses.restore import restore
-from markermend.poses.sensor import as_depth_sensor
+from markermend.poses.simulated.breaking import HOLDS, KINDS, break_pose
+from markermend.poses.simulated.noise import Noise, corrupt_pose
+from markermend.poses.simulated.sensor import as_depth_sensor
 from markermend.poses.skeleton import forward_kinematics
 
 

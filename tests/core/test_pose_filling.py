@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from markermend.poses.bridging import bridged
-from markermend.poses.filling import fill
-from markermend.poses.sides import Mirror
+from markermend.poses.filling.bridging import bridged
+from markermend.poses.filling.filling import fill
+from markermend.poses.filling.sides import Mirror
 
 
 def test_movement_too_large_for_single_precision_is_filled_all_the_same():
@@ -106,7 +106,7 @@ def test_the_shorter_a_recording_the_less_sure_is_what_alike_moments_tell(monkey
         shape = len(moved), own.targets.shape[1]
         return np.zeros(shape, dtype=np.float32), np.ones(shape, dtype=np.float32)
 
-    monkeypatch.setattr("markermend.poses.lasting.by_likeness", told)
+    monkeypatch.setattr("markermend.poses.filling.lasting.by_likeness", told)
     doubt = []
     for seconds in (4, 5, 40):
         values = np.sin(np.arange(60 * seconds)[:, None] * [0.05, 0.07, 0.11])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from markermend.poses.gaps import Gap, by_lasting, gaps_of
+from markermend.poses.filling.gaps import Gap, by_lasting, gaps_of
 
 
 def test_channels_that_are_unknown_together_are_one_gap():

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import markermend as mm
-from markermend.poses.faults import GUESSED
-from markermend.poses.guessing import INFERRED, guessed
+from markermend.poses.faults.finding import GUESSED
+from markermend.poses.faults.guessing import INFERRED, guessed
 from markermend.poses.nuitrack import to_nuitrack
 from markermend.poses.prior import shipped_prior
 from markermend.poses.restore import restore

@@ -7,7 +7,7 @@ import pytest
 from arms import hide
 
 import markermend as mm
-from markermend.poses.hanging import by_parents
+from markermend.poses.filling.hanging import by_parents
 from markermend.poses.quaternion import lengths_of, turn, unit
 from markermend.poses.restore import restore
 

@@ -10,7 +10,7 @@ from scipy.interpolate import CubicSpline
 
 import markermend as mm
 from markermend.bench.poses import Case, recorded
-from markermend.poses.faults import CROSSED, FROZEN, REPEATED, mend_faults
+from markermend.poses.faults.finding import CROSSED, FROZEN, REPEATED, mend_faults
 from markermend.poses.nuitrack import LIMBS, to_nuitrack
 from markermend.poses.prior import shipped_prior
 from markermend.poses.quaternion import unit, unrolled

@@ -8,13 +8,13 @@ import pytest
 import markermend as mm
 from markermend.errors import DataError
 from markermend.poses import Pose
-from markermend.poses.following import Following
-from markermend.poses.joining import Kept, widened, widened_mean
 from markermend.poses.live import Live
-from markermend.poses.noise import Noise, corrupt_pose
 from markermend.poses.normal import normalise
 from markermend.poses.nuitrack import mirrored, to_nuitrack
 from markermend.poses.prior import bending_of, fitting, shipped_prior
+from markermend.poses.simulated.noise import Noise, corrupt_pose
+from markermend.poses.streaming.following import Following
+from markermend.poses.streaming.joining import Kept, widened, widened_mean
 
 LEG = ("hip", "knee", "ankle")
 

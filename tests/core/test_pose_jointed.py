@@ -10,16 +10,16 @@ from numpy.testing import assert_allclose
 from recordings import seventeen_joints
 
 import markermend.poses.restore as restoring
-from markermend.poses.bending import LOCAL
-from markermend.poses.jointed import jointed
-from markermend.poses.noise import Noise, corrupt_pose
+from markermend.poses.body.bending import LOCAL
+from markermend.poses.body.jointed import jointed
+from markermend.poses.filling.sides import Mirror
 from markermend.poses.nuitrack import JOINTS
 from markermend.poses.pose import Pose
 from markermend.poses.prior import bending_of, shipped_prior
 from markermend.poses.prior_learning import learn_recording
 from markermend.poses.quaternion import lengths_of
 from markermend.poses.restore import restore
-from markermend.poses.sides import Mirror
+from markermend.poses.simulated.noise import Noise, corrupt_pose
 
 ENDS = ("head", "left_wrist", "right_wrist", "left_ankle", "right_ankle")
 

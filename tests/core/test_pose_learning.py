@@ -13,10 +13,10 @@ from markermend.bench.poses_paper import TABLES, paper_tables
 from markermend.cli import main
 from markermend.cli.console import Bar
 from markermend.errors import Cancelled, DataError
-from markermend.poses.learning_sets import features_of, folds_of, learning_sets
-from markermend.poses.network import Network, load_networks, save_networks
-from markermend.poses.noise import NOISES
+from markermend.poses.networks.learning_sets import features_of, folds_of, learning_sets
+from markermend.poses.networks.network import Network, load_networks, save_networks
 from markermend.poses.nuitrack import JOINTS
+from markermend.poses.simulated.noise import NOISES
 from markermend.repairs.skurowski2021.recurrent import can_learn
 
 needs_extra = pytest.mark.skipif(not can_learn(), reason="the optional extra “deep” is missing")

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 
-from markermend.poses.borders import Borders
-from markermend.poses.likeness import (
+from markermend.poses.filling.borders import Borders
+from markermend.poses.filling.likeness import (
     Telling,
     by_likeness,
     moments_to_compare,

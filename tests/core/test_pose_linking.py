@@ -8,7 +8,7 @@ from arms import hide
 from scipy.spatial.transform import Rotation
 
 import markermend as mm
-from markermend.poses.linking import linked
+from markermend.poses.filling.linking import linked
 from markermend.poses.quaternion import lengths_of, turn
 from markermend.poses.restore import restore
 

@@ -13,12 +13,12 @@ from markermend.cli import main
 from markermend.errors import FileFormatError
 from markermend.files.pose_stream import follow
 from markermend.poses import Pose
-from markermend.poses.levels import Levels
 from markermend.poses.live import Live
-from markermend.poses.noise import Noise, corrupt_pose
 from markermend.poses.nuitrack import mirrored, to_nuitrack, twins
 from markermend.poses.prior import fitting, shipped_prior
 from markermend.poses.quaternion import lengths_of, multiply
+from markermend.poses.simulated.noise import Noise, corrupt_pose
+from markermend.poses.streaming.levels import Levels
 
 
 @pytest.fixture(scope="module")
@@ -93,14 +93,14 @@ def test_how_a_root_shakes_is_no_movement_of_what_hangs_on_it(walk, damaged, mon
     shaken[:, 0] = multiply(by, shaken[:, 0])
     shaking = damaged.with_samples(damaged.positions, shaken, damaged.confidence)
     calm = off_live(walk, shaking, shipped_prior())
-    monkeypatch.setattr("markermend.poses.following._FOLLOWS_S", 1e-6)
+    monkeypatch.setattr("markermend.poses.streaming.following._FOLLOWS_S", 1e-6)
     assert calm < 0.8 * off_live(walk, shaking, shipped_prior())
 
 
 def test_one_side_of_a_body_tells_of_the_other(walk, damaged, monkeypatch):
     # Were both sides to count alike, a body seen in a mirror would be filled alike.
-    monkeypatch.setattr("markermend.poses.sides.OTHER_SIDE", 0.5)
-    monkeypatch.setattr("markermend.poses.levels._DRAWN_S", 1e9)
+    monkeypatch.setattr("markermend.poses.filling.sides.OTHER_SIDE", 0.5)
+    monkeypatch.setattr("markermend.poses.streaming.levels._DRAWN_S", 1e9)
     sides = twins(walk.joints)
 
     def in_mirror(pose):

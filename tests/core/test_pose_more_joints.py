@@ -8,7 +8,7 @@ from sensed_bodies import with_hands
 
 import markermend as mm
 from markermend.bench.poses import CASES, damaged
-from markermend.poses.covariance import Moments, pooled
+from markermend.poses.filling.covariance import Moments, pooled
 from markermend.poses.live import Live
 from markermend.poses.normal import FEATURES
 from markermend.poses.nuitrack import JOINTS, to_nuitrack

@@ -7,10 +7,10 @@ import pytest
 from numpy.testing import assert_allclose
 
 from markermend.errors import FileFormatError, MethodError
-from markermend.poses.network import Network, load_networks, save_networks, smoothed
-from markermend.poses.noise import NOISES
+from markermend.poses.networks.network import Network, load_networks, save_networks, smoothed
+from markermend.poses.networks.training import Training, train_network
 from markermend.poses.nuitrack import JOINTS
-from markermend.poses.training import Training, train_network
+from markermend.poses.simulated.noise import NOISES
 from markermend.repairs.skurowski2021.recurrent import can_learn
 
 needs_extra = pytest.mark.skipif(not can_learn(), reason="the optional extra “deep” is missing")

@@ -9,7 +9,6 @@ from numpy.testing import assert_allclose
 from markermend.errors import DataError
 from markermend.files.pose import read_pose
 from markermend.poses import Pose
-from markermend.poses.noise import Noise, corrupt, corrupt_pose
 from markermend.poses.normal import bone_lengths, denormalise, normalise
 from markermend.poses.nuitrack import JOINTS, PARENTS, mirrored, to_nuitrack, usual_name
 from markermend.poses.quaternion import (
@@ -21,7 +20,8 @@ from markermend.poses.quaternion import (
     unrolled,
     upright,
 )
-from markermend.poses.sensor import as_depth_sensor
+from markermend.poses.simulated.noise import Noise, corrupt, corrupt_pose
+from markermend.poses.simulated.sensor import as_depth_sensor
 
 
 @pytest.fixture(scope="module")

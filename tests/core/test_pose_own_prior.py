@@ -12,7 +12,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 import markermend as mm
 from markermend.cli import main
 from markermend.errors import Cancelled, DataError, FileFormatError
-from markermend.poses.hanging import hanging_joints
+from markermend.poses.filling.hanging import hanging_joints
 from markermend.poses.nuitrack import to_nuitrack
 from markermend.poses.own_prior import (
     fits,

@@ -9,15 +9,15 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 import markermend as mm
 from markermend.arrays import FloatArray, IntArray
-from markermend.poses.bending import _less_turned
-from markermend.poses.borders import Borders
-from markermend.poses.covariance import learn
-from markermend.poses.noise import Noise, corrupt_pose
+from markermend.poses.body.bending import _less_turned
+from markermend.poses.body.settling import _groups
+from markermend.poses.filling.borders import Borders
+from markermend.poses.filling.covariance import learn
+from markermend.poses.filling.paces import lengths_of_paces, paces_of
 from markermend.poses.nuitrack import to_nuitrack
-from markermend.poses.paces import lengths_of_paces, paces_of
 from markermend.poses.prior import shipped_prior
 from markermend.poses.restore import restore
-from markermend.poses.settling import _groups
+from markermend.poses.simulated.noise import Noise, corrupt_pose
 
 RATE = 120.0
 

@@ -15,7 +15,13 @@ import markermend as mm
 from markermend.cli import main
 from markermend.errors import FileFormatError
 from markermend.files.npz import read_arrays, write_arrays
-from markermend.poses.noise import Noise, corrupt_pose
+from markermend.poses.filling.remembered import (
+    REMEMBERED_HZ,
+    Remembered,
+    performances,
+    resampled,
+    shortened,
+)
 from markermend.poses.nuitrack import mirrored, to_nuitrack
 from markermend.poses.pose import Pose
 from markermend.poses.prior import (
@@ -31,14 +37,8 @@ from markermend.poses.prior_learning import (
     learn_recording,
     together,
 )
-from markermend.poses.remembered import (
-    REMEMBERED_HZ,
-    Remembered,
-    performances,
-    resampled,
-    shortened,
-)
 from markermend.poses.restore import restore
+from markermend.poses.simulated.noise import Noise, corrupt_pose
 
 
 @pytest.fixture(scope="module")

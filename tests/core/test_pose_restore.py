@@ -12,14 +12,14 @@ import markermend as mm
 from markermend.cli import main
 from markermend.errors import DataError
 from markermend.poses import Pose
-from markermend.poses.bones import find_bones, keep_lengths, swing
-from markermend.poses.bridging import bridged
-from markermend.poses.guessing import INFERRED
-from markermend.poses.noise import Noise, corrupt_pose
+from markermend.poses.body.bones import find_bones, keep_lengths, swing
+from markermend.poses.faults.guessing import INFERRED
+from markermend.poses.filling.bridging import bridged
 from markermend.poses.normal import bone_lengths
 from markermend.poses.nuitrack import to_nuitrack
 from markermend.poses.quaternion import between, turn, unit
 from markermend.poses.restore import denoise, restore
+from markermend.poses.simulated.noise import Noise, corrupt_pose
 from markermend.poses.smoothing import (
     _in_each_frame,
     _power,

@@ -8,12 +8,12 @@ from arms import arm, hide
 from scipy.spatial.transform import Rotation
 
 import markermend as mm
+from markermend.poses.body.rooting import rooted
 from markermend.poses.channels import trusted_turns
 from markermend.poses.nuitrack import to_nuitrack
 from markermend.poses.prior import shipped_prior
 from markermend.poses.quaternion import lengths_of, multiply, turn
 from markermend.poses.restore import restore
-from markermend.poses.rooting import rooted
 
 
 @pytest.fixture(scope="module")
@@ -132,7 +132,7 @@ def test_those_of_its_joints_that_are_seen_are_held_against_themselves(run, gone
 
 
 def test_of_very_many_sets_of_joints_the_rarest_are_taken_together(run, monkeypatch):
-    monkeypatch.setattr("markermend.poses.rooting._MOST_PARTS", 1)
+    monkeypatch.setattr("markermend.poses.body.rooting._MOST_PARTS", 1)
     some = hidden(hidden(run, slice(60, 80)), slice(60, 64), ("torso",))
     some = hidden(hidden(some, slice(64, 66), ("left_hip",)), slice(66, 67), run.joints)
     found = rooted(*seen_of(some))

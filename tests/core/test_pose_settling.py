@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.testing import assert_allclose
 
-from markermend.poses import settling
-from markermend.poses.bending import find_bends
+from markermend.poses.body import settling
+from markermend.poses.body.bending import find_bends
+from markermend.poses.body.settling import settle, settle_in_time
 from markermend.poses.quaternion import turn, unit
-from markermend.poses.settling import settle, settle_in_time
 from markermend.poses.solving import solved
 
 PARENTS = (-1, 0, 1, 2)

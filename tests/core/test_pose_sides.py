@@ -8,10 +8,10 @@ import pytest
 import markermend as mm
 from markermend.poses import Pose
 from markermend.poses.channels import Channels, to_channels
-from markermend.poses.covariance import learn
+from markermend.poses.filling.covariance import learn
+from markermend.poses.filling.sides import OTHER_SIDE, mirror_of, of_both_sides
+from markermend.poses.filling.stance import IN_MIRROR, stance
 from markermend.poses.nuitrack import MIRROR, to_nuitrack, twins
-from markermend.poses.sides import OTHER_SIDE, mirror_of, of_both_sides
-from markermend.poses.stance import IN_MIRROR, stance
 
 
 @pytest.fixture(scope="module")

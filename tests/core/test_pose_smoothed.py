@@ -10,12 +10,12 @@ import pytest
 import markermend as mm
 from markermend.artifact import Artifact, Kind
 from markermend.cli import main
-from markermend.poses.guessing import INFERRED
+from markermend.poses.faults.guessing import INFERRED
+from markermend.poses.faults.swinging import carried, swung
 from markermend.poses.nuitrack import JOINTS, to_nuitrack
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import between, multiply, turn
 from markermend.poses.restore import restore
-from markermend.poses.swinging import carried, swung
 from markermend.poses.take import as_pose, pose_of, restored_without
 
 pytestmark = pytest.mark.usefixtures("restored_once")

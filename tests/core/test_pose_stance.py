@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from markermend.poses.covariance import learn
-from markermend.poses.filling import fill
+from markermend.poses.filling.covariance import learn
+from markermend.poses.filling.filling import fill
+from markermend.poses.filling.stance import stance
 from markermend.poses.normal import Normal
 from markermend.poses.quaternion import turn
-from markermend.poses.stance import stance
 
 RATE, HIDDEN = 60.0, slice(400, 460)
 

@@ -8,15 +8,15 @@ from numpy.testing import assert_allclose
 from recordings import seventeen_joints
 from scipy.spatial.transform import Rotation
 
-from markermend.poses.bracing import Bracing
 from markermend.poses.live import Live
-from markermend.poses.noise import Noise, corrupt_pose
 from markermend.poses.pose import Pose
 from markermend.poses.prior import shipped_prior
 from markermend.poses.quaternion import lengths_of
-from markermend.poses.shaking import Shaking
-from markermend.poses.steadying import Steadying
-from markermend.poses.tracking import Tracking
+from markermend.poses.simulated.noise import Noise, corrupt_pose
+from markermend.poses.streaming.bracing import Bracing
+from markermend.poses.streaming.shaking import Shaking
+from markermend.poses.streaming.steadying import Steadying
+from markermend.poses.streaming.tracking import Tracking
 
 NOISE_MM, NOISE_RAD = 3.87, 0.031
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from markermend.poses.bones import Bones
-from markermend.poses.stretching import _LENGTH, _step, stretched
+from markermend.poses.body.bones import Bones
+from markermend.poses.body.stretching import _LENGTH, _step, stretched
 
 # A root with a spine that carries two arms, and a leg.
 PARENTS = (-1, 0, 1, 1, 2, 0, 5, 6)

@@ -12,12 +12,12 @@ from scipy.spatial.transform import Rotation
 from sensed_bodies import with_hands
 
 import markermend as mm
-import markermend.poses.agreeing as agreed
+import markermend.poses.body.agreeing as agreed
 import markermend.poses.restore as restoring
 from markermend.errors import FileFormatError
 from markermend.files.npz import read_arrays, write_arrays
-from markermend.poses.bending import LOCAL, OthersBends, find_bends
-from markermend.poses.noise import Noise, corrupt_pose
+from markermend.poses.body.bending import LOCAL, OthersBends, find_bends
+from markermend.poses.body.suppleness import Suppleness, averaged_suppleness, suppleness
 from markermend.poses.nuitrack import mirrored, to_nuitrack, twins
 from markermend.poses.pose import Pose
 from markermend.poses.prior import (
@@ -30,8 +30,8 @@ from markermend.poses.prior import (
 )
 from markermend.poses.prior_learning import learn_prior, learn_recording, together
 from markermend.poses.restore import restore
+from markermend.poses.simulated.noise import Noise, corrupt_pose
 from markermend.poses.smoothing import smooth
-from markermend.poses.suppleness import Suppleness, averaged_suppleness, suppleness
 
 JOINTS = ("waist", "left_hip", "right_hip", "left_knee", "right_knee")
 PARENTS = (-1, 0, 0, 1, 2)

@@ -11,9 +11,9 @@ from markermend.artifact import Artifact, Kind
 from markermend.cli import main
 from markermend.errors import DataError, ExportError
 from markermend.files.restructure import crop, drop
-from markermend.poses.breaking import break_pose
-from markermend.poses.guessing import INFERRED
+from markermend.poses.faults.guessing import INFERRED
 from markermend.poses.nuitrack import JOINTS, to_nuitrack
+from markermend.poses.simulated.breaking import break_pose
 from markermend.poses.take import at_hand, changed_joints, pose_of
 from markermend.repairs import advise, evidence_for, propose
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import markermend as mm
+from markermend.poses.filling.trials import enough_around, hidden_in, trials_of
 from markermend.poses.restore import restore
-from markermend.poses.trials import enough_around, hidden_in, trials_of
 
 
 def test_trials_are_known_and_never_two_at_a_time():

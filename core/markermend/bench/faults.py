@@ -13,11 +13,11 @@ from markermend.arrays import BoolArray, FloatArray
 from markermend.bench.columns import aligned, csv_cell, number
 from markermend.bench.poses import Case, as_they_come, recorded, unseen
 from markermend.errors import DataError
-from markermend.poses.breaking import HOLDS, KINDS, Broken, break_pose
-from markermend.poses.faults import Fault
-from markermend.poses.noise import corrupt_pose
+from markermend.poses.faults.finding import Fault
 from markermend.poses.pose import Pose
 from markermend.poses.restore import restore
+from markermend.poses.simulated.breaking import HOLDS, KINDS, Broken, break_pose
+from markermend.poses.simulated.noise import corrupt_pose
 from markermend.progress import Progress, quiet
 
 EVERY_S = 2.0

@@ -12,11 +12,10 @@ from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.bench.parts import in_parts
 from markermend.bench.poses_network import ALL, Tried, by_networks, error_of
 from markermend.errors import DataError
-from markermend.poses.holding import held
-from markermend.poses.learning_sets import never_saw, subject_of
+from markermend.poses.faults.holding import held
 from markermend.poses.live import Live
-from markermend.poses.network import Network, smoothed
-from markermend.poses.noise import NOISES, Noise, corrupt
+from markermend.poses.networks.learning_sets import never_saw, subject_of
+from markermend.poses.networks.network import Network, smoothed
 from markermend.poses.normal import Normal, denormalise, normalise
 from markermend.poses.nuitrack import to_nuitrack
 from markermend.poses.pose import Pose
@@ -24,7 +23,8 @@ from markermend.poses.prior import Prior
 from markermend.poses.prior_learning import learn_recording, together
 from markermend.poses.quaternion import inverse, multiply, turn, unit, unrolled, upright
 from markermend.poses.restore import restore
-from markermend.poses.sensor import RATE_HZ, as_depth_sensor
+from markermend.poses.simulated.noise import NOISES, Noise, corrupt
+from markermend.poses.simulated.sensor import RATE_HZ, as_depth_sensor
 from markermend.progress import Progress, quiet
 
 HIDDEN = (0, 1, 2, 3, 4)

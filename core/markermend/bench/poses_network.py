@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray
-from markermend.poses.learning_sets import fold_in, folds_of
-from markermend.poses.network import PARTS, Network, smoothed
+from markermend.poses.networks.learning_sets import fold_in, folds_of
+from markermend.poses.networks.network import PARTS, Network, smoothed
 from markermend.poses.normal import FEATURES
 from markermend.poses.quaternion import signed_like, unit, upright
 

@@ -9,7 +9,7 @@ from markermend.bench.columns import aligned
 from markermend.bench.poses import Row
 from markermend.bench.poses_network import FILTERED, RANDOM
 from markermend.bench.poses_text import pooled
-from markermend.poses.noise import NOISES
+from markermend.poses.simulated.noise import NOISES
 
 Errors = tuple[float, float, float]
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from markermend.poses.learning_sets import subject_of
+from markermend.poses.networks.learning_sets import subject_of
 from markermend.poses.nuitrack import to_nuitrack
 from markermend.poses.pose import Pose
 from markermend.poses.segments import CARRIERS, learn_segments, to_cmu

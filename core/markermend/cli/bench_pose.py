@@ -63,7 +63,7 @@ def run_pose(options: argparse.Namespace) -> int:
         poses_csv,
         poses_table,
     )
-    from markermend.poses.network import Network, load_networks
+    from markermend.poses.networks.network import Network, load_networks
 
     check_outputs(
         [options.csv], source=[*options.poses, *(options.networks or ())], force=options.force
@@ -104,7 +104,7 @@ def run_pose(options: argparse.Namespace) -> int:
 
 def _say_untried(names: Iterable[str], clips: Sequence[str]) -> None:
     """Say which networks have seen whoever is shown, and are not tried."""
-    from markermend.poses.learning_sets import never_saw
+    from markermend.poses.networks.learning_sets import never_saw
 
     seen = [name for name in names if not any(never_saw(name, clip) for clip in clips)]
     if seen:

@@ -117,8 +117,8 @@ def _refuse(options: argparse.Namespace, names: tuple[str, ...], beside: str) ->
 
 def _by_network(pose: Pose, options: argparse.Namespace) -> int:
     """Let a trained network do it."""
-    from markermend.poses.by_network import denoise_by_network
-    from markermend.poses.network import load_networks
+    from markermend.poses.networks.by_network import denoise_by_network
+    from markermend.poses.networks.network import load_networks
 
     path, name = options.network
     networks = load_networks(Path(path))

@@ -52,11 +52,11 @@ def run_segments(options: argparse.Namespace) -> int:
 
 def run_networks(options: argparse.Namespace) -> int:
     """Train the paper's network in its three trainings."""
-    from markermend.poses.learning_sets import FOLDS, features_of, learning_sets
-    from markermend.poses.network import save_networks
-    from markermend.poses.noise import NOISES
-    from markermend.poses.sensor import as_depth_sensor
-    from markermend.poses.training import Training, held_out_error, train_network
+    from markermend.poses.networks.learning_sets import FOLDS, features_of, learning_sets
+    from markermend.poses.networks.network import save_networks
+    from markermend.poses.networks.training import Training, held_out_error, train_network
+    from markermend.poses.simulated.noise import NOISES
+    from markermend.poses.simulated.sensor import as_depth_sensor
 
     poses = _read(options)
     suffix = "" if options.parts == "both" else f"+{options.parts}"

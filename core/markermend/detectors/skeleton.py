@@ -10,7 +10,7 @@ from markermend.arrays import FloatArray, runs
 from markermend.artifact import Artifact, Kind
 from markermend.detectors.finding import how_long, in_mm
 from markermend.errors import DataError
-from markermend.poses.faults import (
+from markermend.poses.faults.finding import (
     CARRIED,
     CROSSED,
     FROZEN,

@@ -40,10 +40,10 @@ from markermend.files.pose_rows import (
 )
 from markermend.files.pose_table import frames_of, parents_of, step_of, surest, twice
 from markermend.files.text import read_lines
+from markermend.poses.faults.vanishing import vanished
 from markermend.poses.normal import bone_lengths
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import NO_TURN
-from markermend.poses.vanishing import vanished
 from markermend.progress import Progress, quiet
 from markermend.rates import rate_of
 

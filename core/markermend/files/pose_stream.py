@@ -21,7 +21,7 @@ from markermend.files.pose_rows import (
 )
 from markermend.files.pose_stream_whole import STREAM, Row, WholePoses
 from markermend.files.pose_table import parents_of
-from markermend.poses.guessing import INFERRED
+from markermend.poses.faults.guessing import INFERRED
 from markermend.poses.live import Live
 from markermend.poses.pose import Pose
 from markermend.poses.prior import NOT_FITTING, Prior, shipped_prior

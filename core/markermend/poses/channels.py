@@ -8,10 +8,10 @@ import numpy as np
 from scipy.ndimage import gaussian_filter1d
 
 from markermend.arrays import BoolArray, FloatArray
+from markermend.poses.body.rooting import rooted
 from markermend.poses.normal import FEATURES, Normal, normalise
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import NO_TURN, inverse, multiply, turn, unit, unrolled
-from markermend.poses.rooting import rooted
 
 # A rotation this near to none is what sensors write where they know nothing.
 _UNTURNED = 1e-9
@@ -46,7 +46,7 @@ def to_channels(pose: Pose) -> Channels:
     Parameters
     ----------
     pose : any skeleton with one root; where that was not seen, what hangs on it and the frames
-        beside tell (:func:`markermend.poses.rooting.rooted`)
+        beside tell (:func:`markermend.poses.body.rooting.rooted`)
 
     Raises
     ------
@@ -78,7 +78,7 @@ def steadied(channels: Channels, rate: float, faced: bool = False) -> Channels:
     channels : relative to the root
     rate : frames per second
     faced : how the root is turned is told by the noisy joints beside it
-        (:mod:`markermend.poses.facing`)
+        (:mod:`markermend.poses.body.facing`)
 
     Notes
     -----

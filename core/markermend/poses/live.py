@@ -6,22 +6,22 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.errors import DataError
-from markermend.poses.doubting import Doubting
-from markermend.poses.following import Following
 from markermend.poses.normal import bone_lengths
 from markermend.poses.nuitrack import MIRROR, mirrored
 from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior, bending_of, fitting
-from markermend.poses.steadying import Steadying
+from markermend.poses.streaming.doubting import Doubting
+from markermend.poses.streaming.following import Following
+from markermend.poses.streaming.steadying import Steadying
 
 
 class Live:
     """Fills joints that are not seen, once each has been seen, and takes noise out of the others.
 
     Joints that are wrong without a word about it count as not seen, and left and right that changed
-    places are put back (:class:`markermend.poses.doubting.Doubting`). It begins with the first pose
-    that shows the root and a bone. A joint that was never seen is passed on as it comes; once it is
-    seen, it joins in.
+    places are put back (:class:`markermend.poses.streaming.doubting.Doubting`). It begins with the
+    first pose that shows the root and a bone. A joint that was never seen is passed on as it comes;
+    once it is seen, it joins in.
 
     Parameters
     ----------

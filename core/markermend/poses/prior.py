@@ -15,16 +15,16 @@ from numpy.typing import NDArray
 from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.errors import DataError, FileFormatError
 from markermend.files.npz import read_arrays, write_arrays
-from markermend.poses.bending import LOCAL, OthersBends
+from markermend.poses.body.bending import LOCAL, OthersBends
+from markermend.poses.body.suppleness import Suppleness
 from markermend.poses.channels import to_channels
-from markermend.poses.covariance import LENGTHS_S, Moments
+from markermend.poses.filling.covariance import LENGTHS_S, Moments
+from markermend.poses.filling.remembered import Remembered
+from markermend.poses.filling.stance import IN_MIRROR
 from markermend.poses.normal import FEATURES, bone_lengths
 from markermend.poses.nuitrack import mirrored, to_nuitrack, usual_name
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import lengths_of
-from markermend.poses.remembered import Remembered
-from markermend.poses.stance import IN_MIRROR
-from markermend.poses.suppleness import Suppleness
 
 WEIGHT = 300.0
 """Poses of the recording itself that a prior counts for."""

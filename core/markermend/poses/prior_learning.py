@@ -7,16 +7,16 @@ from collections.abc import Sequence
 import numpy as np
 
 from markermend.errors import DataError
-from markermend.poses.bridging import bridged
+from markermend.poses.body.suppleness import averaged_suppleness, suppleness
 from markermend.poses.channels import Channels, steadied, to_channels, to_features
-from markermend.poses.covariance import averaged, learn
+from markermend.poses.filling.bridging import bridged
+from markermend.poses.filling.covariance import averaged, learn
+from markermend.poses.filling.remembered import REMEMBERED_HZ, Remembered, resampled, shortened
+from markermend.poses.filling.stance import stance
 from markermend.poses.loose_root import body_of
 from markermend.poses.nuitrack import mirrored, to_nuitrack
 from markermend.poses.pose import Pose
 from markermend.poses.prior import WEIGHT, Prior, bones_of, fitting, know_one_body, shipped_prior
-from markermend.poses.remembered import REMEMBERED_HZ, Remembered, resampled, shortened
-from markermend.poses.stance import stance
-from markermend.poses.suppleness import averaged_suppleness, suppleness
 from markermend.poses.turnless import turned_as_parents, turnless
 from markermend.progress import Progress, quiet
 

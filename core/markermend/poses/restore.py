@@ -11,9 +11,10 @@ from threadpoolctl import threadpool_limits
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import DataError
-from markermend.poses.agreeing import NOISY, SURE, agreeing, agreeing_in_time, with_bones
-from markermend.poses.bending import OthersBends
-from markermend.poses.bones import Bones, wobble
+from markermend.poses.body.agreeing import NOISY, SURE, agreeing, agreeing_in_time, with_bones
+from markermend.poses.body.bending import OthersBends
+from markermend.poses.body.bones import Bones, wobble
+from markermend.poses.body.jointed import jointed
 from markermend.poses.channels import (
     Channels,
     columns_of,
@@ -24,23 +25,24 @@ from markermend.poses.channels import (
     to_features,
     trusted_turns,
 )
-from markermend.poses.covariance import Moments
-from markermend.poses.expecting import left_of_noise, limbs_doubted, with_root_errors
-from markermend.poses.faults import Fault, mend_faults
-from markermend.poses.filling import BRIEF_S, Filled, fill
-from markermend.poses.guessing import INFERRED, guessed, restored_beside_guesses
-from markermend.poses.hanging import by_parents, hanging_joints
-from markermend.poses.jointed import jointed
-from markermend.poses.likeness import FEW_MOMENTS, MOMENTS, SOME_MOMENTS
-from markermend.poses.linking import linked_channels
+from markermend.poses.faults.finding import Fault, mend_faults
+from markermend.poses.faults.guessing import INFERRED, guessed, restored_beside_guesses
+from markermend.poses.filling.covariance import Moments
+from markermend.poses.filling.expecting import left_of_noise, limbs_doubted, with_root_errors
+from markermend.poses.filling.filling import BRIEF_S, Filled, fill
+from markermend.poses.filling.hanging import by_parents, hanging_joints
+from markermend.poses.filling.likeness import FEW_MOMENTS, MOMENTS, SOME_MOMENTS
+from markermend.poses.filling.linking import linked_channels
+from markermend.poses.filling.remembered import Remembered, performances
+from markermend.poses.filling.sides import mirror_of
+from markermend.poses.filling.stance import IN_MIRROR, stance
+from markermend.poses.filling.trials import tried
 from markermend.poses.loose_root import with_loose_root, without_loose_root
 from markermend.poses.normal import FEATURES, denormalise
 from markermend.poses.nuitrack import mirrored
 from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior, bending_of, fitting, remembered_of, shipped_prior
 from markermend.poses.quaternion import signed_like, unit
-from markermend.poses.remembered import Remembered, performances
-from markermend.poses.sides import mirror_of
 from markermend.poses.smoothing import (
     LEAST_NOISE,
     noise_level,
@@ -48,8 +50,6 @@ from markermend.poses.smoothing import (
     smooth,
     smooth_again,
 )
-from markermend.poses.stance import IN_MIRROR, stance
-from markermend.poses.trials import tried
 from markermend.poses.turnless import with_one_turn, without_one_turn
 from markermend.progress import Progress, part, quiet
 

@@ -15,7 +15,7 @@ from scipy.spatial.transform import Rotation
 from markermend.arrays import FloatArray
 from markermend.errors import DataError, FileFormatError
 from markermend.files.npz import read_arrays, write_arrays
-from markermend.poses.guessing import INFERRED
+from markermend.poses.faults.guessing import INFERRED
 from markermend.poses.normal import Normal, normalise
 from markermend.poses.nuitrack import CMU_SEGMENTS, JOINTS, PARENTS, mirrored, to_nuitrack
 from markermend.poses.pose import Pose

@@ -12,7 +12,7 @@ from scipy.ndimage import uniform_filter1d
 from scipy.special import gammaincinv
 
 from markermend.arrays import BoolArray, Float32Array, FloatArray
-from markermend.poses.covariance import Moments, completed
+from markermend.poses.filling.covariance import Moments, completed
 from markermend.poses.normal import FEATURES
 
 LEAST_NOISE = 1e-4

@@ -17,14 +17,14 @@ import numpy as np
 from markermend.arrays import BoolArray, FloatArray, runs
 from markermend.errors import DataError
 from markermend.mesh.model import Group, Mesh
-from markermend.poses.faults import FAULTS, SWAPPED
-from markermend.poses.guessing import INFERRED
+from markermend.poses.faults.finding import FAULTS, SWAPPED
+from markermend.poses.faults.guessing import INFERRED
+from markermend.poses.faults.swinging import swung
 from markermend.poses.normal import bone_lengths
 from markermend.poses.pose import Pose
 from markermend.poses.prior import Prior, shipped_prior
 from markermend.poses.quaternion import lengths_of
 from markermend.poses.restore import Restored, restore
-from markermend.poses.swinging import swung
 from markermend.progress import Progress
 from markermend.take import SKELETON, Source, Take
 

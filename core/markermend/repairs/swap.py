@@ -9,7 +9,7 @@ import numpy as np
 
 from markermend.artifact import Artifact, axis_columns
 from markermend.patch import Patch
-from markermend.poses.exchanging_angles import angles_changed_back
+from markermend.poses.faults.exchanging_angles import angles_changed_back
 from markermend.poses.take import pose_of
 from markermend.repairs.registry import Evidence, Repair, register
 from markermend.repairs.result import as_mapping, refuse

@@ -1,0 +1,1 @@
+"""Sensors simulated: their noise, their proportions and their worst faults."""

@@ -1,0 +1,1 @@
+"""Poses made clean as they come: what each part of :mod:`markermend.poses.live` learns and does."""
