@@ -22,7 +22,7 @@ from markermend.poses.filling.bridging import (
 from markermend.poses.filling.covariance import Moments, learn, pooled
 from markermend.poses.filling.crossing import cross_short
 from markermend.poses.filling.gaps import Gap, by_lasting, gaps_of
-from markermend.poses.filling.lasting import Look, fill_lasting
+from markermend.poses.filling.lasting import Look, Moves, fill_lasting
 from markermend.poses.filling.likeness import FEW_MOMENTS, moving
 from markermend.poses.filling.paces import lengths_of_paces, paces_of
 from markermend.poses.filling.regressing import regress
@@ -175,8 +175,7 @@ def fill(
         moments = learnt(single, lengths | (lengths_of_paces(rate) if alike else set()))
         look = Look(
             single,
-            moving(single, rate) if alike else None,
-            paces_of(single, rate, moments) if alike else None,
+            Moves(moving(single, rate), paces_of(single, rate, moments)) if alike else None,
             base,
             seen_by_channel,
             so_far,

@@ -29,15 +29,27 @@ _TOO_SURE_S, _LEAST_S = 10.0, 5.0
 
 
 @dataclass(frozen=True, eq=False)
+class Moves:
+    """How a recording moves.
+
+    Attributes
+    ----------
+    rows : of :func:`markermend.poses.filling.likeness.moving`
+    paces : what moves faster than a moment
+    """
+
+    rows: Float32Array
+    paces: Paces
+
+
+@dataclass(frozen=True, eq=False)
 class Look:
     """What gaps are filled from, so precise as it takes.
 
     Attributes
     ----------
     estimate : (frames, channels) what the pass before made
-    moved : of :func:`markermend.poses.filling.likeness.moving`; None where no alike moments are
-        asked
-    paces : what moves faster than a moment; None likewise
+    moves : by which alike moments are found; None where none are asked
     base : (frames, channels) all gaps bridged
     known : (channels, frames) bool
     so_far : (channels, frames + 1) in how many of the frames before a channel is known
@@ -50,8 +62,7 @@ class Look:
     """
 
     estimate: Float32Array
-    moved: Float32Array | None
-    paces: Paces | None
+    moves: Moves | None
     base: FloatArray
     known: BoolArray
     so_far: Float32Array
@@ -91,8 +102,8 @@ def fill_lasting(
     hidden : (channels,) for which share of the gap each is not
     doubt : (others,) share of their variance that is added where they are regressed on
     """
-    start, during, rate = gap.start, slice(gap.start, gap.stop), look.rate
-    if look.moved is None or look.paces is None:
+    start, during, rate, moves = gap.start, slice(gap.start, gap.stop), look.rate, look.moves
+    if moves is None:
         return None
     there = look.frames_of(gap.channels)
     chosen = moments_to_compare(there, start, gap.stop, rate, look.compared[0])
@@ -100,34 +111,29 @@ def fill_lasting(
         return None
     by = np.zeros((len(hidden), len(gap.channels)), dtype=np.float32)
     by[others] = weights
-    told = look.paces.regressed(by, others, gap.channels, doubt)
+    told = moves.paces.regressed(by, others, gap.channels, doubt)
     trust = np.zeros(len(hidden), dtype=np.float32)
     trust[others] = (1 - hidden[others]) * weights_of(by, look.joints)[others]
     strays, variance = by_likeness(
-        look.moved[during],
+        moves.rows[during],
         start,
-        _telling(chosen, look.moved, look.paces, gap, told),
+        _telling(chosen, moves, gap, told),
         trust,
         by,
         rate,
         look.noise,
-        [*_mirrored(look.moved, look.paces, look, gap, told), *_performed(look, gap, trust, by)],
+        [*_mirrored(moves, look, gap, told), *_performed(moves, look, gap, trust, by)],
         _borders(look, gap),
     )
     variance *= np.float32(1.0 + _TOO_SURE_S / max(len(look.estimate) / rate, _LEAST_S))
-    return told.tell(look.estimate[during], look.paces.moved[during]) + strays, variance
+    return told.tell(look.estimate[during], moves.paces.moved[during]) + strays, variance
 
 
 def _telling(
-    frames: IntArray,
-    moved: Float32Array,
-    paces: Paces,
-    gap: Gap,
-    told: Weights,
-    mirror: Mirror | None = None,
+    frames: IntArray, moves: Moves, gap: Gap, told: Weights, mirror: Mirror | None = None
 ) -> Telling:
     """Moments, and what regressions leave of a gap's channels then."""
-    rows, fast = moved[frames], paces.moved[frames]
+    rows, fast = moves.rows[frames], moves.paces.moved[frames]
     if mirror is not None:
         rows, fast = mirror.image(rows), mirror.image(fast)
     # How they change stands beside the poses.
@@ -135,9 +141,7 @@ def _telling(
     return Telling(rows, poses[:, gap.channels] - told.tell(poses, fast), frames)
 
 
-def _mirrored(
-    moved: Float32Array, paces: Paces, look: Look, gap: Gap, told: Weights
-) -> list[Telling]:
+def _mirrored(moves: Moves, look: Look, gap: Gap, told: Weights) -> list[Telling]:
     """Moments in which the other side of the body was seen, mirrored."""
     mirror = look.mirror
     if mirror is None:
@@ -145,16 +149,18 @@ def _mirrored(
     twins = mirror.twins[gap.channels]
     there = some_of(look.frames_of(twins), look.compared[1])
     path = look.estimate[:, twins] * mirror.signs[gap.channels] if _asks(look) else None
-    return [replace(_telling(there, moved, paces, gap, told, mirror), path=path)]
+    return [replace(_telling(there, moves, gap, told, mirror), path=path)]
 
 
-def _performed(look: Look, gap: Gap, trust: Float32Array, by: Float32Array) -> list[Telling]:
+def _performed(
+    moves: Moves, look: Look, gap: Gap, trust: Float32Array, by: Float32Array
+) -> list[Telling]:
     """Moments of other recordings, recording by recording."""
     others, most = look.performed, look.compared[2]
-    if others is None or look.moved is None or not most:
+    if others is None or not most:
         return []
     found = []
-    for path, chosen in others.nearest(look.moved[gap.start : gap.stop], trust, most):
+    for path, chosen in others.nearest(moves.rows[gap.start : gap.stop], trust, most):
         poses, frames = others.paths[path], others.frames[chosen]
         targets = poses[np.ix_(frames, gap.channels)] - poses[frames] @ by
         way = poses[:, gap.channels] if _asks(look) else None
