@@ -65,6 +65,7 @@ _SAME = (
     "{0}; {1} cameras see it instead of {2}",
     "not seen for 1 frame, since samples were cut or moved by hand",
     "not seen for {0} frames, since samples were cut or moved by hand",
+    "not seen for {0} of the {1} frames that were chosen by hand",
     "not seen for {0}",
     "sticks out by {0} for {1}, its neighbours do not",
     "sticks out by {0} for {1}, its neighbours by {2}",

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
+from dataclasses import replace
 
-from markermend.artifact import Artifact, Status
+from markermend.artifact import Artifact, Kind, Status
+from markermend.review.unseen import free_id, uncovered
 
 
 def taking_over(
@@ -21,7 +23,8 @@ def taking_over(
     Returns
     -------
     By id: None for a pending flag that goes, the artifact for one that comes. One that stays keeps
-    out a new flag of the same marker and kind that it covers by half.
+    out a new flag of the same marker and kind that it covers by half; of a gap what it covers:
+    that frames are missing is nothing to decide about.
     """
     ids = {a.id for a in known}
     staying: dict[str, list[Artifact]] = {}
@@ -32,9 +35,14 @@ def taking_over(
         else:
             staying.setdefault(artifact.marker, []).append(artifact)
     for artifact in found:
-        if artifact.id in ids and artifact.id not in changes:
+        mine = staying.get(artifact.marker, ())
+        if artifact.kind is Kind.GAP:
+            for gap in uncovered(artifact, mine):
+                taken = {a.id for a in mine}
+                changes[free_id(gap.id, taken)] = replace(gap, id=free_id(gap.id, taken))
+        elif artifact.id in ids and artifact.id not in changes:
             continue
-        if not any(_same_finding(artifact, d) for d in staying.get(artifact.marker, ())):
+        elif not any(_same_finding(artifact, d) for d in mine):
             changes[artifact.id] = artifact
     return changes
 

@@ -31,6 +31,7 @@ from markermend.review.repairing import as_one, by_hand, describe, repairing
 from markermend.review.restoring import overwritten, taking_back
 from markermend.review.session import Session
 from markermend.review.step import artifacts_of
+from markermend.review.unseen import gaps_redone, told, unseen
 from markermend.take import AXES, Origin, Take, is_unlabelled
 
 if TYPE_CHECKING:
@@ -215,7 +216,7 @@ def split(session: Session, artifact_id: str, at: int, *, others: Sequence[str] 
         first = replace(old, stop=at, status=status)
         second = replace(old, start=at, status=status, id="")
         second = replace(second, id=session.free_id(second.id))
-        halves |= {a.id: by_hand(old, a, session.original.rate) for a in (first, second)}
+        halves |= {a.id: _told(session, old, a) for a in (first, second)}
     edits = (*taking_back(session.state, chosen), SetArtifacts(halves))
     return session.perform(f"Split {describe(chosen)}", Group(edits))
 
@@ -238,11 +239,18 @@ def join(session: Session, ids: Sequence[str]) -> Change:
     if not several or (len(on) > 1 and not session.original.skeleton):
         raise DataError("Choose two or more artifacts of one name, to join them.")
     chosen = [a for alike in several for a in alike]
-    joined = [as_one(alike, session.original.rate) for alike in several]
+    joined = [_told(session, alike[0], as_one(alike)) for alike in several]
     changes = {a.id: None for a in chosen} | {a.id: a for a in joined}
     edits = (*taking_back(session.state, chosen), SetArtifacts(changes))
     more = f" +{len(joined) - 1}" if len(joined) > 1 else ""
     return session.perform(f"Join {describe(chosen)} on {joined[0].marker}{more}", Group(edits))
+
+
+def _told(session: Session, old: Artifact, new: Artifact) -> Artifact:
+    """What was made of an artifact by hand, with a reason that is still true."""
+    if new.kind is Kind.GAP and (old.start, old.stop) != (new.start, new.stop):
+        return told(session.original, new, unseen(session.state, new.marker))
+    return by_hand(old, new)
 
 
 def without_emptied(take: Take, original: Take) -> Take:
@@ -293,7 +301,7 @@ def nudge(
     goes_on = (
         bool(done)
         and done[-1].label == label
-        and artifacts_of(done[-1]) == tuple(a.id for a in chosen)
+        and artifacts_of(done[-1])[: len(chosen)] == tuple(a.id for a in chosen)
         and session.exported_at != len(done)
     )
     back = [session.undo()] if goes_on else []
@@ -335,36 +343,7 @@ def _artifacts_after(session: Session, patches: Sequence[Patch]) -> dict[str, Ar
             elif inside:
                 changes[a.id] = None
         if not is_unlabelled(marker):
-            changes |= _gaps_redone(session, marker, gaps, absent, (start, stop))
-    return changes
-
-
-def _gaps_redone(
-    session: Session,
-    marker: str,
-    gaps: Sequence[Artifact],
-    absent: BoolArray,
-    touched: tuple[int, int],
-) -> dict[str, Artifact | None]:
-    """Gap artifacts of a marker as its missing samples ask for, near the frames touched."""
-    low = min([touched[0], *(a.start for a in gaps)])
-    high = max([touched[1], *(a.stop for a in gaps)])
-    changes: dict[str, Artifact | None] = dict.fromkeys(a.id for a in gaps)
-    for first, last in runs(absent[low:high]).tolist():
-        start, stop = low + first, low + last
-        kept = next((a for a in gaps if (a.start, a.stop) == (start, stop)), None)
-        if kept is not None:
-            del changes[kept.id]
-            continue
-        from markermend.detectors.finding import how_long
-
-        why = f"not seen for {how_long(stop - start, session.original.rate)}"
-        column = session.original.index(marker)
-        if session.original.present[start:stop, column].any():
-            frames = f"{stop - start} frames" if stop - start > 1 else "1 frame"
-            why = f"not seen for {frames}, since samples were cut or moved by hand"
-        new = Artifact(marker, AXES, start, stop, Kind.GAP, why=why)
-        changes[session.free_id(new.id)] = replace(new, id=session.free_id(new.id))
+            changes |= gaps_redone(session.state, marker, gaps, absent, (start, stop))
     return changes
 
 

@@ -62,7 +62,6 @@ def altered(
     start: int | None,
     stop: int | None,
     frames: int,
-    rate: float,
 ) -> Artifact:
     """An artifact with what is given of class, axes and edges; a repaired one is open again.
 
@@ -70,7 +69,7 @@ def altered(
     ----------
     old : before; it is the answer where nothing is another
     kind, axes, start, stop : None to leave them
-    frames, rate : of the take; edges stay within it
+    frames : of the take; edges stay within it
     """
     new = replace(
         old,
@@ -81,35 +80,31 @@ def altered(
     )
     if new != old and old.status is Status.REPAIRED:
         new = new.with_status(Status.PENDING)
-    return by_hand(old, new, rate)
+    return by_hand(old, new)
 
 
-def by_hand(old: Artifact, new: Artifact, rate: float) -> Artifact:
+def by_hand(old: Artifact, new: Artifact) -> Artifact:
     """An artifact whose frames or class were changed by hand, with a reason that is still true.
+
+    What gaps hold :func:`markermend.review.unseen.told` says.
 
     Parameters
     ----------
     old, new : before and after; what has the same frames and class keeps its reason
-    rate : frames per second
     """
     if (old.start, old.stop, old.kind) == (new.start, new.stop, new.kind):
         return new
-    if new.kind is Kind.GAP and old.kind is Kind.GAP:
-        from markermend.detectors.finding import how_long
-
-        return replace(new, why=f"not seen for {how_long(new.length, rate)}")
     if new.kind is not old.kind:
         return replace(new, why=f"called {new.kind.value} by hand")
     return replace(new, why="its frames were set by hand")
 
 
-def as_one(alike: Sequence[Artifact], rate: float) -> Artifact:
+def as_one(alike: Sequence[Artifact]) -> Artifact:
     """Join artifacts of one marker; of the class of the one we are surest of.
 
     Parameters
     ----------
     alike : one or more; what is made of them is open again if any was repaired
-    rate : frames per second
     """
     best = max(alike, key=lambda a: (a.confidence, a.length))
     statuses = {a.status for a in alike}
@@ -121,7 +116,7 @@ def as_one(alike: Sequence[Artifact], rate: float) -> Artifact:
         note="\n".join(dict.fromkeys(a.note for a in alike if a.note)),
         status=statuses.pop() if statuses == {Status.ACCEPTED} else Status.PENDING,
     )
-    return by_hand(best, joined, rate)
+    return by_hand(best, joined)
 
 
 def describe(artifacts: Sequence[Artifact], method: str | None = None) -> str:

@@ -30,6 +30,7 @@ from markermend.review.pace import Pace, pace_of
 from markermend.review.repairing import altered, describe, repairing
 from markermend.review.restoring import taking_back
 from markermend.review.step import touched_by_hand
+from markermend.review.unseen import free_id, told, unseen, with_edges_moved
 from markermend.take import Take
 
 if TYPE_CHECKING:
@@ -178,10 +179,14 @@ class Session(History):
 
         Flags that are still pending are replaced; what the operator decided, marked or changed
         stays, and a new flag that one of these of the same marker and kind already covers by
-        half is left out. What was searched ``by_itself`` when the take was opened is no step of
-        the operator's.
+        half is left out, of a new gap the frames that they cover. What was searched ``by_itself``
+        when the take was opened is no step of the operator's.
         """
+        found = tuple(found)
         changes = taking_over(found, self.artifacts, touched_by_hand(self._done))
+        for i in changes.keys() - {a.id for a in found}:
+            if (left := changes[i]) is not None:
+                changes[i] = told(self.original, left, unseen(self._state, left.marker))
         return self.perform(f"Detect ({method})", SetArtifacts(changes), by_itself=by_itself)
 
     def set_status(self, ids: Sequence[str], status: Status) -> Change:
@@ -245,9 +250,7 @@ class Session(History):
 
     def free_id(self, wanted: str) -> str:
         """An artifact's name that is not in use, the wanted one if it can be."""
-        while wanted in self._state.artifacts:
-            wanted += "+"
-        return wanted
+        return free_id(wanted, self._state.artifacts)
 
     def remove(self, ids: Sequence[str]) -> Change:
         """Take artifacts off the list; samples of repaired ones go back to the source."""
@@ -280,17 +283,18 @@ class Session(History):
     ) -> Change:
         """Give an artifact another class, other axes or other edges; a repaired one reopens.
 
-        The ``others`` of its event are given the same in the same step.
+        The ``others`` of its event are given the same in the same step. Frames that are not seen
+        and that a gap leaves out become a gap of their own.
         """
-        frames, rate = self.original.frames, self.original.rate
-        given = (kind, axes, start, stop)
+        given = (kind, axes, start, stop, self.original.frames)
         before = [self.artifact(i) for i in (artifact_id, *others)]
-        changes = {a.id: new for a in before if (new := altered(a, *given, frames, rate)) != a}
-        before = [a for a in before if a.id in changes]
-        if not changes:
+        after = {a.id: new for a in before if (new := altered(a, *given)) != a}
+        before = [a for a in before if a.id in after]
+        if not after:
             return Change()
+        changes = with_edges_moved(self._state, before, after)
         edits = (*taking_back(self._state, before), SetArtifacts(changes))
-        called = any(a.kind is not changes[a.id].kind for a in before)
+        called = any(a.kind is not after[a.id].kind for a in before)
         what = f"Call {describe(before)} {kind}" if called else f"Adjust {describe(before)}"
         return self.perform(label or what, Group(edits))
 

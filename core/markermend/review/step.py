@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 from dataclasses import dataclass
 
 from markermend.artifact import Artifact
@@ -65,8 +65,11 @@ def stretch(step: Step) -> tuple[int, int] | None:
     after = _places(step.edit)
     if not decides(step) or parts(step.edit, SetNames):
         return None
-    if len(after) == 1 and not parts(step.edit, SetSamples):
-        return after.pop()
+    if not parts(step.edit, SetSamples):
+        # What a gap leaves to others beside it is not what was moved.
+        moved = after if step.label.startswith("Split ") else _places(step.edit, _kept(step))
+        if len(moved := moved or after) == 1:
+            return moved.pop()
     one_place = len(after | _places(step.inverse)) == 1
     if several and not (one_place or step.label.startswith(("Split ", "Join "))):
         return None
@@ -82,15 +85,30 @@ def stretch(step: Step) -> tuple[int, int] | None:
     return min(x.start for x in found), max(x.stop for x in found)
 
 
-def _places(edit: Edit) -> set[tuple[int, int]]:
-    """Intervals of the artifacts that an edit leaves."""
+def _places(edit: Edit, ids: Container[str] | None = None) -> set[tuple[int, int]]:
+    """Intervals of the artifacts that an edit leaves; of some alone, where ids are given."""
     return {
         (a.start, a.stop)
         for part in parts(edit, SetArtifacts)
         if isinstance(part, SetArtifacts)
-        for a in part.changes.values()
-        if a is not None
+        for i, a in part.changes.items()
+        if a is not None and (ids is None or i in ids)
     }
+
+
+def _kept(step: Step) -> set[str]:
+    """Ids of artifacts that a step changes, and neither adds nor removes."""
+    there, back = (
+        {
+            i
+            for part in parts(edit, SetArtifacts)
+            if isinstance(part, SetArtifacts)
+            for i, a in part.changes.items()
+            if a is not None
+        }
+        for edit in (step.edit, step.inverse)
+    )
+    return there & back
 
 
 def touched_by_hand(steps: Iterable[Step]) -> set[str]:

@@ -2668,6 +2668,10 @@
         <translation>{0} Frames lang nicht gesehen, da von Hand ausgeschnitten oder verschoben wurde</translation>
     </message>
     <message>
+        <source>not seen for {0} of the {1} frames that were chosen by hand</source>
+        <translation>{0} der {1} von Hand gewählten Frames lang nicht gesehen</translation>
+    </message>
+    <message>
         <source>not seen for {0}</source>
         <translation>nicht gesehen, {0} lang</translation>
     </message>
