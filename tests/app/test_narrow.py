@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication, QTabBar
 from markermend.artifact import Artifact, Kind
 from markermend.take import Take
 from markermend_app.panels.markers.marker_model import MISSING
+from markermend_app.panels.plots.readout import read_out
 from markermend_app.panels.queue.model import FRAMES, MARKER, WHY
 from markermend_app.panels.take_list import TakeList
 
@@ -91,6 +92,21 @@ def test_the_readout_says_what_has_room(window):
     widen(window, HALF)
     assert header.readout.text().endswith("…")
     assert header.readout.sizeHint().width() <= header.readout.width()
+
+
+def test_blanks_and_length_of_a_name_leave_the_values_their_room(window, damaged):
+    take = damaged[0]
+    long, first = "a marker " * 9, take.labels[0]
+    take = take.renamed({first: long})
+    text = read_out(take, [long], 5, None)
+    frame, _, rest = text.split(" · ")
+    assert frame.startswith("Frame ")
+    assert len(rest) < 60
+    header = window.trajectories.header
+    header.read_out(text)
+    header.setFixedWidth(420)
+    widen(window, HALF)
+    assert header.readout.text() == rest.partition(" ")[2], "the name goes whole, the values stay"
 
 
 def test_the_name_of_a_row_that_was_low_stands_in_its_middle(window):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
@@ -179,3 +180,29 @@ def test_the_body_is_turned_moved_and_zoomed_by_keys(window, qtbot):
     assert scene.camera.target != before.target
     qtbot.keyClick(scene, Qt.Key.Key_Plus)
     assert scene.camera.distance < before.distance
+
+
+def test_the_keypad_and_the_menu_look_along_the_axes_of_the_take(window, qtbot):
+    scene, keypad = window.scene, Qt.KeyboardModifier.KeypadModifier
+    ctrl = keypad | Qt.KeyboardModifier.ControlModifier
+    up = scene.camera.up
+    method = window.document.method
+    for key, held, axis, side in (
+        (Qt.Key.Key_7, keypad, up, 1),
+        (Qt.Key.Key_7, ctrl, up, -1),
+        (Qt.Key.Key_1, keypad, (up + 1) % 3, 1),
+        (Qt.Key.Key_1, ctrl, (up + 1) % 3, -1),
+        (Qt.Key.Key_3, keypad, (up + 2) % 3, 1),
+        (Qt.Key.Key_3, ctrl, (up + 2) % 3, -1),
+    ):
+        qtbot.keyClick(scene, key, held)
+        right, _, back = scene.camera.axes()
+        assert np.allclose(back, side * np.eye(3)[axis], atol=0.02), "it is looked at from there"
+        if axis == up:
+            assert np.allclose(right, np.eye(3)[(up + 1) % 3]), "the first axis points to the right"
+    assert window.document.method == method, "the keypad chooses no method there"
+    scene.buttons.menu.aboutToShow.emit()
+    (views,) = (a.menu() for a in scene.buttons.menu.actions() if a.text() == "Look from")
+    above = next(a for a in views.actions() if a.text().startswith("above"))
+    above.trigger()
+    assert np.allclose(scene.camera.axes()[2], np.eye(3)[up], atol=0.02)

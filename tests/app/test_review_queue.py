@@ -17,6 +17,7 @@ from markermend.take import Take
 from markermend_app.document import Document
 from markermend_app.panels.inspector.inspector import Inspector
 from markermend_app.panels.queue.model import (
+    CONFIDENCE,
     FRAMES,
     KIND,
     MARKER,
@@ -92,6 +93,24 @@ def test_columns_fit_at_every_width_and_what_has_no_room_is_in_the_tooltip(queue
     assert "30 f, 300 ms" in tip
     queue.resize(1500, 300)
     qtbot.waitUntil(lambda: not queue.view.isColumnHidden(FRAMES))
+
+
+def test_frames_stay_beside_repairs_where_how_sure_a_flag_was_goes(qtbot, queue):
+    queue.resize(765, 300)
+    for status in range(queue.filters.status.count()):
+        queue.filters.status.setCurrentIndex(status)
+        qtbot.waitUntil(lambda: queue.view.width() > queue.width() - 20)
+        repairs = not queue.view.isColumnHidden(REPAIR)
+        assert not queue.view.isColumnHidden(FRAMES)
+        assert queue.view.isColumnHidden(CONFIDENCE) is repairs
+        qtbot.waitUntil(lambda: not queue.view.horizontalScrollBar().maximum())
+
+
+def test_how_many_rows_the_next_key_is_about_is_said(qtbot, queue):
+    queue.view.selectAll()
+    assert queue.filters.progress.text() == "4 rows chosen · 0 of 4 decided"
+    click(qtbot, queue, 1)
+    assert queue.filters.progress.text() == "0 of 4 decided"
 
 
 def test_frames_of_a_long_take_are_whole(qtbot, tmp_path):

@@ -162,7 +162,7 @@ def test_actions_speak_of_joints_and_those_without_use_rest(opened, window, qtbo
     opened.document.show(["head"])
     add_marker_verbs(menu, opened.document, lambda _: None)
     assert any(action.text().startswith("Merge joint…") for action in menu.actions())
-    opened.scene.looks.fill(menu, None, lambda _: None, lambda: None, joints=True)
+    opened.scene.looks.fill(menu, None, lambda _: None, lambda: None, lambda _: None, joints=True)
     assert "Joints in one colour" in [action.text() for action in menu.actions()]
     assert opened.scene.buttons.trails.toolTip() == "Trails of all joints"
     assert actions["method_6"].text() == "Swap joints"

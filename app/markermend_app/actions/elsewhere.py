@@ -64,9 +64,10 @@ def _leaves(menu: QMenu, path: str) -> Iterator[Entry]:
     """Everything in a menu and below it that does something."""
     blank = theme.blank_icon()
     for action in menu.actions():
-        text, below = f"{path}: {action.text()}", action.menu()
+        name, _, keys = action.text().partition("\t")
+        text, below = f"{path}: {name}", action.menu()
         if isinstance(below, QMenu):
             yield from _leaves(below, text)
         elif not action.isSeparator():
-            shown = tr("shown") if action.isChecked() else ""
-            yield Entry(text, shown, blank, action.isEnabled(), action.trigger)
+            shown, words = tr("shown") if action.isChecked() else keys, action.property("words")
+            yield Entry(text, shown, blank, action.isEnabled(), action.trigger, words or "")

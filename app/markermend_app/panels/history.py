@@ -38,8 +38,10 @@ class HistoryPanel(QWidget):
         self.view.setModel(self.model)
         self.view.setUniformItemSizes(True)
         OwnEnds(self.view)
-        # What is longer than the panel is wide is cut off, and told whole in its tooltip.
+        # What is longer than the panel is wide is cut in its middle, since frames end it, and told
+        # whole in its tooltip.
         self.view.setItemDelegate(_Narrow(self.view))
+        self.view.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         self.view.setAccessibleName(self.tr("History"))
         self.view.setToolTip(
             self.tr("Click a step to go there; it is undone and done again in order.")

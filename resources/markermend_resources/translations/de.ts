@@ -332,6 +332,14 @@
         <translation>Zoomen, sobald die Ansicht den Fokus hat</translation>
     </message>
     <message>
+        <source>Keypad 1, 3 and 7, with Ctrl</source>
+        <translation>Ziffernblock 1, 3 und 7, mit Strg</translation>
+    </message>
+    <message>
+        <source>Look along an axis or from above, from the other side</source>
+        <translation>Längs einer Achse oder von oben sehen, von der anderen Seite</translation>
+    </message>
+    <message>
         <source>Gap</source>
         <translation>Lücke</translation>
     </message>
@@ -3583,6 +3591,26 @@
         <source>Choose the skeleton of {0}</source>
         <translation>Skelett von {0} wählen</translation>
     </message>
+    <message>
+        <source>Look from</source>
+        <translation>Sehen von</translation>
+    </message>
+    <message>
+        <source>above</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>below</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <source>keypad {0}</source>
+        <translation>Ziffernblock {0}</translation>
+    </message>
+    <message>
+        <source>camera view front back side top bottom</source>
+        <translation>Kamera Ansicht vorn hinten Seite oben unten</translation>
+    </message>
 </context>
 <context>
     <name>AlikeDialog</name>
@@ -5069,6 +5097,10 @@ Schließen Sie sie, um dies für die nächste Aufnahme festzulegen.</translation
     <message>
         <source>{0} open</source>
         <translation>{0} offen</translation>
+    </message>
+    <message>
+        <source>{0} rows chosen</source>
+        <translation>{0} Zeilen gewählt</translation>
     </message>
 </context>
 <context>

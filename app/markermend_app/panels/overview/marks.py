@@ -30,7 +30,7 @@ def paint_groups(painter: QPainter, rows: Rows, area: QRectF) -> None:
         # Below the picture stands what it is of.
         if line >= free_from and line + metrics.height() <= area.bottom() + _BELOW:
             width = area.left() - _BAND - 10
-            text = metrics.elidedText(name, Qt.TextElideMode.ElideRight, int(width))
+            text = metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, int(width))
             painter.setPen(look.muted)
             side = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
             painter.drawText(QRectF(4, line, width, metrics.height()), side, text)

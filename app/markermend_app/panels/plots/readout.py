@@ -15,7 +15,7 @@ from markermend_app.panels.plots.frame import PlotFrame
 from markermend_app.panels.plots.row import PlotRow
 from markermend_app.words import tr as _tr
 
-_MOST = 3
+_MOST, _LONG = 3, 24
 
 
 def read_out(take: Take, shown: Sequence[str], frame: int, row: PlotFrame | None) -> str:
@@ -36,17 +36,24 @@ def read_out(take: Take, shown: Sequence[str], frame: int, row: PlotFrame | None
         return f"{where} · {row.read_out(frame)}"
     if isinstance(row, PlotRow):
         short = short_names(shown)
-        parts = [f"{short[name]} {_value(take, row, name, frame)}" for name in shown[:_MOST]]
+        parts = [f"{_named(short[s])} {_value(take, row, s, frame)}" for s in shown[:_MOST]]
         title = "" if row.column is not None else f"{row.title}: "
         return f"{where} · {title}{' · '.join(parts)}"
     position = take.positions[frame, take.index(shown[0])]
-    name = short_names(shown)[shown[0]]
+    name = _named(short_names(shown)[shown[0]])
     if np.isnan(position[0]):
         value = _tr("missing")
         return f"{where} · {name} {value}"
     value = ", ".join(units.number(v) for v in position)
     origin = take.origin[frame, take.index(shown[0])]
     return f"{where} · {name} {value} {units.unit()}{_how(origin)}"
+
+
+def _named(name: str) -> str:
+    """A name that leaves room for what is told of it; blanks in it end no name."""
+    ends = _LONG // 2
+    shown = name if len(name) <= _LONG else f"{name[:ends]}…{name[-ends:]}"
+    return shown.replace(" ", "\u00a0")
 
 
 def _value(take: Take, row: PlotRow, name: str, frame: int) -> str:

@@ -24,9 +24,13 @@ from markermend_app.panels.queue.view import QueueView
 
 _WIDTHS = (98, 96, 96, 54, 90, 66, 66, 90, 92, 210, 60)
 _PADDING = 24
-_SPARED = (TIME, LENGTH, AXES, SIZE, FRAMES)
-"""Columns that are left out one after the other where room is scarce; tooltips tell them."""
-_WHY_LEAST, _WHY_SPARED, _NAMES_WIDEST = 200, 80, 220
+_SPARED = (TIME, LENGTH, AXES)
+_SPARED_OF_OPEN, _SPARED_OF_ALL = (SIZE, STATUS, FRAMES), (CONFIDENCE, SIZE, FRAMES, STATUS)
+"""Columns that are left out one after the other where room is scarce; tooltips tell them.
+
+Of those that are open the status says nothing, of decided ones how sure a flag was.
+"""
+_WHY_LEAST, _WHY_LEAST_OF_ALL, _WHY_SPARED, _NAMES_WIDEST = 200, 120, 80, 220
 """Pixels: the reasons' least, how many of these names may take, the most for names."""
 
 
@@ -78,11 +82,11 @@ class QueueColumns(QObject):
         width : pixels there are for all columns and the scroll bar
         statuses : those listed; empty for all
         """
-        hidden = {REPAIR} if statuses and Status.REPAIRED not in statuses else set()
-        room = width - self._view.verticalScrollBar().sizeHint().width() - _WHY_LEAST
-        # Of those that are open the status says nothing, of decided ones how sure a flag was.
-        last = (STATUS,) if REPAIR in hidden else (CONFIDENCE, STATUS)
-        for column in (*_SPARED, *last):
+        repairs = not statuses or Status.REPAIRED in statuses
+        hidden = set() if repairs else {REPAIR}
+        room = width - self._view.verticalScrollBar().sizeHint().width()
+        room -= _WHY_LEAST_OF_ALL if repairs else _WHY_LEAST
+        for column in (*_SPARED, *(_SPARED_OF_ALL if repairs else _SPARED_OF_OPEN)):
             if self._taken(hidden) <= room:
                 break
             hidden.add(column)

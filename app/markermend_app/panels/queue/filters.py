@@ -72,6 +72,7 @@ class QueueFilters(QWidget):
         self.marker = FilterLine(self.tr("Filter by marker"), target)
         self.marker.setMaximumWidth(220)
         self._row.addWidget(self.marker)
+        self._decided, self._chosen = "", 0
         self.progress = QLabel()
         self.progress.setProperty("role", "muted")
         self.progress.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
@@ -112,13 +113,23 @@ class QueueFilters(QWidget):
         """Say how far the review is."""
         artifacts = tuple(artifacts)
         decided, total = count_decided(artifacts)
-        self.progress.setText(self.tr("{0} of {1} decided").format(decided, total) if total else "")
+        self._decided = self.tr("{0} of {1} decided").format(decided, total) if total else ""
+        self._tell()
         pending = Counter(a.kind for a in artifacts if a.status is Status.PENDING)
         for kind, button in self.kinds.items():
             button.setText(str(pending[kind]))
             number = self.tr("{0} open").format(pending[kind])
             only = self.tr("Only: {0}").format(theme.kind_name(kind))
             button.setToolTip(f"{only} ({number})")
+
+    def say_chosen(self, rows: int) -> None:
+        """Say how many rows the next key is about, where that is not just one."""
+        self._chosen = rows
+        self._tell()
+
+    def _tell(self) -> None:
+        chosen = self.tr("{0} rows chosen").format(self._chosen) if self._chosen > 1 else ""
+        self.progress.setText(" · ".join(filter(None, (chosen, self._decided))))
 
     def fit(self, width: int) -> None:
         """Do without the progress, which the status line tells, then without the counts."""

@@ -75,6 +75,9 @@ class ReviewQueue(QWidget):
         whole.addWidget(self._pages, 1)
 
         self.view.selectionModel().currentRowChanged.connect(self._row_changed)
+        self.view.selectionModel().selectionChanged.connect(
+            lambda: self.filters.say_chosen(len(self.view.selectionModel().selectedRows()))
+        )
         self.view.clicked.connect(self._clicked)
         self.view.doubleClicked.connect(lambda _: document.decisions.repair_current())
         BeforeHands(self.view, self._soon.catch_up)

@@ -24,6 +24,8 @@ _ARROWS = {
     Qt.Key.Key_Up: (0, -1),
     Qt.Key.Key_Down: (0, 1),
 }
+# As other programs have them: from the front, from a side and from above, with Ctrl the opposite.
+_VIEWS = {Qt.Key.Key_1: 1, Qt.Key.Key_3: 2, Qt.Key.Key_7: 0}
 _ZOOM = {Qt.Key.Key_Plus: 0.85, Qt.Key.Key_Equal: 0.85, Qt.Key.Key_Minus: 1 / 0.85}
 
 
@@ -38,6 +40,12 @@ def _axes(yaw: float, pitch: float, axis: int) -> FloatArray:
     axes = np.stack((across, np.cross(back, across), back))
     axes.setflags(write=False)
     return axes
+
+
+def is_view_key(key: int, held: Qt.KeyboardModifier) -> bool:
+    """Whether a key of the keypad asks for a view along an axis."""
+    keypad, ctrl = Qt.KeyboardModifier.KeypadModifier, Qt.KeyboardModifier.ControlModifier
+    return key in _VIEWS and bool(held & keypad) and not held & ~(keypad | ctrl)
 
 
 @dataclass(frozen=True)
@@ -115,9 +123,15 @@ class Camera:
         return self.moved(-across * dx * mm + up * dy * mm)
 
     def by_key(self, key: Qt.Key, held: Qt.KeyboardModifier, height: float) -> Camera | None:
-        """Turned by Alt and an arrow, moved with Shift besides, zoomed by + and −; else None."""
+        """Turned by Alt and an arrow, moved with Shift besides, zoomed by + and −; else None.
+
+        The keypad's 1, 3 and 7 look along an axis, with Ctrl from the other side.
+        """
         if key in _ZOOM:
             return self.zoomed(_ZOOM[key])
+        if is_view_key(key, held):
+            back = held & Qt.KeyboardModifier.ControlModifier
+            return self.seen_from((self.up + _VIEWS[key]) % 3, -1 if back else 1)
         if key not in _ARROWS or not held & Qt.KeyboardModifier.AltModifier:
             return None
         dx, dy = (_KEY_PX * step for step in _ARROWS[key])
@@ -129,6 +143,20 @@ class Camera:
         """Target and eye moved by mm."""
         x, y, z = (np.asarray(self.target) + by).tolist()
         return replace(self, target=(x, y, z))
+
+    def seen_from(self, axis: int, side: int) -> Camera:
+        """Turned so that an axis of the take points at the eye, or away from it.
+
+        Parameters
+        ----------
+        axis : 0, 1 or 2; from above and below, the first axis across points to the right
+        side : 1 or -1
+        """
+        turns = (axis - self.up) % 3
+        if not turns:
+            return replace(self, yaw=-math.pi / 2, pitch=side * _MAX_PITCH)
+        yaw = (turns - 1) * math.pi / 2 + (math.pi if side < 0 else 0.0)
+        return replace(self, yaw=yaw, pitch=0.0)
 
     def zoomed(self, factor: float) -> Camera:
         """Nearer (factor below 1) or farther."""

@@ -61,10 +61,20 @@ class Looks:
         vertical: int | None,
         set_vertical: Callable[[int | None], None],
         changed: Callable[[], None],
+        view: Callable[[QMenu], None],
         *,
         joints: bool = False,
     ) -> None:
-        """Offer everything in a menu; ``changed`` is called when something else is to be seen."""
+        """Offer everything in a menu.
+
+        Parameters
+        ----------
+        menu : where to
+        vertical, set_vertical : which axis points up, None for the take's own
+        changed : called when something else is to be seen
+        view : adds the views to look from
+        joints : joints are shown, not markers
+        """
         one = tr("Joints in one colour") if joints else tr("Markers in one colour")
 
         def add(text: str, checked: bool, do: Callable[[], object], to: QMenu = menu) -> None:
@@ -88,6 +98,7 @@ class Looks:
             lambda: self.set_lengths(not self.lengths),
         )
         menu.addSeparator()
+        view(menu)
         up = menu.addMenu(tr("Axis that points up"))
         for text, axis in ((tr("As the take suggests"), None), ("X", 0), ("Y", 1), ("Z", 2)):
             add(text, vertical == axis, partial(set_vertical, axis), up)

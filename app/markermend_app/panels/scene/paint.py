@@ -11,7 +11,7 @@ import pyqtgraph as pg
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetrics, QPainter, QPainterPath, QPen
 
-from markermend.arrays import FloatArray, IntArray
+from markermend.arrays import BoolArray, FloatArray, IntArray
 from markermend.artifact import Kind
 from markermend_app.panels.scene.camera import Camera
 from markermend_app.panels.scene.stage import Stage, floor_lines
@@ -109,6 +109,31 @@ def paint_trails(
     points = sight.project(broken.reshape(-1, 3))
     path = pg.arrayToQPath(points[:, 0].copy(), points[:, 1].copy(), connect="finite")
     sight.stroke(path, color, width, style)
+
+
+def paint_body(sight: Sight, now: FloatArray, links: IntArray, off: BoolArray) -> None:
+    """Draw (links, 2) segments; those of the wrong length, (links,) bool, in red."""
+    t = theme.current()
+    paint_links(sight, now, links[~off], t.bones, 1.6)
+    paint_links(sight, now, links[off], t.axes["x"], 2.4)
+
+
+def paint_paths(sight: Sight, near: FloatArray, shown: Mapping[int, int], everything: bool) -> None:
+    """Draw where markers come from and go to.
+
+    Parameters
+    ----------
+    sight : painter, camera and size
+    near : (frames, markers, 3) mm, around the frame
+    shown : columns in the plots, and the place of each there
+    everything : all others, too
+    """
+    if everything:
+        color = theme.faded(theme.current().muted, 0.5)
+        paint_trails(sight, near.transpose(1, 0, 2), color, 1.0)
+    for column, place in shown.items():
+        color = theme.faded(theme.marker_color(place), 0.7)
+        paint_trails(sight, near[None, :, column], color, 1.6)
 
 
 @dataclass(frozen=True, eq=False)

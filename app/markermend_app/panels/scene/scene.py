@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
-from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QContextMenuEvent,
     QKeyEvent,
@@ -24,13 +25,14 @@ from markermend_app.later import Later
 from markermend_app.panels.markers.marker_menu import add_marker_verbs, point_at
 from markermend_app.panels.scene import paint
 from markermend_app.panels.scene.buttons import SceneButtons
-from markermend_app.panels.scene.camera import Camera
+from markermend_app.panels.scene.camera import Camera, is_view_key
 from markermend_app.panels.scene.follow import Follower
 from markermend_app.panels.scene.looks import Looks, marker_colours
 from markermend_app.panels.scene.seen import Seen
 from markermend_app.panels.scene.select import Outline, nearest
 from markermend_app.panels.scene.stage import Stage, set_stage
 from markermend_app.panels.scene.versions import paint_other_version, paint_proposal
+from markermend_app.panels.scene.views import add_views
 from markermend_app.style import theme
 
 PICK_PX = 14.0
@@ -117,7 +119,9 @@ class Scene(QWidget):
             add_marker_verbs(menu, self._document, self.do)
             menu.addSeparator()
         joints = self._document.joints
-        self.looks.fill(menu, self._vertical, self.set_vertical, self.update, joints=joints)
+        views = partial(add_views, up=self.camera.up, look_from=self.look_from)
+        looks, vertical = self.looks, self._vertical
+        looks.fill(menu, vertical, self.set_vertical, self.update, views, joints=joints)
 
     # What is seen
 
@@ -128,6 +132,11 @@ class Scene(QWidget):
             if self.follow.isChecked():
                 camera = self.camera.zoomed(self.follower.reach() / self.stage.radius)
                 self.camera = self.follower.aimed(camera)
+        self.update()
+
+    def look_from(self, axis: int, side: int) -> None:
+        """Look along an axis of the take, from its positive side (1) or the other (-1)."""
+        self.camera = self.camera.seen_from(axis, side)
         self.update()
 
     def set_before(self, before: bool) -> None:
@@ -215,11 +224,12 @@ class Scene(QWidget):
         now = positions[frame]
         shown = {take.index(s): i for i, s in enumerate(self._document.shown) if s in take}
         paint.paint_floor(sight, self.stage)
-        self._paint_trails(sight, positions, shown)
+        paint.paint_paths(sight, positions[self.seen.near()], shown, self.trails.isChecked())
         if self.looks.ghost:
             versions = positions, others
             paint_other_version(sight, self._document, self.seen, versions, shown)
-        self._paint_body(sight, now)
+        off = self.seen.off(now) & self.looks.lengths
+        paint.paint_body(sight, now, self.seen.links, off)
         damage = self.seen.damage() if self.looks.colours == "damage" else np.zeros(0)
         colours = marker_colours(self.looks, take.markers, self._document.mesh, damage)
         rings, least = self.seen.rings(), self.looks.least
@@ -245,24 +255,6 @@ class Scene(QWidget):
         if self._outline is not None:
             self._outline.paint(painter)
         paint_focus(painter, self)
-
-    def _paint_body(self, sight: paint.Sight, now: FloatArray) -> None:
-        """Paint the segments; those of the wrong length in red."""
-        t, off = theme.current(), self.seen.off(now) & self.looks.lengths
-        paint.paint_links(sight, now, self.seen.links[~off], t.bones, 1.6)
-        paint.paint_links(sight, now, self.seen.links[off], t.axes["x"], 2.4)
-
-    def _paint_trails(
-        self, sight: paint.Sight, positions: FloatArray, shown: dict[int, int]
-    ) -> None:
-        """Paint where markers come from and go to."""
-        near = positions[self.seen.near()]
-        if self.trails.isChecked():
-            color = theme.faded(theme.current().muted, 0.5)
-            paint.paint_trails(sight, near.transpose(1, 0, 2), color, 1.0)
-        for column, place in shown.items():
-            color = theme.faded(theme.marker_color(place), 0.7)
-            paint.paint_trails(sight, near[None, :, column], color, 1.6)
 
     # Hands
 
@@ -365,6 +357,16 @@ class Scene(QWidget):
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self._fill(menu, self.marker_at(at))
         menu.popup(screen)
+
+    def event(self, event: QEvent) -> bool:
+        """Keep keys of the keypad that turn the view, which choose repair methods elsewhere."""
+        if (
+            isinstance(event, QKeyEvent)
+            and event.type() == QEvent.Type.ShortcutOverride
+            and is_view_key(event.key(), event.modifiers())
+        ):
+            event.accept()
+        return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Turn, move and zoom."""
