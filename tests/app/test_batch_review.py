@@ -87,6 +87,7 @@ def test_the_next_take_is_ready_and_opens_with_its_first_repair(window, shoot, q
     assert document.session.history == ("Detect (sudden)",)
     assert document.proposal is not None
     assert document.current.id == window.queue.model.rows[0].id
+    assert window.docks["takes"].widget().view.currentIndex().row() == 1, "it is the one chosen"
     # The first one's review was kept, without a question.
     kept = open_session(mm.read(shoot / "a.c3d"))
     assert kept.session.artifact(first).status is Status.REJECTED
@@ -112,6 +113,8 @@ def test_the_list_tells_how_each_take_stands(window, shoot, qtbot):
         standing = replace(glance.standing, worst_mm=worst)
         row = replace(model.rows[0], glance=replace(glance, standing=standing))
         assert row.facts().endswith(words)
+    row = replace(model.rows[0], glance=replace(glance, exported=True))
+    assert row.facts().startswith(f"1/{total} · exported · "), "some are still open"
 
 
 def test_what_is_exported_is_marked_also_when_it_is_listed_again(window, shoot, qtbot, tmp_path):

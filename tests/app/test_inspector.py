@@ -242,6 +242,12 @@ def test_what_a_repair_leaves_is_told_before_and_after(inspector, document, monk
     document.decisions.repair_many([(gap, spoiled)], "Repair")
     document.select(gap)
     assert "still finds damage there: a step of 12 mm" in shown.text()
+    assert shown.property("role") == "warning", "that it is done makes it no better"
+    buttons = inspector.artifact.methods.buttons
+    checked = [name for name, button in buttons.items() if button.isChecked()]
+    assert checked == ["linear"], "the method that repaired it"
+    document.decisions.reopen([gap])
+    assert buttons["auto"].isChecked()
 
 
 def test_buttons_decide_and_move_on(qtbot, inspector, document):

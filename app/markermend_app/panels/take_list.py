@@ -91,8 +91,11 @@ class Row:
         s = self.glance.standing
         total = self.glance.decided + self.glance.left
         counted = f"{self.glance.decided}/{total}" if self.glance.begun else tr("not searched")
-        done = tr("exported") if self.glance.exported else counted
-        return f"{done} · " + tr("{0:.1f} % missing").format(100 * s.gap_now)
+        exported = tr("exported") if self.glance.exported else ""
+        # How many are decided says nothing more where all are, and went into the file.
+        done = "" if exported and not self.glance.left else counted
+        missing = tr("{0:.1f} % missing").format(100 * s.gap_now)
+        return " · ".join(filter(None, (done, exported, missing)))
 
     def icon(self) -> QIcon:
         """Exported, done, ready to be opened, neither, or not to be opened at all."""
@@ -139,6 +142,7 @@ class TakeList(QWidget):
     def __init__(self, batch: BatchReview, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._batch = batch
+        self._opened: ToReview | None = None
         self.model = TakeModel(self)
         self.view = QListView()
         self.view.setModel(self.model)
@@ -197,8 +201,11 @@ class TakeList(QWidget):
         if self.next.property("role") != role:
             self.next.setProperty("role", role)
             self.next.style().polish(self.next)
+        opened, self._opened = self._opened, current
         for i, row in enumerate(rows):
             if row.current:
+                if current is not opened:
+                    self.view.setCurrentIndex(self.model.index(i))
                 self.view.scrollTo(self.model.index(i))
 
     def resizeEvent(self, event: QResizeEvent) -> None:

@@ -13,7 +13,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from markermend.artifact import Status
+from markermend.artifact import Artifact, Status
+from markermend.review.edits import RepairNote
 from markermend_app import units
 from markermend_app.actions import shortcuts
 from markermend_app.background.preview import AUTO
@@ -136,7 +137,8 @@ class MethodList(QWidget):
         if not self.buttons:
             self._fill()
         offered = is_offered(self._document, AUTO)
-        chosen = self._document.method
+        note = self._note(a)
+        chosen = self._document.method if note is None else note.method
         self._speak()
         # An exclusive group keeps one checked, but none is while one of the list is chosen.
         self._group.setExclusive(False)
@@ -152,7 +154,7 @@ class MethodList(QWidget):
         self.outcome.setToolTip(self.outcome.text())
         proposal = self._document.proposal
         most = _DOUBTFUL_JOINT_MM if self._document.joints else _DOUBTFUL_MM
-        doubtful = (
+        doubtful = (note is not None and bool(note.leaves)) or (
             offered
             and proposal is not None
             and (max(self._expected().values(), default=0.0) > most or bool(proposal.leaves))
@@ -161,6 +163,12 @@ class MethodList(QWidget):
         if self.outcome.property("role") != role:
             self.outcome.setProperty("role", role)
             self.outcome.style().polish(self.outcome)
+
+    def _note(self, a: Artifact) -> RepairNote | None:
+        """How a repaired artifact was repaired; None of one that is not."""
+        session = self._document.session
+        repaired = session is not None and a.status is Status.REPAIRED
+        return session.notes.get(a.id) if session is not None and repaired else None
 
     def _speak(self) -> None:
         """Name the methods, and say what they do: to joints, or to markers."""
@@ -212,7 +220,7 @@ class MethodList(QWidget):
         a, proposal = self._document.current, self._document.proposal
         session = self._document.session
         if a is not None and a.status is Status.REPAIRED:
-            note = None if session is None else session.notes.get(a.id)
+            note = self._note(a)
             text = self.tr("Repaired. Reopen it to try another method.")
             return f"{text} {told(note.leaves)}" if note is not None and note.leaves else text
         if proposal is None:
