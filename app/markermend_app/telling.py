@@ -104,6 +104,7 @@ _SAME = (
     "stands up to {0} from where the rest of the body has it, for {1}",
     "has its angles exchanged with those of {0}, for {1}",
     "is carried off with the whole body, by up to {0}, for {1}",
+    "is thrown off by a wrong angle, by up to {0}, for {1}",
     # Why there is no repair, or this one.
     "With only {0} to follow: {1}",
     "Worked out from other repairs; look at it closely. Without them: {0}",

@@ -18,6 +18,7 @@ from markermend.poses.faults.finding import (
     MISPLACED,
     REPEATED,
     SWAPPED,
+    THROWN,
     VANISHED,
     Fault,
 )
@@ -40,6 +41,7 @@ _CONFIDENCE = {
     CROSSED: 0.99,
     MISPLACED: 0.84,
     CARRIED: 0.84,
+    THROWN: 0.97,
     GUESSED: 0.84,
 }
 # A joint that is away for longer than this has gone somewhere, rather than jumped and come back.
@@ -106,6 +108,9 @@ def _artifact(take: Take, told: Restored, fault: Fault) -> Iterator[Artifact]:
     elif fault.kind == CARRIED:
         kind = _kind(off, sizes)
         why = f"is carried off with the whole body, by up to {in_mm(amplitude)} mm, for {lasting}"
+    elif fault.kind == THROWN:
+        kind = _kind(off, sizes)
+        why = f"is thrown off by a wrong angle, by up to {in_mm(amplitude)} mm, for {lasting}"
     elif fault.kind == GUESSED:
         kind = _kind(off, sizes)
         far = in_mm(amplitude)

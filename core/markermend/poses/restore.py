@@ -27,6 +27,7 @@ from markermend.poses.channels import (
 )
 from markermend.poses.faults.finding import Fault, mend_faults
 from markermend.poses.faults.guessing import INFERRED, guessed, restored_beside_guesses
+from markermend.poses.faults.wrong_angles import with_own_angles
 from markermend.poses.filling.covariance import Moments
 from markermend.poses.filling.expecting import left_of_noise, limbs_doubted, with_root_errors
 from markermend.poses.filling.filling import BRIEF_S, Filled, fill
@@ -143,7 +144,7 @@ def restore(
     body = without_loose_root(pose)
     if body is not None:
         return with_loose_root(restore(body, prior=prior, progress=progress), pose)
-    tell = progress or quiet
+    tell, given = progress or quiet, pose
     guesses = guessed(pose)
     if guesses.any():
         return restored_beside_guesses(
@@ -170,6 +171,7 @@ def restore(
         restored = replace(restored, pose=mirrored(restored.pose))
     if pose is not mended:
         restored = replace(restored, pose=with_one_turn(restored.pose, mended))
+    restored = replace(restored, pose=with_own_angles(restored.pose, given, faults))
     error = with_root_errors(restored.error_mm, restored.filled, restored.pose, faults, pose)
     return replace(restored, error_mm=error, faults=faults)
 

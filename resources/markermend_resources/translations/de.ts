@@ -2812,6 +2812,10 @@
         <translation>steht angeblich bei 0, 0, 0, {0} lang</translation>
     </message>
     <message>
+        <source>is thrown off by a wrong angle, by up to {0}, for {1}</source>
+        <translation>ist durch einen falschen Winkel um bis zu {0} versetzt, {1} lang</translation>
+    </message>
+    <message>
         <source>With only {0} to follow: {1}</source>
         <translation>Nur nach {0}: {1}</translation>
     </message>

@@ -13,6 +13,7 @@ from markermend.poses.faults.holding import held
 from markermend.poses.faults.jumping import carried_off
 from markermend.poses.faults.misplacing import misplaced
 from markermend.poses.faults.stiffening import stiff
+from markermend.poses.faults.thrown import thrown_off
 from markermend.poses.faults.vanishing import vanished
 from markermend.poses.filling.bridging import bridged
 from markermend.poses.pose import Pose
@@ -20,8 +21,8 @@ from markermend.poses.quaternion import lengths_of
 
 VANISHED, FROZEN, MISPLACED, SWAPPED = "vanished", "frozen", "misplaced", "swapped"
 CROSSED, CARRIED, REPEATED = "given each other's angles", "carried off", "repeated"
-GUESSED = "guessed wrongly"
-FAULTS = (VANISHED, FROZEN, MISPLACED, SWAPPED, CROSSED, CARRIED, REPEATED, GUESSED)
+THROWN, GUESSED = "thrown off", "guessed wrongly"
+FAULTS = (VANISHED, FROZEN, MISPLACED, SWAPPED, CROSSED, CARRIED, REPEATED, THROWN, GUESSED)
 
 # Frames in a row that must be the same to the last digit, and how far the body moves meanwhile.
 _FROZEN_FRAMES, _SAME_MM, _MOVED_MM = 4, 1e-6, 2.0
@@ -37,7 +38,8 @@ class Fault:
         is bent no more, while the body moves), ``"repeated"`` (with all that is seen),
         ``"misplaced"`` (where its bones cannot reach: jumped, or another person's), ``"swapped"``
         (left and right, or in a file of angles ``"given each other's angles"``), ``"carried off"``
-        (with the whole body), or ``"guessed wrongly"`` (by a sensor that says that it guessed)
+        (with the whole body), ``"thrown off"`` (in a file of angles, by one that jumps away and
+        back), or ``"guessed wrongly"`` (by a sensor that says that it guessed)
     joint : index
     start, stop : frames ``[start, stop)``
     """
@@ -60,6 +62,8 @@ def mend_faults(pose: Pose) -> tuple[Pose, tuple[Fault, ...]]:
     the recording, and what was wrong with it, in the order of frames
     """
     pose, bent = angles_changed_back(pose)
+    thrown = thrown_off(pose) & pose.seen
+    pose = _hidden(pose, thrown)
     gone = vanished(pose.positions, pose.parents, pose.joints)
     pose = _hidden(pose, gone)
     stands, whole = held(pose)
@@ -81,6 +85,7 @@ def mend_faults(pose: Pose) -> tuple[Pose, tuple[Fault, ...]]:
         REPEATED: repeated,
         SWAPPED: swapped,
         CROSSED: bent,
+        THROWN: thrown,
         MISPLACED: wrong,
         CARRIED: carried[:, None] & pose.seen & ~wrong,
     }

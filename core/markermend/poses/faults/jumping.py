@@ -59,7 +59,7 @@ def jumped(pose: Pose, bones: FloatArray) -> BoolArray:
     root = pose.order[0]
     hanging = [joint for joint, parent in enumerate(pose.parents) if parent == root]
     for joint in suspects:
-        for out, home in _trips(odd[:, joint], leaps[:, joint], pose.rate):
+        for out, home in trips(odd[:, joint], leaps[:, joint], pose.rate):
             meanwhile = slice(out + 1, home + 1)
             if away[out + 1, joint]:
                 continue
@@ -103,7 +103,7 @@ def carried_off(pose: Pose) -> BoolArray:
         bool(np.nanmax(lengths_of(m - r)) < _TOGETHER * lengths_of(r))
         for m, r in zip(moved[leaps], odd[leaps, root], strict=True)
     ]
-    for out, home in _trips(odd[:, root], leaps, pose.rate):
+    for out, home in trips(odd[:, root], leaps, pose.rate):
         away[out + 1 : home + 1] = True
     return away
 
@@ -139,7 +139,7 @@ def _breaks(far: FloatArray, bones: FloatArray) -> BoolArray:
     return np.asarray(change > np.maximum(_BREAKS * bones, _UNUSUAL * usual))
 
 
-def _trips(odd: FloatArray, leaps: BoolArray, rate: float) -> Iterator[tuple[int, int]]:
+def trips(odd: FloatArray, leaps: BoolArray, rate: float) -> Iterator[tuple[int, int]]:
     """Steps on which a joint leaves, and comes back with the next jump that takes it there.
 
     Where it is somewhere else in every frame that is the last jump in a row.

@@ -1,0 +1,117 @@
+"""Angles of a skeleton file that jump for a while: how they come out, and what else an AMC changes.
+
+python tests/benchmarks/bench_wrong_angles.py *.amc
+
+An angle of a limb turns by 30 to 90 degrees for 0.02 to 0.5 s, up to ten times a recording; each is
+restored by what other people's recordings teach. Told are how many are found; how far the joints
+that it carried off were and are; how far off the angle is; and of how many other angles of the limb
+an AMC has others than the file, and by how much: with and without letting joints keep their own.
+"""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from markermend.bench.poses import left_out
+from markermend.cli.recordings import read_by_name
+from markermend.poses import Pose, forward_kinematics
+from markermend.poses import restore as restoring
+from markermend.poses.inverse import inverse_kinematics
+from markermend.poses.prior import Prior
+from markermend.poses.quaternion import lengths_of
+from markermend.poses.skeleton import TURNS, Movement
+
+LIMBS = ("humerus", "radius", "wrist", "femur", "tibia")
+TIMES, TURNED_DEG, LASTS_S, APART_S = 10, (30.0, 90.0), (0.02, 0.5), 0.7
+CHANGED_DEG = 1e-6
+
+
+@dataclass(frozen=True)
+class Damage:
+    """One angle that is wrong for a while."""
+
+    joint: int
+    column: int
+    rows: slice
+
+
+def damaged(movement: Movement, rate: float, seed: int) -> tuple[Movement, list[Damage]]:
+    """Turn angles away."""
+    random = np.random.default_rng(seed)
+    channels = {name: np.array(values) for name, values in movement.channels.items()}
+    segments, found, start = movement.skeleton.segments, list[Damage](), round(APART_S * rate)
+    while len(found) < TIMES:
+        length = max(round(random.uniform(*LASTS_S) * rate), 1)
+        name = random.choice(["l", "r"]) + random.choice(LIMBS)
+        joint = movement.skeleton.names.index(name)
+        turns = [k for k, dof in enumerate(segments[joint].dofs) if dof in TURNS]
+        if start + length + APART_S * rate > movement.frames:
+            break
+        rows, column = slice(start, start + length), int(random.choice(turns))
+        away = random.uniform(*TURNED_DEG) * random.choice([-1, 1])
+        channels[name][rows, column] += away
+        found.append(Damage(joint, column, rows))
+        start += length + round(APART_S * rate)
+    return replace(movement, channels=channels), found
+
+
+def of_recording(truth: Pose, prior: Prior, seed: int) -> list[list[float]]:
+    """A row of numbers for each angle that was turned."""
+    movement = truth.source
+    assert isinstance(movement, Movement)
+    wrong, damage = damaged(movement, truth.rate, seed)
+    given = forward_kinematics(wrong, truth.rate)
+    done = restoring.restore(given, prior=prior)
+    back = inverse_kinematics(done.pose, wrong)
+    rows = []
+    for one in damage:
+        joints = list(truth.hanging_on(one.joint))
+        away = [
+            lengths_of((p.positions - truth.positions)[one.rows][:, joints]).mean()
+            for p in (given, done.pose)
+        ]
+        found = any(
+            f.joint in joints and f.start < one.rows.stop and one.rows.start < f.stop
+            for f in done.faults
+        )
+        others, angle = [], 0.0
+        for name in (truth.joints[j] for j in {*joints, truth.parents[one.joint]}):
+            if name in back.channels:
+                apart = np.abs(back.channels[name] - movement.channels[name])[one.rows]
+                if name == truth.joints[one.joint]:
+                    angle = apart[:, one.column].mean()
+                    apart = np.delete(apart, one.column, axis=1)
+                others.append(apart.ravel())
+        beside = np.concatenate(others)
+        rows.append([found, *away, angle, (beside > CHANGED_DEG).mean(), beside.mean()])
+    return rows
+
+
+def told(way: str, rows: list[list[float]]) -> str:
+    """What came out, in a line."""
+    found, before, after, angle, changed, by = np.mean(rows, axis=0)
+    return (
+        f"{way}: {len(rows)} angles, {found:.0%} found; joints {before:.1f} mm off, restored"
+        f" {after:.1f}; the angle {angle:.2f}° off; others changed {changed:.0%}, by {by:.2f}°"
+    )
+
+
+def main() -> None:
+    """Measure with and without, and print."""
+    poses = read_by_name([Path(name) for name in sys.argv[1:]])
+    known = [(name, prior) for name, _, prior, _ in left_out(poses, known_too=False)]
+    ways = {"own angles kept": restoring.with_own_angles, "filled": lambda told, *_: told}
+    for way, does in ways.items():
+        restoring.with_own_angles = does
+        rows = []
+        for seed, (name, prior) in enumerate(known):
+            rows += of_recording(poses[name], prior, seed)
+        sys.stdout.write(told(way, rows) + "\n")
+
+
+if __name__ == "__main__":
+    main()

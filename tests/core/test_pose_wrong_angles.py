@@ -1,0 +1,124 @@
+"""Angles of a skeleton file that jump away and back: found, and nothing else is changed."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import markermend as mm
+from markermend.poses.faults.finding import THROWN, mend_faults
+from markermend.poses.faults.thrown import thrown_off
+from markermend.poses.faults.wrong_angles import with_own_angles
+from markermend.poses.inverse import inverse_kinematics
+from markermend.poses.prior import shipped_prior
+from markermend.poses.restore import restore
+from markermend.poses.skeleton import Movement, Segment, Skeleton, forward_kinematics
+
+FRAMES, RATE = 240, 120.0
+SEGMENTS = (
+    Segment("root", -1, (0.0, 0.0, 1.0), 0.0, dofs=("tx", "ty", "tz", "rx", "ry", "rz")),
+    Segment("back", 0, (0.0, 0.0, 1.0), 5.0, (10.0, 20.0, 0.0), "xyz", ("rx", "ry", "rz")),
+    Segment("arm", 1, (1.0, 0.0, 0.0), 3.0, (0.0, 0.0, 30.0), "xyz", ("rx", "ry", "rz")),
+    Segment("fore", 2, (1.0, 0.0, 0.0), 2.5, (0.0, 0.0, 0.0), "xyz", ("ry",)),
+    Segment("hand", 3, (1.0, 0.0, 0.0), 1.0, (0.0, 0.0, 0.0), "xyz", ("ry", "rz")),
+    Segment("leg", 0, (0.0, 0.0, -1.0), 6.0, (0.0, 0.0, 0.0), "xyz", ("rx", "ry", "rz")),
+)
+
+
+@pytest.fixture
+def movement():
+    """A trunk that turns about, with an arm whose elbow bends one way, and a leg."""
+    rng = np.random.default_rng(0)
+    time = np.linspace(0, 8 * np.pi, FRAMES)[:, None]
+    channels = {
+        s.name: rng.uniform(-30, 30, len(s.dofs))
+        + 15 * np.sin(time + rng.uniform(0, 6, len(s.dofs)))
+        for s in SEGMENTS
+    }
+    channels["root"][:, 5] += np.linspace(0, 700, FRAMES)
+    return Movement(Skeleton(SEGMENTS, 50.0), channels, FRAMES)
+
+
+def turned(movement, name, column, rows, by):
+    channels = {n: np.array(values) for n, values in movement.channels.items()}
+    channels[name][rows, column] += by
+    return replace(movement, channels=channels)
+
+
+def found_in(movement):
+    pose = forward_kinematics(movement, RATE)
+    return {
+        (pose.joints[j], *np.flatnonzero(column)[[0, -1]].tolist(), int(column.sum()))
+        for j, column in enumerate(thrown_off(pose).T)
+        if column.any()
+    }
+
+
+def test_a_limb_is_thrown_off_while_the_body_goes_on_and_found_to_the_frame(movement):
+    assert found_in(movement) == set()
+    rows = slice(100, 160)
+    assert found_in(turned(movement, "fore", 0, rows, 60.0)) == {
+        ("fore", 100, 159, 60),
+        ("hand", 100, 159, 60),
+    }
+    one = turned(movement, "arm", 1, slice(30, 31), -40.0)
+    assert found_in(one) == {(name, 30, 30, 1) for name in ("arm", "fore", "hand")}
+
+
+def test_what_went_round_and_what_does_not_come_back_is_no_jump(movement):
+    assert found_in(turned(movement, "arm", 0, slice(100, 160), 360.0)) == set()
+    assert found_in(turned(movement, "arm", 0, slice(100, None), 50.0)) == set()
+    assert found_in(turned(movement, "arm", 0, slice(60, 200), 50.0)) == set(), "over a second"
+
+
+def test_jumps_that_an_angle_makes_all_the_time_are_its_way(movement):
+    for first in range(10, FRAMES - 6, 12):
+        movement = turned(movement, "hand", 1, slice(first, first + 5), 50.0)
+    assert found_in(movement) == set()
+
+
+def test_positions_that_were_changed_since_are_left_alone(movement):
+    pose = forward_kinematics(turned(movement, "fore", 0, slice(100, 160), 60.0), RATE)
+    moved = pose.with_samples(pose.positions + 5.0, pose.rotations)
+    assert not thrown_off(moved).any()
+    assert not thrown_off(replace(pose, source=None)).any()
+
+
+def test_joints_come_back_and_no_other_angle_is_changed(shared_data):
+    truth = mm.read_pose(shared_data / "poses" / "02_05.amc")
+    rows = slice(800, 830)
+    wrong = turned(truth.source, "rradius", 0, rows, -70.0)
+    given = forward_kinematics(wrong, truth.rate)
+    arm = list(truth.hanging_on(truth.index("rradius")))
+    faults = [(f.kind, f.joint, f.start, f.stop) for f in mend_faults(given)[1]]
+    assert sorted(faults) == sorted((THROWN, joint, 800, 830) for joint in arm)
+    told = restore(given, prior=shipped_prior())
+    off = np.linalg.norm(told.pose.positions - truth.positions, axis=2)[rows][:, arm]
+    assert off.max() < 15.0
+    back = inverse_kinematics(told.pose, wrong)
+    for name, values in wrong.channels.items():
+        changed = np.argwhere(np.abs(back.channels[name] - values) > 1e-6)
+        wanted = {(n, 0) for n in range(800, 830)} if name == "rradius" else set()
+        assert set(map(tuple, changed.tolist())) == wanted
+    assert np.abs(back.channels["rradius"] - truth.source.channels["rradius"]).max() < 8.0
+
+
+def test_where_other_angles_were_wrong_too_what_was_filled_stays(movement):
+    segments = [replace(s, length=4.0 if s.name == "hand" else s.length) for s in SEGMENTS]
+    movement = replace(movement, skeleton=Skeleton(tuple(segments), 50.0))
+    truth, rows = forward_kinematics(movement, RATE), slice(100, 130)
+    thrown = turned(movement, "fore", 0, rows, 30.0)
+    # The hand's angle slides away, and does not jump.
+    slid = turned(thrown, "hand", 1, rows, 170.0 * np.sin(np.linspace(0, np.pi, 30)))
+    told = truth.with_samples(truth.positions, truth.rotations)
+    for given, kept in (
+        (forward_kinematics(thrown, RATE), True),
+        (forward_kinematics(slid, RATE), False),
+    ):
+        _, faults = mend_faults(given)
+        assert {f.kind for f in faults} == {THROWN}
+        found = with_own_angles(told, given, faults)
+        np.testing.assert_allclose(found.positions, truth.positions, atol=0.5)
+        assert (found.positions != told.positions).any() == kept
