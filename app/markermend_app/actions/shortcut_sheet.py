@@ -265,10 +265,7 @@ def _gestures() -> list[tuple[str, list[tuple[str, str]]]]:
                 (tr("Ctrl+drag"), tr("Scrub through time")),
                 (tr("Alt+arrows, with Shift"), tr("Orbit, pan, once the view has the focus")),
                 (tr("+ and −"), tr("Zoom, once the view has the focus")),
-                (
-                    tr("Keypad 1, 3 and 7, with Ctrl"),
-                    tr("Look along an axis or from above, from the other side"),
-                ),
+                (tr("Keypad 1, 3, 7"), tr("Look along an axis, from above")),
             ],
         ),
     ]

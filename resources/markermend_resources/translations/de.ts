@@ -332,12 +332,12 @@
         <translation>Zoomen, sobald die Ansicht den Fokus hat</translation>
     </message>
     <message>
-        <source>Keypad 1, 3 and 7, with Ctrl</source>
-        <translation>Ziffernblock 1, 3 und 7, mit Strg</translation>
+        <source>Keypad 1, 3, 7</source>
+        <translation>Ziffernblock 1, 3, 7</translation>
     </message>
     <message>
-        <source>Look along an axis or from above, from the other side</source>
-        <translation>Längs einer Achse oder von oben sehen, von der anderen Seite</translation>
+        <source>Look along an axis, from above</source>
+        <translation>Längs einer Achse sehen, von oben</translation>
     </message>
     <message>
         <source>Gap</source>
