@@ -6,20 +6,24 @@ An angle of a limb turns by 30 to 90 degrees for 0.02 to 0.5 s, up to ten times 
 restored by what other people's recordings teach. Told are how many are found; how far the joints
 that it carried off were and are; how far off the angle is; and of how many other angles of the limb
 an AMC has others than the file, and by how much: with and without letting joints keep their own.
+Last, the same written as BVH files and read again.
 """
 
 from __future__ import annotations
 
 import sys
+import tempfile
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
+import markermend as mm
 from markermend.bench.poses import left_out
 from markermend.cli.recordings import read_by_name
 from markermend.poses import Pose, forward_kinematics
 from markermend.poses import restore as restoring
+from markermend.poses.faults.hinges import hinges_of
 from markermend.poses.inverse import inverse_kinematics
 from markermend.poses.prior import Prior
 from markermend.poses.quaternion import lengths_of
@@ -27,7 +31,7 @@ from markermend.poses.skeleton import TURNS, Movement
 
 LIMBS = ("humerus", "radius", "wrist", "femur", "tibia")
 TIMES, TURNED_DEG, LASTS_S, APART_S = 10, (30.0, 90.0), (0.02, 0.5), 0.7
-CHANGED_DEG = 1e-6
+CHANGED_DEG, SAME, LEAST_MM = 1e-6, 1e-9, 0.5
 
 
 @dataclass(frozen=True)
@@ -91,6 +95,44 @@ def of_recording(truth: Pose, prior: Prior, seed: int) -> list[list[float]]:
     return rows
 
 
+def of_bvh(truth: Pose, prior: Prior, seed: int) -> list[list[float]]:
+    """The same of a BVH: found, how far off joints were and are, and other joints turned anew."""
+    movement = truth.source
+    assert isinstance(movement, Movement)
+    wrong, damage = damaged(movement, truth.rate, seed)
+    right, given = (through_bvh(forward_kinematics(one, truth.rate)) for one in (movement, wrong))
+    done = restoring.restore(given, prior=prior)
+    before, after = (hinges_of(pose) for pose in (given, done.pose))
+    rows = []
+    for one in damage:
+        joint = given.index(truth.joints[one.joint])
+        below = list(given.hanging_on(joint))
+        far = lengths_of((given.positions - right.positions)[one.rows][:, below])
+        moved = [j for j, off in zip(below, far.mean(axis=0), strict=True) if off > LEAST_MM]
+        if before is None or after is None or not moved:
+            continue
+        away = [
+            lengths_of((p.positions - right.positions)[one.rows][:, moved]).mean()
+            for p in (given, done.pose)
+        ]
+        found = any(
+            f.joint in moved and f.start < one.rows.stop and one.rows.start < f.stop
+            for f in done.faults
+        )
+        turns = [hinges.turns[one.rows][:, below[1:]] for hinges in (before, after)]
+        apart = 1.0 - np.abs(np.sum(turns[0] * turns[1], axis=2))
+        rows.append([found, *away, float(np.nanmean(apart > SAME))])
+    return rows
+
+
+def through_bvh(pose: Pose) -> Pose:
+    """A recording as a BVH has it."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "a.bvh"
+        mm.write_pose(pose, path)
+        return mm.read_pose(path, rate=pose.rate)
+
+
 def told(way: str, rows: list[list[float]]) -> str:
     """What came out, in a line."""
     found, before, after, angle, changed, by = np.mean(rows, axis=0)
@@ -111,6 +153,15 @@ def main() -> None:
         for seed, (name, prior) in enumerate(known):
             rows += of_recording(poses[name], prior, seed)
         sys.stdout.write(told(way, rows) + "\n")
+        restoring.with_own_angles = ways["own angles kept"]
+    rows = []
+    for seed, (name, prior) in enumerate(known):
+        rows += of_bvh(poses[name], prior, seed)
+    found, before, after, changed = np.mean(rows, axis=0)
+    sys.stdout.write(
+        f"BVH: {len(rows)} angles, {found:.0%} found; joints {before:.1f} mm off, restored"
+        f" {after:.1f}; other joints turned anew {changed:.0%}\n"
+    )
 
 
 if __name__ == "__main__":

@@ -9,10 +9,12 @@ import pytest
 
 import markermend as mm
 from markermend.poses.faults.finding import THROWN, mend_faults
+from markermend.poses.faults.hinges import hinges_of
 from markermend.poses.faults.thrown import thrown_off
 from markermend.poses.faults.wrong_angles import with_own_angles
 from markermend.poses.inverse import inverse_kinematics
 from markermend.poses.prior import shipped_prior
+from markermend.poses.quaternion import NO_TURN, inverse, multiply
 from markermend.poses.restore import restore
 from markermend.poses.skeleton import Movement, Segment, Skeleton, forward_kinematics
 
@@ -79,11 +81,39 @@ def test_jumps_that_an_angle_makes_all_the_time_are_its_way(movement):
     assert found_in(movement) == set()
 
 
-def test_positions_that_were_changed_since_are_left_alone(movement):
+def test_where_bones_are_not_rigid_nothing_is_found(movement):
     pose = forward_kinematics(turned(movement, "fore", 0, slice(100, 160), 60.0), RATE)
-    moved = pose.with_samples(pose.positions + 5.0, pose.rotations)
-    assert not thrown_off(moved).any()
-    assert not thrown_off(replace(pose, source=None)).any()
+    positions = np.array(pose.positions)
+    positions[50, 3] += 1.0
+    assert not thrown_off(pose.with_samples(positions, pose.rotations)).any()
+
+
+def test_a_bvh_comes_back_with_the_angles_of_one_joint_changed(movement, tmp_path):
+    rows, poses = slice(100, 160), []
+    for name, one in (("truth", movement), ("wrong", turned(movement, "fore", 0, rows, 60.0))):
+        mm.write_pose(forward_kinematics(one, RATE), tmp_path / f"{name}.bvh")
+        poses.append(mm.read_pose(tmp_path / f"{name}.bvh"))
+    truth, given = poses
+    # The bone of the forearm begins at its joint there, which stays.
+    joints = [given.index("hand"), given.index("hand_end")]
+    _, faults = mend_faults(given)
+    assert {(f.kind, f.joint, f.start, f.stop) for f in faults} == {
+        (THROWN, joint, 100, 160) for joint in joints
+    }
+    # Filling is a little off, and cannot tell how a hidden hand is turned.
+    rotations = np.array(truth.rotations)
+    rotations[rows, given.index("fore")] = rotations[rows, given.index("hand")] = NO_TURN
+    told = truth.with_samples(truth.positions + np.array([0.0, 3.0, 0.0]), rotations)
+    found = with_own_angles(told, given, faults)
+    off = np.linalg.norm(found.positions - truth.positions, axis=2)[rows]
+    assert off[:, joints].max() < 5.0
+    turns, others = (hinges_of(p).turns[rows] for p in (given, truth))
+    for name, changed in (("fore", True), ("hand", False)):
+        joint, above = given.index(name), given.parents[given.index(name)]
+        own = multiply(inverse(found.rotations[rows, above]), found.rotations[rows, joint])
+        apart = np.abs(np.abs(np.sum(own * turns[:, joint], axis=1)) - 1.0).max()
+        assert (apart > 1e-3) == changed
+        assert np.abs(np.sum(own * others[:, joint], axis=1)).min() > 0.999
 
 
 def test_joints_come_back_and_no_other_angle_is_changed(shared_data):

@@ -38,8 +38,8 @@ class Fault:
         is bent no more, while the body moves), ``"repeated"`` (with all that is seen),
         ``"misplaced"`` (where its bones cannot reach: jumped, or another person's), ``"swapped"``
         (left and right, or in a file of angles ``"given each other's angles"``), ``"carried off"``
-        (with the whole body), ``"thrown off"`` (in a file of angles, by one that jumps away and
-        back), or ``"guessed wrongly"`` (by a sensor that says that it guessed)
+        (with the whole body), ``"thrown off"`` (where bones are rigid, by an angle that jumps
+        away and back), or ``"guessed wrongly"`` (by a sensor that says that it guessed)
     joint : index
     start, stop : frames ``[start, stop)``
     """

@@ -132,11 +132,11 @@ def _least(before: FloatArray, after: FloatArray) -> FloatArray:
     turned[some] = between(before[some, first[some]], after[some, first[some]])
     several = np.flatnonzero(known.sum(axis=1) > 1)
     if len(several):
-        turned[several] = _nearest(before[several], after[several])
+        turned[several] = nearest_turns(before[several], after[several])
     return turned
 
 
-def _nearest(before: FloatArray, after: FloatArray) -> FloatArray:
+def nearest_turns(before: FloatArray, after: FloatArray) -> FloatArray:
     """(frames, 4) turns that bring bones nearest to where they are now.
 
     Least squares (Wahba 1965, by the singular values of Markley 1988), and no further turned than

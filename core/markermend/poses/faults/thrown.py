@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
-
 import numpy as np
 from scipy.ndimage import median_filter
 
 from markermend.arrays import BoolArray, FloatArray
+from markermend.poses.faults.hinges import Hinges, hinges_of
 from markermend.poses.faults.jumping import trips
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import inverse, lengths_of, multiply, rotation_vector
-from markermend.poses.skeleton import TURNS, Movement, forward_kinematics
 
 # A step of an angle is a jump when it differs by so much from those in this time around it, and by
 # so many times what all but this share of its steps do.
@@ -22,8 +19,6 @@ _AROUND_S, _LEAST_AROUND = 0.05, 2
 _ELSEWHERE_MM = 5.0
 # They then go on, where it begins and ends, with steps that differ from those beside by this share.
 _SMOOTHER = 0.5
-# Positions are those of the file that was read when they differ by less.
-_SAME_MM = 1e-3
 
 
 def thrown_off(pose: Pose) -> BoolArray:
@@ -31,8 +26,7 @@ def thrown_off(pose: Pose) -> BoolArray:
 
     Parameters
     ----------
-    pose : of a skeleton with angles, such as an AMC; where it is not as it was read, and where
-        there are none, nothing is found
+    pose : of rigid bones, as files of angles have them; where they are not, nothing is found
 
     Returns
     -------
@@ -41,84 +35,60 @@ def thrown_off(pose: Pose) -> BoolArray:
     Notes
     -----
     A limb that is elsewhere for half a second comes back to somewhere else, since the body went on,
-    and the jumps of its joints do not take each other back. Those of its angles do.
+    and the jumps of its joints do not take each other back. Those of its angles do, in the axes
+    that are turned or in those that they are turned from.
     """
     off = np.zeros((pose.frames, len(pose.joints)), dtype=bool)
-    movement = pose.source
-    if not isinstance(movement, Movement) or movement.frames != pose.frames:
-        return off
-    if movement.skeleton.names != pose.joints or pose.frames < 2 * _LEAST_AROUND + 1:
+    hinges = hinges_of(pose) if pose.frames > 2 * _LEAST_AROUND else None
+    if hinges is None:
         return off
     for joint, parent in enumerate(pose.parents):
-        columns = turns_of(movement, pose.joints[joint])
-        if parent < 0 or not columns:
-            continue
-        local = multiply(inverse(pose.rotations[:, parent]), pose.rotations[:, joint])
-        turned = np.degrees(rotation_vector(multiply(local[1:], inverse(local[:-1]))))
+        turned = None if parent < 0 else steps_of(hinges.turns[:, joint])
         # No step differs from others by more than twice the longest.
-        if not (2.0 * lengths_of(turned) > _JUMP_DEG).any():
+        if turned is None or not (2.0 * lengths_of(turned) > _JUMP_DEG).any():
             continue
-        far = lengths_of(_odd(turned, pose.rate))
+        odd = _odd(turned, pose.rate)
+        far = lengths_of(odd)
         leaps = far > max(_JUMP_DEG, _TIMES * float(np.percentile(far, _USUAL)))
         if not leaps.any():
             continue
-        # A turn may be told as one beyond 180 degrees.
-        steps = np.diff(movement.channels[pose.joints[joint]][:, columns], axis=0)
-        odd = _odd((steps + 180.0) % 360.0 - 180.0, pose.rate)
-        for out, home in trips(odd, leaps, pose.rate):
-            rows = slice(out + 1, home + 1)
-            off[rows] |= _elsewhere(pose, movement, joint, rows)
+        within = _odd(steps_of(hinges.turns[:, joint], within=True), pose.rate)
+        for way in (odd, within):
+            for out, home in trips(way, leaps, pose.rate):
+                rows = slice(out + 1, home + 1)
+                off[rows] |= _elsewhere(hinges, joint, rows)
     return off
 
 
-def turns_of(movement: Movement, name: str) -> list[int]:
-    """Columns of a segment's channels that are angles."""
-    if name not in movement.channels:
-        return []
-    segment = movement.skeleton.segments[movement.skeleton.names.index(name)]
-    return [k for k, dof in enumerate(segment.dofs) if dof in TURNS]
+def steps_of(turns: FloatArray, *, within: bool = False) -> FloatArray:
+    """(frames - 1, 3) degrees from each of (frames, 4) turns to the next, 0 where not known.
 
-
-def bridged_angles(movement: Movement, names: Sequence[str], rows: slice) -> Movement:
-    """Frames of a movement with some segments' channels from what is before to what is after."""
-    inside = movement.part(rows.start, rows.stop)
-    channels = dict(inside.channels)
-    last = movement.frames - 1
-    share = (np.arange(rows.start, rows.stop) - rows.start + 1.0) / (rows.stop - rows.start + 1)
-    for name in names:
-        path, turns = movement.channels[name], turns_of(movement, name)
-        before, after = path[max(rows.start - 1, 0)], np.array(path[min(rows.stop, last)])
-        if rows.start == 0:
-            before = after
-        elif rows.stop > last:
-            after = np.array(before)
-        # An angle may be told as one that went round.
-        rounds = np.round((after[turns] - before[turns]) / 360.0)
-        after[turns] -= 360.0 * rounds
-        channels[name] = before + share[:, None] * (after - before)
-    return replace(inside, channels=channels)
+    About the axes that are turned from, or ``within`` those that are turned.
+    """
+    before, after = turns[:-1], turns[1:]
+    step = multiply(inverse(before), after) if within else multiply(after, inverse(before))
+    return np.asarray(np.degrees(np.nan_to_num(rotation_vector(step))))
 
 
 def _odd(steps: FloatArray, rate: float) -> FloatArray:
     """(frames - 1, n) by how much steps differ from the usual ones around them."""
     around = 2 * max(round(_AROUND_S * rate), _LEAST_AROUND) + 1
-    steps = np.nan_to_num(steps)
     return np.asarray(steps - median_filter(steps, (around, 1), mode="nearest"))
 
 
-def _elsewhere(pose: Pose, movement: Movement, joint: int, rows: slice) -> BoolArray:
+def _elsewhere(hinges: Hinges, joint: int, rows: slice) -> BoolArray:
     """(joints,) bool: what an angle threw off in some frames; none where all goes on as it is.
 
     A root that is turned wrongly has angles jump that keep the body where it is.
     """
+    pose = hinges.pose
     around = slice(max(rows.start - 2, 0), min(rows.stop + 2, pose.frames))
     inside = slice(rows.start - around.start, rows.stop - around.start)
-    here = forward_kinematics(movement.part(around.start, around.stop), pose.rate).positions
-    as_read = (np.abs(here - pose.positions[around])[inside] < _SAME_MM).all(axis=(0, 2))
-    there = here.copy()
-    bridged = bridged_angles(movement, [pose.joints[joint]], rows)
-    there[inside] = forward_kinematics(bridged, pose.rate).positions
-    thrown = as_read & (lengths_of(there - here).max(axis=0) > _ELSEWHERE_MM)
+    here = pose.positions[around]
+    there = np.array(here)
+    there[inside], _ = hinges.placed(rows, {joint: hinges.bridged(joint, rows)})
+    far = np.nan_to_num(lengths_of(there - here)).max(axis=0)
+    thrown = (far > _ELSEWHERE_MM) & pose.seen[around].all(axis=0)
     before, after = (_ends(path[:, thrown], inside) for path in (here, there))
     return np.asarray(thrown & (after < _SMOOTHER * before))
 
