@@ -111,6 +111,9 @@ def test_how_many_rows_the_next_key_is_about_is_said(qtbot, queue):
     assert queue.filters.progress.text() == "4 rows chosen · 0 of 4 decided"
     click(qtbot, queue, 1)
     assert queue.filters.progress.text() == "0 of 4 decided"
+    queue.view.selectAll()
+    queue.filters.marker.setText("nobody")
+    assert queue.filters.progress.text() == "0 of 4 decided", "nothing is listed, and none chosen"
 
 
 def test_frames_of_a_long_take_are_whole(qtbot, tmp_path):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
-from reviews import state_of
+from reviews import proposal, state_of
 
 from markermend.artifact import AXES, Artifact, Kind, Status
 from markermend.review import hand
@@ -139,3 +139,72 @@ def test_whatever_edges_are_moved_no_frame_that_is_not_seen_goes_unlisted(moves)
         assert covered[missing].all()
     session.travel(1)
     assert state_of(session) == first
+
+
+def test_gaps_beside_keep_what_was_noted_and_frames_that_were_chosen():
+    session = hidden((20, 50))
+    (gap,) = session.artifacts
+    noted = session.placed(Artifact("A", AXES, 50, 60, Kind.GAP, note="ask the actor", why="seen"))
+    session.mark(noted)
+    hand.nudge(session, gap.id, stop=-1)
+    assert listed(session) == [(20, 49), (49, 50), (50, 60)]
+    assert session.artifact(noted.id) == noted
+    session.change(gap.id, stop=55)
+    trimmed = session.artifact(noted.id)
+    assert (trimmed.start, trimmed.stop, trimmed.note, trimmed.why) == (55, 60, noted.note, "seen")
+    session.change(gap.id, stop=70)
+    assert session.artifact(noted.id) == trimmed, "a note is not thrown away"
+
+
+def test_what_another_class_leaves_out_of_a_gap_becomes_a_gap_too():
+    session = hidden((20, 50))
+    (gap,) = session.artifacts
+    session.change(gap.id, kind=Kind.NOISE, stop=40)
+    assert [(a.kind, a.start, a.stop) for a in session.artifacts] == [
+        (Kind.NOISE, 20, 40),
+        (Kind.GAP, 40, 50),
+    ]
+    assert stretch(session.steps[0][-1]) == (20, 40)
+
+
+def test_a_gap_found_takes_no_name_of_a_marker_that_was_renamed():
+    positions = np.random.default_rng(2).normal(0, 100, (FRAMES, 2, 3))
+    positions[20:50] = np.nan
+    session = Session(Take(positions, ("A", "B"), 100.0))
+    session.add_detected(found((20, 50)), "joint")
+    (gap,) = session.artifacts
+    session.set_status([gap.id], Status.ACCEPTED)
+    hand.rename(session, {"A": "C"})
+    hand.rename(session, {"B": "A"})
+    both = [Artifact(name, AXES, 20, 50, Kind.GAP) for name in ("A", "C")]
+    session.add_detected(both, "joint")
+    assert [(a.marker, a.status) for a in session.artifacts] == [
+        ("A", Status.PENDING),
+        ("C", Status.ACCEPTED),
+    ]
+
+
+def test_what_is_joined_has_the_reason_of_what_it_became():
+    session = hidden((20, 25))
+    (gap,) = session.artifacts
+    noise = session.placed(Artifact("A", AXES, 15, 22, Kind.NOISE, 0.7, why="jitters"))
+    session.mark(noise)
+    hand.join(session, [noise.id, gap.id])
+    (joined,) = session.artifacts
+    assert (joined.kind, joined.start, joined.stop) == (Kind.GAP, 15, 25)
+    assert joined.why == "not seen for 5 of the 10 frames that were chosen by hand"
+    peak = session.placed(Artifact("A", AXES, 60, 62, Kind.PEAK, 0.5, why="sticks out"))
+    jitter = session.placed(Artifact("A", AXES, 62, 70, Kind.NOISE, 0.9, why="jitters"))
+    session.mark(peak)
+    session.mark(jitter)
+    hand.join(session, [peak.id, jitter.id])
+    assert session.artifacts[-1].why == "its frames were set by hand"
+
+
+def test_the_history_says_which_frames_a_repaired_gap_has_now():
+    session = hidden((20, 50))
+    (gap,) = session.artifacts
+    session.repair([(gap.id, proposal(gap))])
+    session.change(gap.id, stop=40)
+    assert listed(session) == [(20, 40), (40, 50)]
+    assert stretch(session.steps[0][-1]) == (20, 50), "what was filled beyond it is missing again"

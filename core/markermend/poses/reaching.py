@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -28,6 +28,8 @@ def reach(
     channels: Mapping[str, FloatArray],
     places: FloatArray,
     free: BoolArray,
+    *,
+    held: Collection[tuple[str, int]] = (),
 ) -> dict[str, FloatArray]:
     """Find channels that put joints as near to their places as the skeleton allows.
 
@@ -38,6 +40,7 @@ def reach(
         far as places leave that open; NaN where a segment is not seen
     places : (frames, segments, 3) mm, where their ends should be; NaN where that is not known
     free : (frames, segments) bool, those whose channels may change
+    held : names and columns of channels that may not, whatever is free
 
     Returns
     -------
@@ -51,6 +54,7 @@ def reach(
     limbs = _Limbs.of(skeleton, channels)
     places = np.where(_absent(skeleton, channels)[:, :, None], np.nan, places)
     fixed = ~free[:, limbs.segment] | np.isnan(limbs.start)
+    fixed |= [(name, column) in held for name, column, _ in limbs.columns]
     values = _settled(limbs, places, fixed)
     found = {name: np.array(given) for name, given in channels.items()}
     for n, (name, column, unit) in enumerate(limbs.columns):

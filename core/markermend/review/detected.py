@@ -28,18 +28,22 @@ def taking_over(
     """
     ids = {a.id for a in known}
     staying: dict[str, list[Artifact]] = {}
+    taken: set[str] = set()
     changes: dict[str, Artifact | None] = {}
     for artifact in known:
         if artifact.status is Status.PENDING and artifact.id not in touched:
             changes[artifact.id] = None
         else:
             staying.setdefault(artifact.marker, []).append(artifact)
+            taken.add(artifact.id)
     for artifact in found:
         mine = staying.get(artifact.marker, ())
         if artifact.kind is Kind.GAP:
             for gap in uncovered(artifact, mine):
-                taken = {a.id for a in mine}
-                changes[free_id(gap.id, taken)] = replace(gap, id=free_id(gap.id, taken))
+                # A marker that was renamed keeps its artifacts' ids, which another's may have now.
+                name = free_id(gap.id, taken)
+                changes[name] = replace(gap, id=name)
+                taken.add(name)
         elif artifact.id in ids and artifact.id not in changes:
             continue
         elif not any(_same_finding(artifact, d) for d in mine):

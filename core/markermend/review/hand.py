@@ -216,7 +216,10 @@ def split(session: Session, artifact_id: str, at: int, *, others: Sequence[str] 
         first = replace(old, stop=at, status=status)
         second = replace(old, start=at, status=status, id="")
         second = replace(second, id=session.free_id(second.id))
-        halves |= {a.id: _told(session, old, a) for a in (first, second)}
+        parts = (
+            _told(session, a) if a.kind is Kind.GAP else by_hand(old, a) for a in (first, second)
+        )
+        halves |= {a.id: a for a in parts}
     edits = (*taking_back(session.state, chosen), SetArtifacts(halves))
     return session.perform(f"Split {describe(chosen)}", Group(edits))
 
@@ -239,18 +242,16 @@ def join(session: Session, ids: Sequence[str]) -> Change:
     if not several or (len(on) > 1 and not session.original.skeleton):
         raise DataError("Choose two or more artifacts of one name, to join them.")
     chosen = [a for alike in several for a in alike]
-    joined = [_told(session, alike[0], as_one(alike)) for alike in several]
+    joined = [_told(session, a) if a.kind is Kind.GAP else a for a in map(as_one, several)]
     changes = {a.id: None for a in chosen} | {a.id: a for a in joined}
     edits = (*taking_back(session.state, chosen), SetArtifacts(changes))
     more = f" +{len(joined) - 1}" if len(joined) > 1 else ""
     return session.perform(f"Join {describe(chosen)} on {joined[0].marker}{more}", Group(edits))
 
 
-def _told(session: Session, old: Artifact, new: Artifact) -> Artifact:
-    """What was made of an artifact by hand, with a reason that is still true."""
-    if new.kind is Kind.GAP and (old.start, old.stop) != (new.start, new.stop):
-        return told(session.original, new, unseen(session.state, new.marker))
-    return by_hand(old, new)
+def _told(session: Session, gap: Artifact) -> Artifact:
+    """A gap that was made by hand, with a reason that is still true."""
+    return told(session.original, gap, unseen(session.state, gap.marker))
 
 
 def without_emptied(take: Take, original: Take) -> Take:

@@ -61,16 +61,17 @@ def stretch(step: Step) -> tuple[int, int] | None:
 
     Where an artifact's edges are moved these are its frames afterwards.
     """
-    several = len(artifacts_of(step)) > 1
-    after = _places(step.edit)
+    about = artifacts_of(step)
+    if step.label.startswith(("Nudge ", "Adjust ", "Call ")):
+        # What a gap leaves to others beside it is not what was moved.
+        about = about[:1]
+    several = len(about) > 1
+    after = _places(step.edit, about)
     if not decides(step) or parts(step.edit, SetNames):
         return None
-    if not parts(step.edit, SetSamples):
-        # What a gap leaves to others beside it is not what was moved.
-        moved = after if step.label.startswith("Split ") else _places(step.edit, _kept(step))
-        if len(moved := moved or after) == 1:
-            return moved.pop()
-    one_place = len(after | _places(step.inverse)) == 1
+    if len(after) == 1 and not parts(step.edit, SetSamples):
+        return after.pop()
+    one_place = len(after | _places(step.inverse, about)) == 1
     if several and not (one_place or step.label.startswith(("Split ", "Join "))):
         return None
     found: list[Artifact | Patch] = []
@@ -79,36 +80,21 @@ def stretch(step: Step) -> tuple[int, int] | None:
             if isinstance(part, SetSamples):
                 found.extend(part.patches)
             elif isinstance(part, SetArtifacts):
-                found.extend(a for a in part.changes.values() if a is not None)
+                found.extend(a for i, a in part.changes.items() if a is not None and i in about)
     if not found:
         return None
     return min(x.start for x in found), max(x.stop for x in found)
 
 
-def _places(edit: Edit, ids: Container[str] | None = None) -> set[tuple[int, int]]:
-    """Intervals of the artifacts that an edit leaves; of some alone, where ids are given."""
+def _places(edit: Edit, about: Container[str]) -> set[tuple[int, int]]:
+    """Intervals of artifacts with these ids that an edit leaves."""
     return {
         (a.start, a.stop)
         for part in parts(edit, SetArtifacts)
         if isinstance(part, SetArtifacts)
         for i, a in part.changes.items()
-        if a is not None and (ids is None or i in ids)
+        if a is not None and i in about
     }
-
-
-def _kept(step: Step) -> set[str]:
-    """Ids of artifacts that a step changes, and neither adds nor removes."""
-    there, back = (
-        {
-            i
-            for part in parts(edit, SetArtifacts)
-            if isinstance(part, SetArtifacts)
-            for i, a in part.changes.items()
-            if a is not None
-        }
-        for edit in (step.edit, step.inverse)
-    )
-    return there & back
 
 
 def touched_by_hand(steps: Iterable[Step]) -> set[str]:

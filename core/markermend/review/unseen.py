@@ -61,7 +61,7 @@ def gaps_redone(
     ----------
     state : of the review
     marker : whose gaps
-    gaps : those there that nothing was decided about; what is not one of them any more goes
+    gaps : those there; what is not one of them any more goes, with what was decided about it
     absent : (frames,) bool, frames that they are to hold
     touched : half-open interval of 0-based frames
     """
@@ -83,7 +83,7 @@ def gaps_redone(
 def with_edges_moved(
     state: State, before: Sequence[Artifact], after: Mapping[str, Artifact]
 ) -> dict[str, Artifact | None]:
-    """What becomes of gaps when some are given other edges.
+    """What becomes of gaps when artifacts are given other edges, or another class.
 
     Parameters
     ----------
@@ -93,28 +93,59 @@ def with_edges_moved(
 
     Returns
     -------
-    ``after``, whose gaps say what they hold now, and changes to gaps beside them that nobody has
-    decided about: these take the frames that a gap leaves out, and leave it those it takes.
+    ``after``, whose gaps say what they hold now, and changes to gaps beside them that are not
+    decided about: what a gap takes of these they lose, and those of which nothing is left go,
+    unless something was noted on them. Frames that are not seen and that a gap leaves out are added
+    to one that begins or ends there, or become a gap.
     """
     changes: dict[str, Artifact | None] = dict(after)
     for old in before:
-        new = after[old.id]
-        if old.kind is not Kind.GAP or new.kind is not Kind.GAP:
+        if old.kind is not Kind.GAP:
             continue
-        absent = unseen(state, old.marker)
-        changes[old.id] = told(state.original, new, absent)
-        low, high = min(old.start, new.start), max(old.stop, new.stop)
-        beside = []
-        absent[new.start : new.stop] = False
-        for a in state.artifacts.values():
-            if a.kind is not Kind.GAP or a.marker != old.marker or a.id in after:
-                continue
-            if a.status is not Status.PENDING:
-                absent[a.start : a.stop] = False
-            elif a.start <= high and low <= a.stop:
-                beside.append(a)
-        changes |= gaps_redone(state, old.marker, beside, absent, (low, high))
+        new, absent = after[old.id], unseen(state, old.marker)
+        others = [
+            a
+            for a in state.artifacts.values()
+            if a.kind is Kind.GAP and a.marker == old.marker and a.id not in after
+        ]
+        beside = {a.id: a for a in others if a.status is Status.PENDING}
+        if new.kind is Kind.GAP:
+            changes[old.id] = told(state.original, new, absent)
+            inside = [a for a in beside.values() if new.start <= a.start and a.stop <= new.stop]
+            changes |= {a.id: None for a in inside if not a.note}
+            beside = {a.id: _without(a, new) for a in beside.values() if a not in inside}
+        left = absent.copy()
+        left[: old.start] = left[old.stop :] = left[new.start : new.stop] = False
+        for a in others:
+            left[a.start : a.stop] = False
+        for start, stop in runs(left).tolist():
+            _put(beside, state, replace(old, start=start, stop=stop), absent)
+        for name, a in beside.items():
+            if a is not state.artifacts.get(name):
+                known = a.why.startswith("not seen for")
+                changes[name] = told(state.original, a, absent) if known else a
     return changes
+
+
+def _without(gap: Artifact, taken: Artifact) -> Artifact:
+    """A gap less what another one holds of one of its ends."""
+    if taken.start <= gap.start < taken.stop:
+        return replace(gap, start=taken.stop)
+    if taken.start < gap.stop <= taken.stop:
+        return replace(gap, stop=taken.start)
+    return gap
+
+
+def _put(beside: dict[str, Artifact], state: State, left: Artifact, absent: BoolArray) -> None:
+    """Add frames that a gap leaves out to one at their side that holds none but such, or anew."""
+    for a in beside.values():
+        if absent[a.start : a.stop].all() and left.start <= a.stop and a.start <= left.stop:
+            first, last = min(a.start, left.start), max(a.stop, left.stop)
+            beside[a.id] = replace(a, start=first, stop=last)
+            return
+    new = Artifact(left.marker, AXES, left.start, left.stop, Kind.GAP, why="not seen for")
+    name = free_id(new.id, {*state.artifacts, *beside})
+    beside[name] = replace(new, id=name)
 
 
 def uncovered(found: Artifact, known: Iterable[Artifact]) -> list[Artifact]:

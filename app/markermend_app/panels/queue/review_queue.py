@@ -75,9 +75,8 @@ class ReviewQueue(QWidget):
         whole.addWidget(self._pages, 1)
 
         self.view.selectionModel().currentRowChanged.connect(self._row_changed)
-        self.view.selectionModel().selectionChanged.connect(
-            lambda: self.filters.say_chosen(len(self.view.selectionModel().selectedRows()))
-        )
+        for changed in (self.view.selectionModel().selectionChanged, self.model.modelReset):
+            changed.connect(lambda: self.filters.say_chosen(len(self._selected())))
         self.view.clicked.connect(self._clicked)
         self.view.doubleClicked.connect(lambda _: document.decisions.repair_current())
         BeforeHands(self.view, self._soon.catch_up)

@@ -97,14 +97,18 @@ def _by_channels(
     """Turn segments as far as the degrees of freedom of their file go."""
     names = movement.skeleton.names
     inside = movement.part(rows.start, rows.stop)
-    channels = dict(inside.channels)
+    channels, held = dict(inside.channels), list[tuple[str, int]]()
     for j in wrong:
-        channels[names[j]] = _bridged(movement, names[j], rows)
+        path, name = _bridged(movement, names[j], rows), names[j]
+        still = _still(movement, name, rows)
+        path[:, still] = channels[name][:, still]
+        channels[name] = path
+        held += [(name, column) for column in still]
     free = np.zeros((inside.frames, len(names)), dtype=bool)
     free[:, wrong] = True
     places = np.full(wanted.shape, np.nan)
     places[:, joints] = wanted[:, joints]
-    found = reach(movement.skeleton, channels, places, free)
+    found = reach(movement.skeleton, channels, places, free, held=held)
     there = forward_kinematics(replace(inside, channels=found), given.rate)
     return there.positions, there.rotations
 
@@ -123,6 +127,16 @@ def _bridged(movement: Movement, name: str, rows: slice) -> FloatArray:
     after[turns] -= 360.0 * np.round((after[turns] - before[turns]) / 360.0)
     share = (np.arange(rows.start, rows.stop) - rows.start + 1.0) / (rows.stop - rows.start + 1)
     return np.asarray(before + share[:, None] * (after - before))
+
+
+def _still(movement: Movement, name: str, rows: slice) -> list[int]:
+    """Columns of a segment that do not jump where an interval begins or ends, if some do."""
+    path = movement.channels[name]
+    ends = [n for n in (rows.start, rows.stop) if 0 < n < len(path)]
+    # An angle may be told as one that went round.
+    steps = np.abs((path[ends] - path[[n - 1 for n in ends]] + 180.0) % 360.0 - 180.0)
+    still = np.flatnonzero((steps < _LEAP_DEG).any(axis=0)).tolist()
+    return still if len(still) < path.shape[1] else []
 
 
 def _by_turns(
