@@ -152,3 +152,34 @@ def test_where_other_angles_were_wrong_too_what_was_filled_stays(movement):
         found = with_own_angles(told, given, faults)
         np.testing.assert_allclose(found.positions, truth.positions, atol=0.5)
         assert (found.positions != told.positions).any() == kept
+
+
+def test_where_two_angles_are_wrong_at_a_time_what_was_filled_stays(movement):
+    truth = forward_kinematics(movement, RATE)
+    both = turned(
+        turned(movement, "fore", 0, slice(100, 160), 60.0), "arm", 1, slice(120, 140), 30.0
+    )
+    given = forward_kinematics(both, RATE)
+    _, faults = mend_faults(given)
+    told = truth.with_samples(truth.positions + np.array([0.0, 3.0, 0.0]), truth.rotations)
+    found = with_own_angles(told, given, faults)
+    fore = [truth.index("fore"), truth.index("hand")]
+    np.testing.assert_array_equal(found.positions[:, fore], told.positions[:, fore])
+
+
+def test_a_few_times_are_found_in_a_second_or_two(movement):
+    twice = turned(
+        turned(movement, "fore", 0, slice(60, 80), 60.0), "fore", 0, slice(150, 170), 60.0
+    )
+    assert found_in(twice) == {("fore", 60, 169, 40), ("hand", 60, 169, 40)}
+    brief = turned(movement, "fore", 0, slice(50, 70), -50.0).part(0, 120)
+    assert found_in(brief) == {("fore", 50, 69, 20), ("hand", 50, 69, 20)}
+
+
+def test_a_source_that_is_another_recording_by_now_is_not_asked(movement):
+    truth = forward_kinematics(movement, RATE)
+    given = forward_kinematics(turned(movement, "fore", 0, slice(100, 160), 60.0), RATE)
+    later = replace(given.source, channels={n: v[::-1] for n, v in given.source.channels.items()})
+    _, faults = mend_faults(given)
+    found = with_own_angles(truth, replace(given, source=later), faults)
+    np.testing.assert_allclose(found.positions, truth.positions, atol=0.5)

@@ -12,8 +12,8 @@ from markermend.poses.pose import Pose
 from markermend.poses.quaternion import inverse, lengths_of, multiply, rotation_vector
 
 # A step of an angle is a jump when it differs by so much from those in this time around it, and by
-# so many times what all but this share of its steps do.
-_JUMP_DEG, _TIMES, _USUAL = 15.0, 5.0, 99.0
+# so many times what all but this share of its steps do, or all but a few of a short recording.
+_JUMP_DEG, _TIMES, _UNUSUAL, _FEW = 15.0, 5.0, 0.01, 8
 _AROUND_S, _LEAST_AROUND = 0.05, 2
 # A joint was thrown off that is elsewhere by this much once angles are as before and after.
 _ELSEWHERE_MM = 5.0
@@ -49,7 +49,8 @@ def thrown_off(pose: Pose) -> BoolArray:
             continue
         odd = _odd(turned, pose.rate)
         far = lengths_of(odd)
-        leaps = far > max(_JUMP_DEG, _TIMES * float(np.percentile(far, _USUAL)))
+        usual = float(np.quantile(far, max(1.0 - max(_UNUSUAL, _FEW / len(far)), 0.0)))
+        leaps = far > max(_JUMP_DEG, _TIMES * usual)
         if not leaps.any():
             continue
         within = _odd(steps_of(hinges.turns[:, joint], within=True), pose.rate)

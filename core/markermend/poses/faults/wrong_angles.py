@@ -24,6 +24,10 @@ _BESIDE = 4
 # With the others as they were, joints must come as near to where they were filled as this share of
 # how far off they had been, or this near.
 _NEAR, _NEAR_MM = 0.5, 10.0
+# No bone to a joint that stays may change by more.
+_BROKEN_MM = 5.0
+# Positions are those of the file that was read when they differ by less.
+_SAME_MM = 1e-3
 
 
 def with_own_angles(told: Pose, given: Pose, faults: Iterable[Fault]) -> Pose:
@@ -75,26 +79,51 @@ def _turned_back(
     wrong = [j for j in given.order if j in may and _leaps(hinges.turns[:, j], rows)]
     if not wrong or np.isnan(wanted[:, joints]).any() or np.isnan(given.positions[rows]).any():
         return None
-    if isinstance(given.source, Movement):
-        found = _by_channels(given, given.source, rows, wanted, wrong, joints)
+    if any(_leaps_within(hinges.turns[:, j], rows) for j in may - set(wrong)):
+        # Something else is wrong for a part of that time.
+        return None
+    if _as_read(given, rows):
+        found = _by_channels(given, rows, wanted, wrong, joints)
     else:
         found = _by_turns(hinges, rows, wanted, wrong, joints)
     off, away = (
-        float(lengths_of(placed[:, joints] - wanted[:, joints]).mean())
+        lengths_of(placed[:, joints] - wanted[:, joints]).mean(axis=1)
         for placed in (found[0], given.positions[rows])
     )
-    return found if off <= max(_NEAR * away, _NEAR_MM) else None
+    near = bool((off <= np.maximum(_NEAR * away, _NEAR_MM)).all())
+    return found if near and _whole(hinges, found[0], wanted, joints) else None
+
+
+def _as_read(given: Pose, rows: slice) -> bool:
+    """Whether a recording is in some frames as the channels that it was read from have it."""
+    movement = given.source
+    if not isinstance(movement, Movement) or movement.frames != given.frames:
+        return False
+    if movement.skeleton.names != given.joints:
+        return False
+    here = forward_kinematics(movement.part(rows.start, rows.stop), given.rate)
+    return bool((np.abs(here.positions - given.positions[rows]) < _SAME_MM).all())
+
+
+def _whole(hinges: Hinges, found: FloatArray, wanted: FloatArray, joints: list[int]) -> bool:
+    """Whether bones between joints that come and those that stay are as long as they were."""
+    places = wanted.copy()
+    places[:, joints] = found[:, joints]
+    for joint, parent in enumerate(hinges.pose.parents):
+        if parent >= 0 and (joint in joints) != (parent in joints):
+            far = lengths_of(places[:, joint] - places[:, parent])
+            usual = float(lengths_of(hinges.bones[joint]))
+            if np.nanmax(np.abs(far - usual), initial=0.0) > _BROKEN_MM:
+                return False
+    return True
 
 
 def _by_channels(
-    given: Pose,
-    movement: Movement,
-    rows: slice,
-    wanted: FloatArray,
-    wrong: list[int],
-    joints: list[int],
+    given: Pose, rows: slice, wanted: FloatArray, wrong: list[int], joints: list[int]
 ) -> tuple[FloatArray, FloatArray]:
     """Turn segments as far as the degrees of freedom of their file go."""
+    movement = given.source
+    assert isinstance(movement, Movement)
     names = movement.skeleton.names
     inside = movement.part(rows.start, rows.stop)
     channels, held = dict(inside.channels), list[tuple[str, int]]()
@@ -162,12 +191,22 @@ def _leaps(turns: FloatArray, rows: slice) -> bool:
     steps = lengths_of(steps_of(turns))
     ends = [
         (at - 1, beside)
-        for at, beside in (
-            (rows.start, slice(max(rows.start - 1 - _BESIDE, 0), max(rows.start - 1, 0))),
-            (rows.stop, slice(rows.stop, rows.stop + _BESIDE)),
-        )
+        for at, beside in zip((rows.start, rows.stop), _beside(rows), strict=True)
         if 0 < at < len(turns)
     ]
     return bool(ends) and all(
         steps[there] > _LEAP_DEG + steps[beside].max(initial=0.0) for there, beside in ends
     )
+
+
+def _leaps_within(turns: FloatArray, rows: slice) -> bool:
+    """Whether a joint turns by a jump somewhere from the beginning of an interval to its end."""
+    steps = lengths_of(steps_of(turns))
+    usual = max(steps[beside].max(initial=0.0) for beside in _beside(rows))
+    return bool(steps[max(rows.start - 1, 0) : rows.stop].max(initial=0.0) > _LEAP_DEG + usual)
+
+
+def _beside(rows: slice) -> tuple[slice, slice]:
+    """Steps before an interval and after it."""
+    first = max(rows.start - 1, 0)
+    return slice(max(first - _BESIDE, 0), first), slice(rows.stop, rows.stop + _BESIDE)
