@@ -23,10 +23,9 @@ from markermend.bench.poses import left_out
 from markermend.cli.recordings import read_by_name
 from markermend.poses import Pose, forward_kinematics
 from markermend.poses import restore as restoring
-from markermend.poses.faults.hinges import hinges_of
 from markermend.poses.inverse import inverse_kinematics
 from markermend.poses.prior import Prior
-from markermend.poses.quaternion import lengths_of
+from markermend.poses.quaternion import inverse, lengths_of, multiply
 from markermend.poses.skeleton import TURNS, Movement
 
 LIMBS = ("humerus", "radius", "wrist", "femur", "tibia")
@@ -102,14 +101,13 @@ def of_bvh(truth: Pose, prior: Prior, seed: int) -> list[list[float]]:
     wrong, damage = damaged(movement, truth.rate, seed)
     right, given = (through_bvh(forward_kinematics(one, truth.rate)) for one in (movement, wrong))
     done = restoring.restore(given, prior=prior)
-    before, after = (hinges_of(pose) for pose in (given, done.pose))
     rows = []
     for one in damage:
         joint = given.index(truth.joints[one.joint])
         below = list(given.hanging_on(joint))
         far = lengths_of((given.positions - right.positions)[one.rows][:, below])
         moved = [j for j, off in zip(below, far.mean(axis=0), strict=True) if off > LEAST_MM]
-        if before is None or after is None or not moved:
+        if not moved:
             continue
         away = [
             lengths_of((p.positions - right.positions)[one.rows][:, moved]).mean()
@@ -119,8 +117,13 @@ def of_bvh(truth: Pose, prior: Prior, seed: int) -> list[list[float]]:
             f.joint in moved and f.start < one.rows.stop and one.rows.start < f.stop
             for f in done.faults
         )
-        turns = [hinges.turns[one.rows][:, below[1:]] for hinges in (before, after)]
-        apart = 1.0 - np.abs(np.sum(turns[0] * turns[1], axis=2))
+        others = [j for j in below if j != joint]
+        above = [given.parents[j] for j in others]
+        before, after = (
+            multiply(inverse(p.rotations[one.rows][:, above]), p.rotations[one.rows][:, others])
+            for p in (given, done.pose)
+        )
+        apart = 1.0 - np.abs(np.sum(before * after, axis=2))
         rows.append([found, *away, float(np.nanmean(apart > SAME))])
     return rows
 

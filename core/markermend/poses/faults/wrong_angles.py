@@ -21,6 +21,8 @@ from markermend.poses.skeleton import TURNS, Movement, forward_kinematics
 # and where it comes back.
 _LEAP_DEG = 10.0
 _BESIDE = 4
+# Others are wrong, too, that turn by so much more than beside, and than this share of their steps.
+_USUAL = 0.99
 # With the others as they were, joints must come as near to where they were filled as this share of
 # how far off they had been, or this near.
 _NEAR, _NEAR_MM = 0.5, 10.0
@@ -202,7 +204,8 @@ def _leaps(turns: FloatArray, rows: slice) -> bool:
 def _leaps_within(turns: FloatArray, rows: slice) -> bool:
     """Whether a joint turns by a jump somewhere from the beginning of an interval to its end."""
     steps = lengths_of(steps_of(turns))
-    usual = max(steps[beside].max(initial=0.0) for beside in _beside(rows))
+    beside = max(steps[some].max(initial=0.0) for some in _beside(rows))
+    usual = max(beside, float(np.quantile(steps, _USUAL)))
     return bool(steps[max(rows.start - 1, 0) : rows.stop].max(initial=0.0) > _LEAP_DEG + usual)
 
 
