@@ -77,15 +77,14 @@ def hinges_of(pose: Pose) -> Hinges | None:
     pose : positions and rotations of an AMC, a BVH or another file of angles
     """
     every = np.arange(pose.frames)
-    for rows in (every[:: max(pose.frames // _SOME, 1)], every):
-        ways = [own for own in (True, False) if _bones(pose, rows, own) is not None]
-        if not ways:
-            return None
-    bones = _bones(pose, every, ways[0])
-    assert bones is not None
-    parents = np.asarray(pose.parents)
-    turns = multiply(inverse(pose.rotations[:, np.maximum(parents, 0)]), pose.rotations)
-    return Hinges(pose, turns, bones, ways[0])
+    some = every[:: max(pose.frames // _SOME, 1)]
+    for own in (True, False):
+        bones = None if _bones(pose, some, own) is None else _bones(pose, every, own)
+        if bones is not None:
+            above = np.maximum(np.asarray(pose.parents), 0)
+            turns = multiply(inverse(pose.rotations[:, above]), pose.rotations)
+            return Hinges(pose, turns, bones, own)
+    return None
 
 
 def _bones(pose: Pose, rows: IntArray, own: bool) -> FloatArray | None:
