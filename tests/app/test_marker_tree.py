@@ -210,6 +210,19 @@ def test_filter_keeps_the_branch_of_what_matches(qtbot, tree):
     assert tree._nothing.label.isHidden()
 
 
+def test_a_group_stands_for_its_markers_that_are_listed(qtbot, tree, document):
+    qtbot.keyClicks(tree.filter, "lwr")
+    model = tree.view.model()
+    group = index_of(tree, "LWRA").parent()
+    assert group.isValid()
+    tree.view.setCurrentIndex(model.index(group.row(), NAME, group.parent()))
+    assert document.shown == ("LWRA", "LWRB"), "not those that the filter hides"
+    tree.filter.clear()
+    tree.view.setCurrentIndex(index_of(tree, "CLAV"))
+    tree.view.setCurrentIndex(index_of(tree, "LWRA").parent())
+    assert document.shown == ("LSHO", "LELB", "LWRA", "LWRB")
+
+
 def test_missing_share_is_shown(tree):
     assert index_of(tree, "CLAV").siblingAtColumn(MISSING).data() == "7.5"
     assert not index_of(tree, "C7").siblingAtColumn(MISSING).data()

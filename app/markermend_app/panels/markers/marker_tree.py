@@ -345,11 +345,13 @@ class MarkerTree(QWidget):
             self._proxy.setData(index, state, role)
 
     def _labels(self, rows: Sequence[QModelIndex]) -> list[str]:
-        """Markers of selected rows, the one clicked last foremost."""
+        """Markers of selected rows that are listed, the one clicked last foremost."""
         current = self.view.currentIndex()
         rows = sorted(rows, key=lambda i: i != current.siblingAtColumn(NAME))
         nodes = [self._model.node(self._proxy.mapToSource(i)) for i in rows]
-        return list(dict.fromkeys(m.label for n in nodes for m in n.markers()))
+        labels = dict.fromkeys(m.label for n in nodes for m in n.markers())
+        listed = self._proxy.mapFromSource
+        return [label for label in labels if listed(self._model.index_of(label)).isValid()]
 
     def _follow_shown(self) -> None:
         """Check and select what is shown, unless it was selected here."""
