@@ -16,7 +16,11 @@ from markermend.poses.simulated.breaking import HOLDS, KINDS
 
 @pytest.fixture(scope="module")
 def clips(shared_data):
-    return seventeen_joints(shared_data, "02_01", "03_02")
+    # Two seconds of each: enough to tell who was broken from who was not.
+    return {
+        name: pose.with_samples(pose.positions[-240:], pose.rotations[-240:])
+        for name, pose in seventeen_joints(shared_data, "02_01", "03_02").items()
+    }
 
 
 def test_faults_are_found_and_mended_and_little_else_is_touched(clips):
