@@ -73,14 +73,7 @@ def of_recording(truth: Pose, prior: Prior, seed: int) -> list[list[float]]:
     rows = []
     for one in damage:
         joints = list(truth.hanging_on(one.joint))
-        away = [
-            lengths_of((p.positions - truth.positions)[one.rows][:, joints]).mean()
-            for p in (given, done.pose)
-        ]
-        found = any(
-            f.joint in joints and f.start < one.rows.stop and one.rows.start < f.stop
-            for f in done.faults
-        )
+        came = came_back(truth, given, done, joints, one.rows)
         others, angle = [], 0.0
         for name in (truth.joints[j] for j in {*joints, truth.parents[one.joint]}):
             if name in back.channels:
@@ -90,7 +83,7 @@ def of_recording(truth: Pose, prior: Prior, seed: int) -> list[list[float]]:
                     apart = np.delete(apart, one.column, axis=1)
                 others.append(apart.ravel())
         beside = np.concatenate(others)
-        rows.append([found, *away, angle, (beside > CHANGED_DEG).mean(), beside.mean()])
+        rows.append([*came, angle, (beside > CHANGED_DEG).mean(), beside.mean()])
     return rows
 
 
@@ -109,14 +102,7 @@ def of_bvh(truth: Pose, prior: Prior, seed: int) -> list[list[float]]:
         moved = [j for j, off in zip(below, far.mean(axis=0), strict=True) if off > LEAST_MM]
         if not moved:
             continue
-        away = [
-            lengths_of((p.positions - right.positions)[one.rows][:, moved]).mean()
-            for p in (given, done.pose)
-        ]
-        found = any(
-            f.joint in moved and f.start < one.rows.stop and one.rows.start < f.stop
-            for f in done.faults
-        )
+        came = came_back(right, given, done, moved, one.rows)
         others = [j for j in below if j != joint]
         above = [given.parents[j] for j in others]
         before, after = (
@@ -124,8 +110,22 @@ def of_bvh(truth: Pose, prior: Prior, seed: int) -> list[list[float]]:
             for p in (given, done.pose)
         )
         apart = 1.0 - np.abs(np.sum(before * after, axis=2))
-        rows.append([found, *away, float(np.nanmean(apart > SAME))])
+        rows.append([*came, float(np.nanmean(apart > SAME))])
     return rows
+
+
+def came_back(
+    truth: Pose, given: Pose, done: restoring.Restored, joints: list[int], rows: slice
+) -> list[float]:
+    """Whether joints were found, and how far off they were and are, in mm."""
+    found = any(
+        f.joint in joints and f.start < rows.stop and rows.start < f.stop for f in done.faults
+    )
+    away = (
+        float(lengths_of((p.positions - truth.positions)[rows][:, joints]).mean())
+        for p in (given, done.pose)
+    )
+    return [float(found), *away]
 
 
 def through_bvh(pose: Pose) -> Pose:

@@ -7,6 +7,7 @@ from itertools import permutations
 
 import numpy as np
 import pytest
+from acclaim import arm_and_leg
 from scipy.spatial.transform import Rotation
 
 import markermend as mm
@@ -20,26 +21,7 @@ FRAMES = 30
 
 @pytest.fixture
 def movement():
-    """A trunk with an arm whose elbow bends one way, and a leg."""
-    segments = (
-        Segment("root", -1, (0.0, 0.0, 1.0), 0.0, dofs=("tx", "ty", "tz", "rx", "ry", "rz")),
-        Segment("back", 0, (0.0, 0.0, 1.0), 5.0, (10.0, 20.0, 0.0), "xyz", ("rx", "ry", "rz")),
-        Segment("arm", 1, (1.0, 0.0, 0.0), 3.0, (0.0, 0.0, 30.0), "xyz", ("rx", "ry", "rz")),
-        Segment("fore", 2, (1.0, 0.0, 0.0), 2.5, (0.0, 0.0, 0.0), "xyz", ("ry",)),
-        Segment("hand", 3, (1.0, 0.0, 0.0), 1.0, (0.0, 0.0, 0.0), "xyz", ("ry", "rz")),
-        Segment("leg", 0, (0.0, 0.0, -1.0), 6.0, (0.0, 0.0, 0.0), "xyz", ("rx", "ry", "rz", "l")),
-    )
-    rng = np.random.default_rng(0)
-    time = np.linspace(0, 2 * np.pi, FRAMES)[:, None]
-    channels = {
-        s.name: rng.uniform(-30, 30, len(s.dofs))
-        + 20 * np.sin(time + rng.uniform(0, 6, len(s.dofs)))
-        for s in segments
-    }
-    channels["root"][:, :3] /= 10.0
-    channels["fore"] -= 60.0
-    channels["leg"][:, 3] = 0.1
-    return Movement(Skeleton(segments, 50.0), channels, FRAMES)
+    return arm_and_leg(FRAMES)
 
 
 def test_what_did_not_change_stays_to_the_last_bit(movement):

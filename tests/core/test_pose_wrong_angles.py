@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from acclaim import arm_and_leg
 
 import markermend as mm
 from markermend.poses.faults.finding import THROWN, mend_faults
@@ -16,31 +17,17 @@ from markermend.poses.inverse import inverse_kinematics
 from markermend.poses.prior import shipped_prior
 from markermend.poses.quaternion import NO_TURN, inverse, multiply
 from markermend.poses.restore import restore
-from markermend.poses.skeleton import Movement, Segment, Skeleton, forward_kinematics
+from markermend.poses.skeleton import Skeleton, forward_kinematics
 
 FRAMES, RATE = 240, 120.0
-SEGMENTS = (
-    Segment("root", -1, (0.0, 0.0, 1.0), 0.0, dofs=("tx", "ty", "tz", "rx", "ry", "rz")),
-    Segment("back", 0, (0.0, 0.0, 1.0), 5.0, (10.0, 20.0, 0.0), "xyz", ("rx", "ry", "rz")),
-    Segment("arm", 1, (1.0, 0.0, 0.0), 3.0, (0.0, 0.0, 30.0), "xyz", ("rx", "ry", "rz")),
-    Segment("fore", 2, (1.0, 0.0, 0.0), 2.5, (0.0, 0.0, 0.0), "xyz", ("ry",)),
-    Segment("hand", 3, (1.0, 0.0, 0.0), 1.0, (0.0, 0.0, 0.0), "xyz", ("ry", "rz")),
-    Segment("leg", 0, (0.0, 0.0, -1.0), 6.0, (0.0, 0.0, 0.0), "xyz", ("rx", "ry", "rz")),
-)
 
 
 @pytest.fixture
 def movement():
-    """A trunk that turns about, with an arm whose elbow bends one way, and a leg."""
-    rng = np.random.default_rng(0)
-    time = np.linspace(0, 8 * np.pi, FRAMES)[:, None]
-    channels = {
-        s.name: rng.uniform(-30, 30, len(s.dofs))
-        + 15 * np.sin(time + rng.uniform(0, 6, len(s.dofs)))
-        for s in SEGMENTS
-    }
-    channels["root"][:, 5] += np.linspace(0, 700, FRAMES)
-    return Movement(Skeleton(SEGMENTS, 50.0), channels, FRAMES)
+    """One who turns about meanwhile."""
+    movement = arm_and_leg(FRAMES, swings=4)
+    movement.channels["root"][:, 5] += np.linspace(0, 700, FRAMES)
+    return movement
 
 
 def turned(movement, name, column, rows, by):
@@ -136,7 +123,9 @@ def test_joints_come_back_and_no_other_angle_is_changed(shared_data):
 
 
 def test_where_other_angles_were_wrong_too_what_was_filled_stays(movement):
-    segments = [replace(s, length=4.0 if s.name == "hand" else s.length) for s in SEGMENTS]
+    segments = [
+        replace(s, length=4.0 if s.name == "hand" else s.length) for s in movement.skeleton.segments
+    ]
     movement = replace(movement, skeleton=Skeleton(tuple(segments), 50.0))
     truth, rows = forward_kinematics(movement, RATE), slice(100, 130)
     thrown = turned(movement, "fore", 0, rows, 30.0)
@@ -183,3 +172,29 @@ def test_a_source_that_is_another_recording_by_now_is_not_asked(movement):
     _, faults = mend_faults(given)
     found = with_own_angles(truth, replace(given, source=later), faults)
     np.testing.assert_allclose(found.positions, truth.positions, atol=0.5)
+
+
+def test_a_root_that_is_turned_wrongly_throws_nobody_off(movement):
+    """Its own joints' angles jump to keep the body where it is."""
+    pose = forward_kinematics(movement, RATE)
+    rotations = np.array(pose.rotations)
+    rotations[100:120, 0] = multiply(rotations[100:120, 0], np.array([0.0, 0.0, 0.5, 0.75**0.5]))
+    assert not thrown_off(pose.with_samples(pose.positions, rotations)).any()
+
+
+def test_of_a_joint_with_three_angles_the_others_keep_their_numbers(movement):
+    truth, rows = forward_kinematics(movement, RATE), slice(100, 130)
+    wrong = turned(movement, "arm", 1, rows, 50.0)
+    given = forward_kinematics(wrong, RATE)
+    told = truth.with_samples(truth.positions + np.array([0.0, 3.0, 0.0]), truth.rotations)
+    found = with_own_angles(told, given, mend_faults(given)[1])
+    arm = [truth.index(name) for name in ("arm", "fore", "hand")]
+    positions, rotations = np.array(truth.positions), np.array(truth.rotations)
+    positions[rows, arm], rotations[rows, arm] = (
+        found.positions[rows, arm],
+        found.rotations[rows, arm],
+    )
+    back = inverse_kinematics(truth.with_samples(positions, rotations), wrong)
+    for name, values in wrong.channels.items():
+        changed = np.argwhere(np.abs(back.channels[name] - values) > 1e-6)
+        assert {column for _, column in changed.tolist()} == ({1} if name == "arm" else set())

@@ -1,8 +1,12 @@
-"""A small Acclaim skeleton and a movement of it."""
+"""Small Acclaim skeletons and movements of them."""
 
 from __future__ import annotations
 
 from pathlib import Path
+
+import numpy as np
+
+from markermend.poses.skeleton import Movement, Segment, Skeleton
 
 ASF = """\
 # a comment
@@ -66,3 +70,26 @@ def write_small(folder: Path) -> Path:
     (folder / "a.asf").write_text(ASF)
     (folder / "a_1.amc").write_text(AMC)
     return folder
+
+
+def arm_and_leg(frames: int, swings: int = 1) -> Movement:
+    """A trunk with an arm whose elbow bends one way, and a leg, which swing so many times."""
+    segments = (
+        Segment("root", -1, (0.0, 0.0, 1.0), 0.0, dofs=("tx", "ty", "tz", "rx", "ry", "rz")),
+        Segment("back", 0, (0.0, 0.0, 1.0), 5.0, (10.0, 20.0, 0.0), "xyz", ("rx", "ry", "rz")),
+        Segment("arm", 1, (1.0, 0.0, 0.0), 3.0, (0.0, 0.0, 30.0), "xyz", ("rx", "ry", "rz")),
+        Segment("fore", 2, (1.0, 0.0, 0.0), 2.5, (0.0, 0.0, 0.0), "xyz", ("ry",)),
+        Segment("hand", 3, (1.0, 0.0, 0.0), 1.0, (0.0, 0.0, 0.0), "xyz", ("ry", "rz")),
+        Segment("leg", 0, (0.0, 0.0, -1.0), 6.0, (0.0, 0.0, 0.0), "xyz", ("rx", "ry", "rz", "l")),
+    )
+    rng = np.random.default_rng(0)
+    time = np.linspace(0, 2 * np.pi * swings, frames)[:, None]
+    channels = {
+        s.name: rng.uniform(-30, 30, len(s.dofs))
+        + 20 * np.sin(time + rng.uniform(0, 6, len(s.dofs)))
+        for s in segments
+    }
+    channels["root"][:, :3] /= 10.0
+    channels["fore"] -= 60.0
+    channels["leg"][:, 3] = 0.1
+    return Movement(Skeleton(segments, 50.0), channels, frames)

@@ -110,7 +110,8 @@ def with_edges_moved(
         ]
         beside = {a.id: a for a in others if a.status is Status.PENDING}
         if new.kind is Kind.GAP:
-            changes[old.id] = told(state.original, new, absent)
+            if (old.start, old.stop) != (new.start, new.stop):
+                changes[old.id] = told(state.original, new, absent)
             inside = [a for a in beside.values() if new.start <= a.start and a.stop <= new.stop]
             changes |= {a.id: None for a in inside if not a.note}
             beside = {a.id: _without(a, new) for a in beside.values() if a not in inside}

@@ -10,6 +10,7 @@ from markermend.poses.faults.hinges import Hinges, hinges_of
 from markermend.poses.faults.jumping import trips
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import inverse, lengths_of, multiply, rotation_vector
+from markermend.poses.skeleton import TURNS, Movement
 
 # A step of an angle is a jump when it differs by so much from those in this time around it, and by
 # so many times what all but this share of its steps do, or all but a few of a short recording.
@@ -35,8 +36,8 @@ def thrown_off(pose: Pose) -> BoolArray:
     Notes
     -----
     A limb that is elsewhere for half a second comes back to somewhere else, since the body went on,
-    and the jumps of its joints do not take each other back. Those of its angles do, in the axes
-    that are turned or in those that they are turned from.
+    and the jumps of its joints do not take each other back. Those of its angles do: as the file has
+    them, in the axes that are turned, or in those that they are turned from.
     """
     off = np.zeros((pose.frames, len(pose.joints)), dtype=bool)
     hinges = hinges_of(pose) if pose.frames > 2 * _LEAST_AROUND else None
@@ -53,8 +54,8 @@ def thrown_off(pose: Pose) -> BoolArray:
         leaps = far > max(_JUMP_DEG, _TIMES * usual)
         if not leaps.any():
             continue
-        within = _odd(steps_of(hinges.turns[:, joint], within=True), pose.rate)
-        for way in (odd, within):
+        ways = [steps_of(hinges.turns[:, joint], within=True), _angle_steps(pose, joint)]
+        for way in (odd, *(_odd(steps, pose.rate) for steps in ways if steps is not None)):
             for out, home in trips(way, leaps, pose.rate):
                 rows = slice(out + 1, home + 1)
                 off[rows] |= _elsewhere(hinges, joint, rows)
@@ -69,6 +70,20 @@ def steps_of(turns: FloatArray, *, within: bool = False) -> FloatArray:
     before, after = turns[:-1], turns[1:]
     step = multiply(inverse(before), after) if within else multiply(after, inverse(before))
     return np.asarray(np.degrees(np.nan_to_num(rotation_vector(step))))
+
+
+def _angle_steps(pose: Pose, joint: int) -> FloatArray | None:
+    """(frames - 1, n) degrees that a joint's angles change by, where its file has some."""
+    movement, name = pose.source, pose.joints[joint]
+    if not isinstance(movement, Movement) or movement.frames != pose.frames:
+        return None
+    if name not in movement.channels:
+        return None
+    (segment,) = (s for s in movement.skeleton.segments if s.name == name)
+    columns = [k for k, dof in enumerate(segment.dofs) if dof in TURNS]
+    steps = np.diff(movement.channels[name][:, columns], axis=0)
+    # A turn may be told as one beyond 180 degrees.
+    return np.asarray(np.nan_to_num((steps + 180.0) % 360.0 - 180.0))
 
 
 def _odd(steps: FloatArray, rate: float) -> FloatArray:

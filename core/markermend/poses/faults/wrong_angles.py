@@ -74,7 +74,7 @@ def with_own_angles(told: Pose, given: Pose, faults: Iterable[Fault]) -> Pose:
 def _turned_back(
     told: Pose, hinges: Hinges, rows: slice, joints: list[int]
 ) -> tuple[FloatArray, FloatArray] | None:
-    """Places and rotations with the wrong angles alone turned; None where these explain it not."""
+    """Places and rotations, the wrong angles alone turned; None where that does not explain it."""
     given, wanted = hinges.pose, told.positions[rows]
     may = {*joints, *(given.parents[j] for j in joints)}
     may = {j for j in may if j >= 0 and given.parents[j] >= 0}
