@@ -12,6 +12,7 @@ from markermend.poses.body.rooting import rooted
 from markermend.poses.normal import FEATURES, Normal, normalise
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import NO_TURN, inverse, multiply, turn, unit, unrolled
+from markermend.poses.sides_of_turns import on_one_side
 
 # A rotation this near to none is what sensors write where they know nothing.
 _UNTURNED = 1e-9
@@ -62,7 +63,7 @@ def to_channels(pose: Pose) -> Channels:
     confidence = np.array(pose.confidence)
     confidence[:, root] = np.maximum(confidence[:, root], np.finfo(float).tiny)
     features, normal = normalise(pose.with_samples(positions, rotations, confidence))
-    features[..., 3:] = unrolled(features[..., 3:])
+    features[..., 3:] = on_one_side(features[..., 3:])
     joints = tuple(j for j in range(len(pose.joints)) if j != root)
     values = features[:, joints].reshape(pose.frames, -1)
     known = ~np.isnan(values)
