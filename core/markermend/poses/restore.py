@@ -14,6 +14,7 @@ from markermend.errors import DataError
 from markermend.poses.body.agreeing import NOISY, SURE, agreeing, agreeing_in_time, with_bones
 from markermend.poses.body.bending import OthersBends
 from markermend.poses.body.bones import Bones, wobble
+from markermend.poses.body.calming import calmed, root_noise_mm
 from markermend.poses.body.jointed import jointed
 from markermend.poses.channels import (
     Channels,
@@ -220,11 +221,16 @@ def _restore(
     shake = wobble(shown, seen_turned[0], pose.parents, channels.normal.root)
     noise = noise_level(whole, channels.known)
     level = overall_noise(noise, usable, shake, pose.rate)
+    root_noise = 0.0
     if not level:
         noise[:] = LEAST_NOISE
     else:
         tell(0.3, "Smoothing")
         values = smooth(rough, noise[usable], pose.rate, prior)
+        root_noise = root_noise_mm(pose) / channels.normal.scale
+        if root_noise:
+            remains = left_of_noise(pose.rate) * noise[usable]
+            channels = calmed(channels, whole, values, remains, root_noise, pose.rate)
     share = _OTHERS
     if level <= NOISY:
         share = min(_OTHERS, _OTHERS_S / (_OTHERS_S + pose.frames / pose.rate))
@@ -283,7 +289,7 @@ def _restore(
             features = _between(last, features, first, seen_turned)
     features = with_bones(features, seen_turned, bones)
     variance[:, usable] *= limbs_doubted(known.shape, filled.gaps, BRIEF_S * pose.rate)
-    return _finished(pose, features, channels, noise, variance, off_mm)
+    return _finished(pose, features, channels, noise, variance, off_mm, root_noise)
 
 
 def _variance(filled: Filled, known: BoolArray, left: FloatArray) -> FloatArray:
@@ -314,9 +320,10 @@ def _finished(
     noise: FloatArray,
     variance: FloatArray,
     off_mm: FloatArray,
+    root_noise: float,
 ) -> Restored:
     """Back to millimetres and global axes."""
-    joints, count = list(channels.joints), len(pose.joints)
+    joints, count, root = list(channels.joints), len(pose.joints), channels.normal.root
     positions, rotations = denormalise(features, channels.normal)
     # A root that was never seen is where poses are looked at from.
     positions[:, ~pose.seen.any(axis=0)] = np.nan
@@ -333,4 +340,6 @@ def _finished(
     error = np.hypot(error, off_mm)
     level = np.zeros(count)
     level[joints] = noise[::FEATURES] * channels.normal.scale
+    level[root] = root_noise * channels.normal.scale
+    error[:, root] = left_of_noise(pose.rate) * np.sqrt(3.0) * level[root]
     return Restored(pose.with_samples(positions, rotations, confidence), error, level, filled)
