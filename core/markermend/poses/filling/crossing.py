@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray
-from markermend.poses.filling.bridging import SIDE, around
+from markermend.poses.filling.bridging import around
 from markermend.poses.filling.covariance import Moments
 from markermend.poses.filling.gaps import Gap
 
@@ -31,7 +31,7 @@ def cross_short(
     base : (frames, channels) without NaN, the gaps bridged
     variance : (frames, channels) expected squared errors
     known : (frames, channels) bool
-    gaps : the short ones
+    gaps : the short ones, with as many frames at either side as a bridge stands on
     moments : of the channels
     rate : frames per second
     cross : length of a gap to (length, 2 · SIDE) weights of the frames at its sides
@@ -41,10 +41,8 @@ def cross_short(
     One inverse serves all: with precisions P the unknown given the known is -P_uu⁻¹ P_uk k, of
     covariance P_uu⁻¹, and few channels are unknown at a time.
     """
-    frames = len(base)
     for length in sorted({gap.stop - gap.start for gap in gaps}):
         some = [g for g in gaps if g.stop - g.start == length]
-        some = [g for g in some if g.start >= SIDE and g.stop + SIDE <= frames]
         covariance = moments.within_s(length / rate)
         precision = np.linalg.inv(covariance + _RIDGE * np.eye(len(covariance)))
         starts = np.array([gap.start for gap in some], dtype=int)[:, None]

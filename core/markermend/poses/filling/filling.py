@@ -21,6 +21,7 @@ from markermend.poses.filling.bridging import (
 )
 from markermend.poses.filling.covariance import Moments, learn, pooled
 from markermend.poses.filling.crossing import cross_short
+from markermend.poses.filling.ends import gone_on
 from markermend.poses.filling.gaps import Gap, by_lasting, gaps_of
 from markermend.poses.filling.lasting import Look, Moves, fill_lasting
 from markermend.poses.filling.likeness import FEW_MOMENTS, moving
@@ -42,6 +43,8 @@ _RIDGE, _LEVEL_RIDGE, _DOUBT = 1e-4, 1e-3, 0.1
 _MOSTLY_HIDDEN = 0.999
 # How much movement within a gap counts beside whole poses where levels are regressed.
 _PASSING = 1.5
+# Without a prior so many frames for each channel keep regressions from fitting these too well.
+_FIRM = 20
 
 
 @dataclass(frozen=True, eq=False)
@@ -155,10 +158,10 @@ def fill(
     else:
         base, gaps, variance = near.base, near.gaps, near.variance.copy()
     if not rough and near is None:
-        shortest = [gap for gap in gaps if gap.length <= short]
+        shortest = [gap for gap in gaps if _crossed_at_once(gap, short, len(known))]
         moments = learnt(base, range(1, short + 1))
         cross_short(base, variance, known, shortest, moments, rate, cross)
-    lengthy = [gap for gap in gaps if gap.length > short]
+    lengthy = [gap for gap in gaps if not _crossed_at_once(gap, short, len(known))]
     brief, again = (lengthy, []) if rough else by_lasting(lengthy, len(known), BRIEF_S * rate)
     estimate = base.copy() if near is None else np.where(known, base, near.values)
     first = lengthy if near is None else []
@@ -187,11 +190,17 @@ def fill(
             joints,
             mirror,
             performed,
+            prior is not None or len(known) >= _FIRM * known.shape[1],
         )
         estimate = estimate.copy()
         for gap in some:
             estimate[gap.part], variance[gap.part] = _fill_gap(gap, look)
     return Filled(np.where(known, values, estimate), variance, base, gaps, len(again))
+
+
+def _crossed_at_once(gap: Gap, short: int, frames: int) -> bool:
+    """Whether a gap is one of the many short ones that lie between known frames."""
+    return gap.length <= short and gap.start >= SIDE and gap.stop + SIDE <= frames
 
 
 def _covariances(
@@ -233,6 +242,9 @@ def _fill_gap(gap: Gap, look: Look) -> tuple[NDArray[Any], NDArray[Any]]:
     if start == 0 or stop == frames:
         if start == 0 and stop == frames:
             raise ValueError("A channel is never known.")
+        onwards = _gone_on(gap, look, look.estimate[:, others] @ weights if look.firm else None)
+        if onwards is not None:
+            return onwards
         return inside + beside[1 if start == 0 else 0], np.tile(left, (length, 1))
     levels = inside + straight(length)[:, [SIDE - 1, SIDE]] @ beside
     shape = arch(length)[:, None]
@@ -246,3 +258,17 @@ def _fill_gap(gap: Gap, look: Look) -> tuple[NDArray[Any], NDArray[Any]]:
         share * (bridges[:, gap.channels] + told) + (1.0 - share) * levels,
         shape * left,
     )
+
+
+def _gone_on(
+    gap: Gap, look: Look, told: Float32Array | None
+) -> tuple[FloatArray, FloatArray] | None:
+    """Of a gap at an end of a recording: where what stands beside it goes."""
+    known: BoolArray = np.asarray(look.known[gap.channels].all(axis=0))
+    if gap.stop == len(known):
+        before = slice(0, gap.start)
+        return gone_on(look.base[before, gap.channels], told, known[before], gap.length, look.rate)
+    after = slice(None, gap.stop - 1, -1)
+    told = told[::-1] if told is not None else None
+    back = gone_on(look.base[after, gap.channels], told, known[after], gap.length, look.rate)
+    return None if back is None else (back[0][::-1], back[1][::-1])

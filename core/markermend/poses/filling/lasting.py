@@ -59,6 +59,7 @@ class Look:
     joints : (channels,) number of the joint that each is of
     mirror : of all channels, where there is one
     performed : other recordings that are asked, where there are any
+    firm : whether regressions tell of frames that they were not learnt from as they do of others
     """
 
     estimate: Float32Array
@@ -74,6 +75,7 @@ class Look:
     joints: IntArray
     mirror: Mirror | None
     performed: Performances | None
+    firm: bool
     _frames_of: dict[bytes, IntArray] = field(default_factory=dict)
 
     def frames_of(self, channels: IntArray) -> IntArray:
