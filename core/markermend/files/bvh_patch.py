@@ -22,6 +22,7 @@ from markermend.files.bvh_hierarchy import (
 )
 from markermend.files.bvh_read import HEAD, Channels, content_of
 from markermend.poses.pose import Pose
+from markermend.poses.quaternion import lengths_of
 from markermend.progress import Progress
 
 RIGID_MM = 1.0
@@ -74,7 +75,7 @@ def patched(pose: Pose, progress: Progress) -> bytes | None:
     Returns
     -------
     The file's content; None where the recording comes from none, it is not there any more or says
-    something else now, or cannot say what is changed
+    something else now, or cannot say what is changed, as a body of another size
     """
     source = pose.source
     if not isinstance(source, Channels) or not _fits(pose, source):
@@ -88,7 +89,10 @@ def patched(pose: Pose, progress: Progress) -> bytes | None:
     same = _alike(there.joints, source.joints)
     if not same or not np.array_equal(there.values[rows], source.values):
         return None
-    own = _channels(pose, source)
+    places = offsets_by(pose, pose.parents) / source.scale_mm
+    if not _same_body(places, source):
+        return None
+    own = _channels(pose, places, source)
     mark = _BYTE_ORDER_MARK if raw.startswith(_BYTE_ORDER_MARK) else b""
     text, code = _decoded(raw.removeprefix(mark))
     start = _MOTION.search(text)
@@ -142,9 +146,21 @@ def _decoded(raw: bytes) -> tuple[str, str]:
         return raw.decode("latin-1"), "latin-1"
 
 
-def _channels(pose: Pose, source: Channels) -> list[_Own]:
+def _same_body(places: FloatArray, source: Channels) -> bool:
+    """Whether half of the bones that cannot change are as in the file, and not of another size."""
+    rigid = [
+        i
+        for i, joint in enumerate(source.joints)
+        if joint.parent >= 0 and not any(name in MOVES for name in joint.channels)
+    ]
+    usual = np.median(places[:, rigid], axis=0)
+    away = lengths_of(usual - np.array([joint.offset for joint in source.joints])[rigid])
+    return bool(np.count_nonzero(away * source.scale_mm < RIGID_MM) >= len(rigid) / 2)
+
+
+def _channels(pose: Pose, places: FloatArray, source: Channels) -> list[_Own]:
     """Channels of each joint that have it where and as the recording has it."""
-    places, found, column = offsets_by(pose, pose.parents) / source.scale_mm, list[_Own](), 0
+    found, column = list[_Own](), 0
     for i, joint in enumerate(source.joints):
         values = source.values[:, column : column + len(joint.channels)]
         column += len(joint.channels)
@@ -189,7 +205,7 @@ def _moves(
             was[:, MOVES[name]] = values[:, k]
     away = np.abs(place - was)
     fixed = joint.parent >= 0 and bool((np.ptp(was, axis=0) * scale < RIGID_MM).all())
-    if fixed and (np.linalg.norm(away, axis=1) * scale < RIGID_MM).all():
+    if fixed and (lengths_of(away) * scale < RIGID_MM).all():
         return {}
     there = (away > _SAME).any(axis=1)
     return {
