@@ -2,25 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import IO
-from warnings import catch_warnings, filterwarnings
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import ExportError
-from markermend.files.bvh_read import CM, END, MOVES, end_name, unit_of
+from markermend.files.bvh_angles import angles_of, unrolled_angles
+from markermend.files.bvh_hierarchy import (
+    CM,
+    END,
+    MOVES,
+    end_name,
+    offsets_by,
+    own_turn,
+    unit_of,
+)
+from markermend.files.bvh_patch import DIGITS, RIGID_MM, patched, rounded
 from markermend.poses.pose import Pose
-from markermend.poses.quaternion import inverse, multiply, turn
 from markermend.poses.turnless import turned_as_parents, turnless
 from markermend.progress import Progress
 
 # Millimetres in units that one may be written in; one of them is told by every size.
 _UNITS = (CM, 1.0, 1000.0)
-# What a joint may come off its place in its parent's axes and still be written as fixed there.
-_RIGID_MM = 1.0
 _WRITTEN = "ZXY"
 _POSES_A_REPORT = 1024
 _MOST_NAMED = 8
@@ -29,7 +33,7 @@ _MOST_NAMED = 8
 def write_bvh(
     pose: Pose, file: IO[bytes], progress: Progress, *, whole: Pose | None = None
 ) -> None:
-    """Write a hierarchy, and its movement.
+    """Write a hierarchy, and its movement: over the file it was read from, else anew.
 
     Parameters
     ----------
@@ -47,6 +51,8 @@ def write_bvh(
 
     Notes
     -----
+    What follows is about a file that is written anew, as of a recording that was no BVH.
+
     The unit is centimetres, or another where a body of that size would be taken to be in another,
     since the file tells none.
 
@@ -59,18 +65,22 @@ def write_bvh(
     it is where the recording has it.
     """
     pose, told = _writable(pose, whole)
-    offsets = _offsets(told, told.parents)
-    by_own = _strays(_offsets(told, range(len(told.joints))))
-    if not _has_ends(told) and by_own.sum() + _RIGID_MM < _strays(offsets).sum():
+    content = patched(pose, progress)
+    if content is not None:
+        file.write(content)
+        return
+    offsets = offsets_by(told, told.parents)
+    by_own = _strays(offsets_by(told, range(len(told.joints))))
+    if not _has_ends(told) and by_own.sum() + RIGID_MM < _strays(offsets).sum():
         pose, told = _at_starts(pose), _at_starts(told)
-        offsets = _offsets(told, told.parents)
+        offsets = offsets_by(told, told.parents)
     children: dict[int, list[int]] = {}
     for joint, parent in enumerate(pose.parents):
         children.setdefault(parent, []).append(joint)
-    carried = (_strays(offsets) < _RIGID_MM) & (np.array(pose.parents) >= 0)
+    carried = (_strays(offsets) < RIGID_MM) & (np.array(pose.parents) >= 0)
     usual = np.median(offsets, axis=0)
     if whole is not None:
-        offsets = _offsets(pose, pose.parents)
+        offsets = offsets_by(pose, pose.parents)
     for unit in _UNITS:
         lines, order = ["HIERARCHY"], list[int]()
         _describe(children[-1][0], pose, children, usual / unit, carried, lines, order)
@@ -79,18 +89,19 @@ def write_bvh(
     lines += ["MOTION", f"Frames: {pose.frames}", f"Frame Time: {1.0 / pose.rate:.9g}"]
     file.write(("\n".join(lines) + "\n").encode())
     columns = []
-    for joint in order:
-        local, parent = pose.rotations[:, joint], pose.parents[joint]
-        if parent >= 0:
-            local = multiply(inverse(pose.rotations[:, parent]), local)
+    turns = np.stack([angles_of(own_turn(pose, joint), _WRITTEN) for joint in order], axis=1)
+    turns = unrolled_angles(turns, turns[0])
+    for place, joint in enumerate(order):
         if not carried[joint]:
             columns.append(offsets[:, joint] / unit)
-        columns.append(_angles(local))
-    table = np.concatenate(columns, axis=1)
+        columns.append(turns[:, place])
+    table = rounded(np.concatenate(columns, axis=1))
     for start in range(0, pose.frames, _POSES_A_REPORT):
         progress(start / pose.frames, "Writing poses")
         rows = table[start : start + _POSES_A_REPORT].tolist()
-        file.write("".join(" ".join(f"{v:.6f}" for v in row) + "\n" for row in rows).encode())
+        file.write(
+            "".join(" ".join(f"{v:.{DIGITS}f}" for v in row) + "\n" for row in rows).encode()
+        )
 
 
 def _writable(pose: Pose, whole: Pose | None) -> tuple[Pose, Pose]:
@@ -144,28 +155,6 @@ def _complete(pose: Pose) -> Pose:
     """Those poses of a recording in which every joint was seen."""
     rows = ~np.isnan(pose.rotations).any(axis=(1, 2))
     return Pose(pose.positions[rows], pose.rotations[rows], pose.joints, pose.parents, pose.rate)
-
-
-def _angles(rotations: FloatArray) -> FloatArray:
-    """(frames, 3) degrees about the axes in the order written."""
-    with catch_warnings():
-        # Where two axes fall together one of their turns is as good as the other.
-        filterwarnings("ignore", message="Gimbal lock")
-        angles = Rotation.from_quat(rotations).as_euler(_WRITTEN, degrees=True)  # type: ignore[call-overload]
-    return np.asarray(angles)
-
-
-def _offsets(pose: Pose, by: Iterable[int]) -> FloatArray:
-    """(frames, joints, 3) mm from each joint's parent, in the axes of the joints in ``by``.
-
-    Of the root its position.
-    """
-    found = pose.positions.copy()
-    for joint, (parent, axes) in enumerate(zip(pose.parents, by, strict=True)):
-        if parent >= 0:
-            bone = pose.positions[:, joint] - pose.positions[:, parent]
-            found[:, joint] = turn(inverse(pose.rotations[:, axes]), bone)
-    return found
 
 
 def _strays(offsets: FloatArray) -> FloatArray:
@@ -241,4 +230,4 @@ def _ends(
 
 
 def _three(values: FloatArray) -> str:
-    return " ".join(f"{value:.6f}" for value in (np.round(values, 6) + 0.0).tolist())
+    return " ".join(f"{value:.{DIGITS}f}" for value in rounded(values).tolist())

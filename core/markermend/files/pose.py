@@ -15,7 +15,7 @@ from markermend.files.amc_patch import USUAL_RATE
 from markermend.files.amc_skeleton import check_guess, find_skeleton
 from markermend.files.asf import read_asf
 from markermend.files.atomic import write_whole
-from markermend.files.bvh_read import read_bvh
+from markermend.files.bvh_read import Channels, read_bvh
 from markermend.files.bvh_write import write_bvh
 from markermend.files.opening import SNIFFED, named, not_opened
 from markermend.files.pose_csv import Table, read_pose_csv, write_pose_csv
@@ -162,7 +162,7 @@ def crop_pose(pose: Pose, start: int, stop: int) -> Pose:
         time goes on
     """
     source, rows = pose.source, slice(start, stop)
-    if isinstance(source, Movement):
+    if isinstance(source, Movement | Channels):
         source = source.part(start, stop)
     elif isinstance(source, Table):
         source = replace(source, written=source.written[rows], read=source.read[rows])
