@@ -160,7 +160,7 @@ def _follow(options: argparse.Namespace) -> int:
 
     # Line by line: iterating over the stream itself would wait for a full buffer.
     lines = iter(sys.stdin.readline, "")
-    follow(lines, write, rate=options.rate or 30.0, prior=prior, warn=warn)
+    follow(lines, write, rate=options.rate, prior=prior, warn=warn)
     return 0
 
 

@@ -9,7 +9,9 @@ import numpy as np
 from markermend.arrays import FloatArray
 from markermend.files.pose_rows import Header
 
-_SENSOR_RATE = 30.0
+SENSOR_RATE = 30.0
+"""Poses per second where nothing tells."""
+
 # Nobody records joints so slowly: times that grow by as much a pose are in a smaller unit.
 _SLOWEST_S, _ROUNDED = 1.0, 1e-6
 _SMALLER = ((1e-3, "milliseconds"), (1e-6, "microseconds"), (1e-9, "nanoseconds"))
@@ -31,12 +33,14 @@ class Clock:
     begins : seconds at the first of them
     second : seconds in the file's unit of time
     oddities : sentences about what was guessed
+    told : times tell the rate
     """
 
     rate: float
     begins: float = 0.0
     second: float = 1.0
     oddities: tuple[str, ...] = ()
+    told: bool = True
 
 
 def by_times(told: list[float], frame: list[int], header: Header) -> Clock:
@@ -90,10 +94,10 @@ def by_times(told: list[float], frame: list[int], header: Header) -> Clock:
 
 def _no_clock(step: int) -> Clock:
     """What is assumed where no time tells: numbers are those of a sensor's poses."""
-    rate = _SENSOR_RATE / step
+    rate = SENSOR_RATE / step
     if rate * _SLOWEST_S < 1.0:
-        rate = _SENSOR_RATE
-    return Clock(rate, oddities=(f"The file tells no rate; {rate:g} Hz was assumed.",))
+        rate = SENSOR_RATE
+    return Clock(rate, oddities=(f"The file tells no rate; {rate:g} Hz was assumed.",), told=False)
 
 
 def _usual_slope(frames: FloatArray, times: FloatArray) -> tuple[float, int]:

@@ -131,7 +131,7 @@ class Following:
         self._known = np.ones(channels, dtype=bool)
         self._others_tell: Regression | None = None
         self._lags = sorted({max(round(lag * self._rate), 1) for lag in _LAGS_S})
-        self._past: deque[FloatArray] = deque([self._values], maxlen=self._lags[-1])
+        self._past: deque[FloatArray | None] = deque([self._values], maxlen=self._lags[-1])
         if before is not None and kept is not None:
             self._go_on(before, kept)
 
@@ -217,11 +217,11 @@ class Following:
         self._forth = multiply(self._axes_turn, self._offset[self._root])
         self._axes = matrices(self._forth[None])[0]
 
-    def _follow_root(self) -> None:
+    def _follow_root(self, steps: float) -> None:
         """Turn axes after the root: how it shakes is no movement of what hangs on it."""
         own, turned = self._axes_turn, self._root_pose[1]
         follows_s = _FOLLOWS_S if self._sides is None else _FACES_S
-        share = 1.0 - np.exp(-1.0 / (follows_s * self._rate))
+        share = 1.0 - np.exp(-steps / (follows_s * self._rate))
         self._axes_turn = unit(own + share * (np.copysign(1.0, turned @ own) * turned - own))
         self._look()
 
@@ -248,7 +248,7 @@ class Following:
         return own if np.isnan(faced).any() else faced
 
     def __call__(
-        self, positions: FloatArray, rotations: FloatArray, seen: BoolArray
+        self, positions: FloatArray, rotations: FloatArray, seen: BoolArray, steps: float = 1.0
     ) -> tuple[FloatArray, FloatArray]:
         """Fill one pose.
 
@@ -257,6 +257,7 @@ class Following:
         positions : (joints, 3) mm; anything where not seen
         rotations : (joints, 4) unit quaternions x, y, z, w; 0 or NaN of a joint that has none
         seen : (joints,) bool
+        steps : poses from the last to this one; those between did not come
 
         Returns
         -------
@@ -271,17 +272,18 @@ class Following:
         if seen[self._root] and np.isfinite(positions[self._root]).all():
             place = positions[self._root]
         self._root_pose = place, self._root_turn(positions, turns, seen, told)
-        self._follow_root()
+        self._follow_root(steps)
         values, known = self._relative(positions, turns, seen, told)
         # Matrices as small as these take twice as long where two threads share one.
         with self._threads.limit(limits=1):
-            filled = self._filled(values, known)
+            filled = self._filled(values, known, steps)
             self._unlearnt += 1
             counts = self._unlearnt if self._unlearnt >= self._learns_from else 0
-            values = self._articulation.follow(filled, known, self._turned_root(), counts)
+            values = self._articulation.follow(filled, known, self._turned_root(), counts, steps)
             # As whole steps each, they would draw a joint to its mean.
-            share = 1.0 - np.exp(-1.0 / (_SETTLES_S * self._rate))
+            share = 1.0 - np.exp(-steps / (_SETTLES_S * self._rate))
             self._values = filled + share * (values - filled)
+            self._past.extend([None] * (min(round(steps), self._lags[-1]) - 1))
             self._learn(self._values, counts)
         where, turned = self._absolute(values)
         where = self._with_bones(where, seen)
@@ -316,7 +318,7 @@ class Following:
         # So far out no joint is a body's; NaN is not known either.
         return values.ravel(), known.ravel() & (np.abs(values.ravel()) < FAR)
 
-    def _filled(self, values: FloatArray, known: BoolArray) -> FloatArray:
+    def _filled(self, values: FloatArray, known: BoolArray, steps: float) -> FloatArray:
         """What is not known moves and is where what is known tells, and coasts a little."""
         now = np.where(known, values, self._values)
         hidden, visible = np.flatnonzero(~known), np.flatnonzero(known)
@@ -329,11 +331,14 @@ class Following:
                 gone = self._known[hidden]
                 self._coasting[hidden] = np.where(gone, left, self._coasting[hidden])
             told = self._others_tell.tell(now[visible] - self._values[visible])
-            now[hidden] += told + self._coasting[hidden]
-            self._levels.draw(now)
-            self._coasting *= np.exp(-1.0 / (_COASTS_S * self._rate))
-        share = 1.0 - np.exp(-1.0 / (_AVERAGED_S * self._rate))
-        self._speed += share * (now - self._values - self._speed)
+            slower = np.exp(-1.0 / (_COASTS_S * self._rate))
+            # All the way that is gone at a speed that fades.
+            far = (1.0 - slower**steps) / (1.0 - slower)
+            now[hidden] += told + far * self._coasting[hidden]
+            self._levels.draw(now, steps)
+            self._coasting *= slower**steps
+        share = 1.0 - np.exp(-steps / (_AVERAGED_S * self._rate))
+        self._speed += share * ((now - self._values) / steps - self._speed)
         now.reshape(-1, FEATURES)[:, 3:] = unit(now.reshape(-1, FEATURES)[:, 3:])
         self._known = known
         return now
@@ -345,11 +350,12 @@ class Following:
         moves much like a right one that is mirrored.
         """
         past = self._past
-        if counts:
-            lags = [n for n in self._lags if n <= len(past)]
+        then = {n: past[-n] for n in self._lags if n <= len(past)} if counts else {}
+        there = {n: one for n, one in then.items() if one is not None}
+        if there:
             # Movement grows with the root of time.
-            usual = np.sqrt(_USUAL_S * self._rate / np.array(lags))
-            before = np.array([past[-n] for n in lags]).reshape(len(lags), len(values))
+            usual = np.sqrt(_USUAL_S * self._rate / np.array(list(there)))
+            before = np.array(list(there.values())).reshape(len(there), len(values))
             moved = (values - before) * usual[:, None]
             if self._twins is not None:
                 moved = both_sides_moved(moved, self._twins, self._signs)
