@@ -63,8 +63,7 @@ class Pace:
 class PacedLive:
     """Cleans poses of a stream by :class:`markermend.poses.live.Live`, told what is missing.
 
-    Where nobody says how many poses there are a second, the first few tell by their times; what
-    came until then is gone through again at that rate.
+    Where nobody says how many poses there are a second, the first few tell by their times.
 
     Parameters
     ----------
@@ -82,9 +81,7 @@ class PacedLive:
     def __init__(
         self, first: Pose, prior: Prior | None, header: Header | None, warn: Callable[[str], None]
     ) -> None:
-        self._first, self._prior, self._header, self._warn = first, prior, header, warn
-        self._pace = Pace()
-        self._begun: list[tuple[FloatArray, FloatArray, BoolArray, int]] = []
+        self._header, self._warn, self._pace = header, warn, Pace()
         self._frames: list[int] = []
         self._times: list[float] = []
         self.live, self.rate = Live(first, prior), first.rate
@@ -101,19 +98,17 @@ class PacedLive:
         """
         missed = self._pace.missed(frame, time)
         if self._header is not None:
-            self._begun.append((places, turns, seen, missed))
             self._frames.append(frame)
             self._times.append(time)
-            if len(self._begun) == _TELL:
+            if len(self._times) == _TELL:
                 self._go_by_times(self._header)
         return self.live(places, turns, seen, missed)
 
     def _go_by_times(self, header: Header) -> None:
-        """Begin anew at the rate that times tell."""
+        """Go on at the rate that times tell."""
         step = gcd(*(frame - self._frames[0] for frame in self._frames)) or 1
         frames = [(frame - self._frames[0]) // step for frame in self._frames]
-        clock, begun = by_times(self._times, frames, header), self._begun[:-1]
-        self._header, self._begun = None, []
+        clock, self._header = by_times(self._times, frames, header), None
         near = abs(clock.rate - self.rate) <= _ABOUT * self.rate
         if not clock.told or near or not _SLOWEST_HZ <= clock.rate <= _FASTEST_HZ:
             return
@@ -122,17 +117,4 @@ class PacedLive:
             " give the rate where that is wrong."
         )
         self.rate = clock.rate
-        first = self._first
-        self.live = Live(
-            Pose(
-                first.positions,
-                first.rotations,
-                first.joints,
-                first.parents,
-                clock.rate,
-                first.confidence,
-            ),
-            self._prior,
-        )
-        for pose in begun:
-            self.live(*pose)
+        self.live.come_at(clock.rate)

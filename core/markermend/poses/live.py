@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
@@ -57,6 +59,14 @@ class Live:
         given = self._doubting(first.positions[0], first.rotations[0], first.seen[0])
         self._doubting.keep(given[0], given[2])
         self._join(*given)
+
+    def come_at(self, rate: float) -> None:
+        """So many poses a second come from now on, which was not known before."""
+        self._body = replace(self._body, rate=rate)
+        self._doubting.come_at(rate)
+        self._steadying.come_at(rate)
+        if self._following is not None:
+            self._following.come_at(rate)
 
     @property
     def wrong(self) -> BoolArray:

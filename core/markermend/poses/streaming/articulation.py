@@ -86,9 +86,14 @@ class Articulation:
         self._precision: FloatArray = np.empty_like(self._covariance)
         self._age = 2 * _KEPT
         self._twins = twins
-        self._gone, self._frame_s = np.zeros((joints, 2)), 1.0 / rate
+        self._gone = np.zeros((joints, 2))
+        self.come_at(rate)
         self._usual = first.reshape(-1, FEATURES).copy()
         self._variance = np.full(self._usual.shape, _TURN)
+
+    def come_at(self, rate: float) -> None:
+        """So many poses a second come from now on."""
+        self._frame_s = 1.0 / rate
 
     def go_on(self, before: Articulation, kept: Kept) -> None:
         """Take over what was learnt of some joints, which hang where they did, all their columns.

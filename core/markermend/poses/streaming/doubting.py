@@ -82,6 +82,11 @@ class Doubting:
         self._age = 0
         self._set_limits()
 
+    def come_at(self, rate: float) -> None:
+        """So many poses a second come from now on."""
+        self._rate = rate
+        self._set_limits()
+
     def __call__(
         self, positions: FloatArray, rotations: FloatArray, seen: BoolArray, steps: float = 1.0
     ) -> tuple[FloatArray, FloatArray, BoolArray]:

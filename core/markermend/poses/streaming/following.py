@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections import deque
 from dataclasses import replace
 
@@ -29,6 +28,7 @@ from markermend.poses.quaternion import (
 from markermend.poses.solving import Regression, average_in
 from markermend.poses.streaming.articulation import FAR, Articulation
 from markermend.poses.streaming.joining import JOINING, Kept, widened
+from markermend.poses.streaming.keeping import with_bones
 from markermend.poses.streaming.levels import Levels
 from markermend.poses.turnless import given_turns, turned_as_parents
 
@@ -46,7 +46,6 @@ _SETTLES_S = 0.08
 _FOLLOWS_S, _FACES_S = 0.1, 0.3
 # How often joints are asked for it, and how often poses are learnt from.
 _ASKED_HZ, _LEARNT_HZ = 30.0, 60.0
-_ROUNDS = 2
 
 
 class Following:
@@ -98,7 +97,7 @@ class Following:
         self._untold = np.array([p for j, p in self._hanging if not self._there[j]], dtype=int)
         every = [j for j in range(len(first.joints)) if j != self._root]
         self._others = [j for j in every if self._there[j]]
-        self._scale, self._offset, self._rate = normal.scale, normal.offset, first.rate
+        self._scale, self._offset = normal.scale, normal.offset
         others = None
         if moments is not None:
             others = moments.of(np.flatnonzero(np.repeat(self._there[every], FEATURES)))
@@ -106,8 +105,6 @@ class Following:
         self._values = features[0, self._others].ravel()
         self._root_pose = first.positions[0, root], first.rotations[0, root]
         self._axes_turn, self._unasked, self._unlearnt = self._root_pose[1], 0, 0
-        # Poses that come faster than that tell the same.
-        self._learns_from = max(round(self._rate / _LEARNT_HZ), 1)
         kept = None if before is None else self._measure_as(before, first)
         self._aligning = by_right(self._offset[self._others])
         channels = len(self._values)
@@ -124,16 +121,26 @@ class Following:
             self._weight = others.weight
         at = {joint: n for n, joint in enumerate(self._others)} | {self._root: -1, -1: -1}
         above = [at[self._above(joint)] for joint in self._others]
-        body = self._values, above, self._rate, self._twins
+        body = self._values, above, first.rate, self._twins
         self._articulation = Articulation(*body, self._bending(first, bending, normal.scale))
-        self._levels = Levels(self._values, others, self._rate)
+        self._levels = Levels(self._values, others, first.rate)
         self._speed, self._coasting = np.zeros(channels), np.zeros(channels)
         self._known = np.ones(channels, dtype=bool)
         self._others_tell: Regression | None = None
-        self._lags = sorted({max(round(lag * self._rate), 1) for lag in _LAGS_S})
-        self._past: deque[FloatArray | None] = deque([self._values], maxlen=self._lags[-1])
+        self._past: deque[FloatArray | None] = deque([self._values])
+        self.come_at(first.rate)
         if before is not None and kept is not None:
             self._go_on(before, kept)
+
+    def come_at(self, rate: float) -> None:
+        """So many poses a second come from now on."""
+        self._rate = rate
+        # Poses that come faster than that tell the same.
+        self._learns_from = max(round(rate / _LEARNT_HZ), 1)
+        self._lags = sorted({max(round(lag * rate), 1) for lag in _LAGS_S})
+        self._past = deque(self._past, maxlen=self._lags[-1])
+        self._levels.come_at(rate)
+        self._articulation.come_at(rate)
 
     def _bending(self, first: Pose, others: OthersBends | None, scale: float) -> OthersBends | None:
         """How others bend, of the joints that take part; a recording's mean bone is ``scale``."""
@@ -286,7 +293,7 @@ class Following:
             self._past.extend([None] * (min(round(steps), self._lags[-1]) - 1))
             self._learn(self._values, counts)
         where, turned = self._absolute(values)
-        where = self._with_bones(where, seen)
+        where = with_bones(where, seen, self._bones, self._lengths)
         free = np.ones(len(seen), dtype=bool)
         free[self._others] = known[FEATURES - 1 :: FEATURES]
         free[self._root] = told[self._root]
@@ -375,23 +382,3 @@ class Following:
         turned = (columns[:, 3:] @ by_left(self._forth).T)[:, :, None]
         rotations[others] = (self._aligning.swapaxes(1, 2) @ turned)[:, :, 0]
         return positions, rotations
-
-    def _with_bones(self, positions: FloatArray, seen: BoolArray) -> FloatArray:
-        """Move joints that are not seen to where their bones reach."""
-        loose = [(j, p) for j, p in self._bones if not (seen[j] and seen[p])]
-        if not loose:
-            return positions
-        # Of so few numbers Python's own are faster.
-        places, lengths, shown = positions.tolist(), self._lengths.tolist(), seen.tolist()
-        for joint, parent in loose * _ROUNDS:
-            (x, y, z), (u, v, w) = places[joint], places[parent]
-            bone = (x - u, y - v, z - w)
-            share = lengths[joint] / (math.hypot(*bone) or 1.0) - 1.0
-            if not (shown[joint] or shown[parent]):
-                share *= 0.5
-            i, j, k = (share * way for way in bone)
-            if not shown[joint]:
-                places[joint] = (x + i, y + j, z + k)
-            if not shown[parent]:
-                places[parent] = (u - i, v - j, w - k)
-        return np.array(places)

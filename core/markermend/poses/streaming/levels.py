@@ -38,6 +38,10 @@ class Levels:
             self._mean, self._weight = others.mean.copy(), _OTHERS
             self._covariance = np.array(others.whole, order="C")
         self._hidden: IntArray = np.empty(0, dtype=int)
+        self.come_at(rate)
+
+    def come_at(self, rate: float) -> None:
+        """So many poses a second come from now on."""
         self._fading = np.exp(-1.0 / (_LASTS_S * rate))
         self._staying = np.exp(-1.0 / (_DRAWN_S * rate))
 

@@ -40,6 +40,10 @@ class Steadying:
         self._bracing = Bracing(self._joints, self._parents, len(parents))
         self._tracking = Tracking((len(parents), _PLACE + _TURN), rate)
 
+    def come_at(self, rate: float) -> None:
+        """So many poses a second come from now on."""
+        self._tracking.come_at(rate)
+
     def __call__(
         self, positions: FloatArray, rotations: FloatArray, seen: BoolArray, steps: float = 1.0
     ) -> tuple[FloatArray, FloatArray]:

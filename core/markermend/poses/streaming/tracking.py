@@ -31,9 +31,13 @@ class Tracking:
 
     def __init__(self, shape: tuple[int, ...], rate: float) -> None:
         self._there = np.zeros(shape, dtype=bool)
-        self._learns = _STEP * (1.0 - np.exp(-1.0 / (_LEARNS_S * rate)))
+        self.come_at(rate)
         self.at, self._speed = np.zeros((2, *shape))
         self._unsure, self._together, self._speed_unsure, self._changes = np.zeros((4, *shape))
+
+    def come_at(self, rate: float) -> None:
+        """So many poses a second come from now on."""
+        self._learns = _STEP * (1.0 - np.exp(-1.0 / (_LEARNS_S * rate)))
 
     def follow(
         self, values: FloatArray, known: BoolArray, noise: FloatArray, steps: float = 1.0
