@@ -51,6 +51,7 @@ ODDITIES = (
     "The file is cut short: it says that it has {0} frames, {1} are present.",
     "The file is cut short; the poses before its end were read.",
     "The file is cut short; its last pose was left out.",
+    "The file is cut short; what its last pose lacks was read as missing.",
     "The file is cut short; its last row was left out.",
     "{0} rows stand twice, line {1} for one; they were read once.",
     "The times in the file grow too fast for seconds; milliseconds were assumed.",
@@ -59,6 +60,12 @@ ODDITIES = (
     "Times in the file jump or stand still (after frame {0}, for one); the rate is that between "
     "most poses.",
     "Frame numbers go from {0} to {1} in line {2}; poses were read one after the other.",
+    "Frame numbers leave out {0} poses, from {1} to {2} in line {3} for one; they were read as "
+    "gaps.",
+    "Times tell of {0} poses that are missing, after frame {1} for one; they were read as gaps, "
+    "and frames after them are numbered anew.",
+    "Times in the file run backwards and tell no rate; {0} Hz was assumed.",
+    "Times in the file stand still and tell no rate; {0} Hz was assumed.",
     "Frames are numbered {0}, {1} and so on; they were read as following one another.",
     "No number stands before {0} poses, in line {1} for one; they were read all the same.",
     "The header counts {0} frames; {1} were read.",

@@ -125,9 +125,10 @@ _SAME = (
     "No counterpart is known that carries the opposite step.",
     "Angles were exchanged here, not places; restoring the skeleton gives them back.",
     "Only skeleton recordings have joints and bones.",
-    "No bone of this recording was ever seen whole.",
+    "No bone of this recording was ever seen whole; a joint and the one that it hangs on must be "
+    "seen in one pose.",
     "The joint is never seen elsewhere, so that nothing tells.",
-    "The recording is too short: it takes {0} poses, and has {1}.",
+    "The recording is too short: it takes {0} poses, and has {1}; take a longer one.",
     "There is no signal to smooth inside a gap.",
     "The interval is empty already.",
     "Edited by hand since; how far off it may be is not known any more.",

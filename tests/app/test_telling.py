@@ -224,7 +224,7 @@ ROW = "1,a,0,0,0,0,0,0,1,1,\n"
         ("a.asf", f":units\nlength 1e99\n{ASF}"),
         ("a.amc", ""),
         ("a.amc", "1\nb 1\n"),
-        ("a.amc", "1\nroot 0 0 0\na x\n"),
+        ("a.amc", "1\nroot 0 0 0\na x\n2\nroot 0 0 0\n"),
         ("a.amc", "1\nroot 0 0 0\na 1\na 1\n"),
         ("a.amc", "1\nroot 0 0 0\n2 3 4\na 1\n"),
         ("a.csv", ROWS),

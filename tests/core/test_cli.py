@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -12,6 +13,7 @@ import pytest
 from command_line import FRAMES, run, strict, write_swing
 
 import markermend as mm
+from markermend.cli import main
 from markermend.cli.console import check_outputs, count, table, write_json, write_text
 from markermend.cli.numbers import Span
 from markermend.cli.parser import COMMANDS
@@ -127,6 +129,27 @@ def test_interrupt_stops(
 
     monkeypatch.setattr(mm, "infer_mesh", interrupted)
     assert run("clean", recording, "-o", tmp_path / "out.c3d") == 1
+    assert capsys.readouterr().err.endswith("Stopped.\n")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_what_asks_a_command_to_end_leaves_nothing_half_written(
+    recording: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture
+) -> None:
+    def ended(*_: object) -> None:
+        assert list(tmp_path.glob(".markermend-*.part"))
+        os.kill(os.getpid(), signal.SIGTERM)
+
+    monkeypatch.setattr("markermend.files.atomic.os.fsync", ended)
+    monkeypatch.setattr("markermend.cli.keep_memory", lambda: None)
+    monkeypatch.setattr(
+        "sys.argv", ["markermend", "convert", str(recording), "-o", str(tmp_path / "out.csv")]
+    )
+    before = signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    try:
+        assert main() == 1
+    finally:
+        signal.signal(signal.SIGTERM, before)
     assert capsys.readouterr().err.endswith("Stopped.\n")
     assert list(tmp_path.iterdir()) == []
 

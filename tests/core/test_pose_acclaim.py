@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ import markermend as mm
 from markermend.errors import FileFormatError, NoSkeletonError
 from markermend.files.amc import read_amc
 from markermend.files.asf import read_asf
+from markermend.files.pose import crop_pose
 
 
 @pytest.fixture
@@ -100,11 +102,53 @@ def test_the_same_poses_however_they_are_written(small):
     assert_allclose(mm.read_pose(small / "a_5.amc").positions, alike.positions)
 
 
-def test_cut_short_keeps_the_whole_poses(small):
-    (small / "a_6.amc").write_text(AMC[:-4])
+CUT = "The file is cut short; what its last pose lacks was read as missing."
+
+
+@pytest.mark.parametrize(
+    ("end", "lacks"),
+    [
+        ("upper 0 0 90\n", {"lower"}),
+        ("upper 0 0 90\nlow", {"lower"}),
+        ("upper 0 0 90\nlower 10", {"lower"}),
+        # Of the last number digits may be missing.
+        ("upper 0 0 9", {"upper", "lower"}),
+        ("upper 0", {"upper", "lower"}),
+    ],
+)
+def test_of_a_last_pose_that_is_cut_only_what_lacks_is_missing(small, end, lacks):
+    head = AMC[: AMC.rindex("upper")]
+    (small / "a_6.amc").write_text(head + end)
+    pose = mm.read_pose(small / "a_6.amc")
+    assert pose.seen.tolist() == [[True] * 4, [joint not in lacks for joint in pose.joints]]
+    assert pose.warnings[0] == CUT
+    mm.write_pose(mm.read_pose(small / "a_1.amc"), small / "a_7.amc")
+    whole = mm.read_pose(small / "a_7.amc").source
+    filled = replace(pose, source=replace(whole, file=small / "a_6.amc"))
+    filled = filled.with_samples(
+        mm.read_pose(small / "a_7.amc").positions, mm.read_pose(small / "a_7.amc").rotations
+    )
+    mm.write_pose(filled, small / "a_8.amc")
+    assert (small / "a_8.amc").read_text().rstrip() == AMC.rstrip()
+
+
+@pytest.mark.parametrize("end", ["2\n", "2", "2\nroot 4 5"])
+def test_a_last_pose_of_which_nothing_is_there_is_left_out(small, end):
+    (small / "a_6.amc").write_text(AMC[: AMC.index("\n2\n") + 1] + end)
     pose = mm.read_pose(small / "a_6.amc")
     assert pose.frames == 1
-    assert any("cut short" in sentence for sentence in pose.warnings)
+    assert pose.warnings[0] == "The file is cut short; its last pose was left out."
+
+
+def test_a_number_that_is_cut_is_no_jump(tmp_path):
+    (tmp_path / "a.asf").write_text(ASF)
+    (tmp_path / "a_1.amc").write_text(
+        AMC.replace("\n2\n", "\n12\n").replace("\n1\n", "\n11\n") + "1"
+    )
+    pose = mm.read_pose(tmp_path / "a_1.amc")
+    assert pose.frames == 2
+    assert pose.warnings[0] == "The file is cut short; its last pose was left out."
+    assert len(pose.warnings) == 2
 
 
 @pytest.mark.parametrize(
@@ -240,12 +284,48 @@ def test_a_pose_whose_number_is_missing_is_no_part_of_another(small, gone):
     assert "No number stands before 1 poses, in line" in pose.warnings[0]
 
 
-def test_numbers_of_poses_that_jump_are_said(small):
-    pose = mm.read_pose(amc(small, AMC.replace("\n2\n", "\n7\n")))
+@pytest.mark.parametrize("number", ["0", "1", "900"])
+def test_numbers_of_poses_that_tell_no_gap_are_said(small, number):
+    pose = mm.read_pose(amc(small, AMC.replace("\n2\n", f"\n{number}\n")))
     assert pose.frames == 2
     assert pose.warnings[0] == (
-        "Frame numbers go from 1 to 7 in line 8; poses were read one after the other."
+        f"Frame numbers go from 1 to {number} in line 8; poses were read one after the other."
     )
+
+
+def test_poses_that_numbers_leave_out_are_gaps(small):
+    text = AMC.replace("\n2\n", "\n7\n")
+    pose = mm.read_pose(amc(small, text))
+    assert pose.seen.all(axis=1).tolist() == [True, *[False] * 5, True]
+    assert pose.warnings[0] == (
+        "Frame numbers leave out 5 poses, from 1 to 7 in line 8 for one; they were read as gaps."
+    )
+    # Nothing of them is written as long as nothing is known, and each in its place then.
+    mm.write_pose(pose, small / "a_8.amc")
+    assert (small / "a_8.amc").read_text() == text
+    filled = pose.with_samples(
+        np.repeat(pose.positions[[0, 6]], [6, 1], axis=0),
+        np.repeat(pose.rotations[[0, 6]], [6, 1], axis=0),
+    )
+    mm.write_pose(filled, small / "a_8.amc")
+    back = mm.read_pose(small / "a_8.amc")
+    assert back.warnings == mm.read_pose(small / "a_1.amc").warnings
+    assert_allclose(back.positions, filled.positions, atol=1e-5)
+    written = (small / "a_8.amc").read_text()
+    assert written.startswith(text[: text.index("\n7\n")])
+    assert written.endswith(text[text.index("\n7\n") :])
+    part = crop_pose(filled, 2, 4)
+    mm.write_pose(part, small / "a_9.amc")
+    assert_allclose(mm.read_pose(small / "a_9.amc").positions, part.positions, atol=1e-5)
+
+
+def test_poses_that_are_numbered_in_steps_follow_one_another(small):
+    first, second = AMC[: AMC.index("\n2\n") + 1], AMC[AMC.index("\n2\n") + 3 :]
+    text = first + "".join(f"{number}\n{second}" for number in (5, 9, 17))
+    pose = mm.read_pose(amc(small, text))
+    assert pose.seen.all(axis=1).tolist() == [True, True, True, False, True]
+    mm.write_pose(pose, small / "a_8.amc")
+    assert (small / "a_8.amc").read_text() == text
 
 
 @pytest.mark.parametrize(

@@ -223,7 +223,7 @@ def test_hidden_joints_are_nearer_where_what_is_seen_is_steadied(walk, monkeypat
         return away[~damaged.seen[60:]].mean(), away[damaged.seen[60:]].mean()
 
     hidden, seen = off()
-    monkeypatch.setattr(Steadying, "__call__", lambda _, places, turns, __: (places, turns))
+    monkeypatch.setattr(Steadying, "__call__", lambda _, places, turns, *__: (places, turns))
     raw = off()
     assert hidden < 0.97 * raw[0]
     assert seen < 0.75 * raw[1]

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import importlib
 import os
+import signal
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -41,6 +42,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         options = make_parser(given[0]).parse_args(given)
     except SystemExit as leaving:
         return int(leaving.code or DONE)
+    # A window, whose loop is not Python's, would not hear it any more.
+    if arguments is None and options.command != "open":
+        signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         command = importlib.import_module(f"markermend.cli.{options.command}")
         code: int = command.run(options)

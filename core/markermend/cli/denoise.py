@@ -23,7 +23,7 @@ from markermend.cli.console import (
     warn,
 )
 from markermend.cli.recordings import prior_asked_for
-from markermend.errors import ExportError, MethodError
+from markermend.errors import DataError, ExportError, MethodError
 from markermend.poses import Pose
 from markermend.poses.restore import Restored
 
@@ -51,7 +51,11 @@ def run(options: argparse.Namespace) -> int:
         return _by_network(pose, options)
     prior = prior_asked_for(pose, options.prior)
     with Bar() as bar:
-        restored = restore(pose, prior=prior, progress=bar)
+        try:
+            restored = restore(pose, prior=prior, progress=bar)
+        except DataError as error:
+            # What poses refuse knows no file.
+            raise DataError(f"{Path(options.pose).name}: {error}") from error
     off_mm = mm.write_pose(_as_asked(restored.pose, options), options.output)
     for line in _listing(restored) if options.list else ():
         say(line)
@@ -160,7 +164,7 @@ def _follow(options: argparse.Namespace) -> int:
 
     # Line by line: iterating over the stream itself would wait for a full buffer.
     lines = iter(sys.stdin.readline, "")
-    follow(lines, write, rate=options.rate or 30.0, prior=prior, warn=warn)
+    follow(lines, write, rate=options.rate, prior=prior, warn=warn)
     return 0
 
 

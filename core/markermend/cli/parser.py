@@ -223,7 +223,7 @@ def _add_denoise(p: argparse.ArgumentParser) -> None:
         "--rate",
         metavar="HZ",
         type=hertz,
-        help="poses per second, instead of what the file says; of a stream (default: 30)",
+        help="poses per second, instead of what the file says; of a stream without times, 30",
     )
     p.add_argument(
         "--unit",

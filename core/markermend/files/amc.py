@@ -12,6 +12,7 @@ from markermend.arrays import FloatArray, IntArray
 from markermend.errors import ExportError, FileFormatError
 from markermend.files.amc_patch import (
     USUAL_RATE,
+    frames_of,
     is_number,
     patched,
     rate_line,
@@ -125,25 +126,57 @@ def _read_lines(path: Path, skeleton: Skeleton) -> _Read:
     """Read line by line what may lack segments, hold comments, or be damaged."""
     dofs = {segment.name: segment.dofs for segment in skeleton.segments}
     lines = [(n, w) for n, w in words_of(path) if not w[0].startswith(":")]
+    stopped = bool(read_lines(path)[-1].strip())
+    if stopped and lines[-1][1][0] not in dofs and _begins_name(lines[-1][1][0], dofs):
+        lines.pop()
+        stopped = False
     poses, starts, warnings = _poses_of(path.name, lines, dofs)
-    jumps = _jumps([start for start, _ in starts])
-    if len(jumps):
-        before, (after, number) = starts[jumps[0]][0], starts[jumps[0] + 1]
-        warnings.append(
-            f"Frame numbers go from {before} to {after} in line {number}; poses were read one after"
-            " the other."
-        )
-    if len(poses) > 1 and _cut_short(list(poses[-1]), list(poses[-2])):
-        poses.pop()
-        warnings.append("The file is cut short; its last pose was left out.")
+    short = bool(poses) and lines[-1][1][0] in dofs.keys() - poses[-1].keys()
+    if short or (len(poses) > 1 and _cut_short(list(poses[-1]), list(poses[-2]))):
+        if stopped and lines[-1][1][0] in list(poses[-1])[-1:]:
+            # Of its last number digits may be missing.
+            poses[-1].popitem()
+        if poses[-1]:
+            warnings.append("The file is cut short; what its last pose lacks was read as missing.")
+        else:
+            poses.pop()
+            starts.pop()
+            warnings.append("The file is cut short; its last pose was left out.")
     if not any(poses):
         raise FileFormatError(f"{path.name} holds no pose of this skeleton.")
+    poses = _with_gaps(poses, starts, warnings)
     channels: dict[str, FloatArray] = {}
     for name in dofs:
         if any(name in pose for pose in poses):
             blank = [np.nan] * len(dofs[name])
             channels[name] = np.array([pose.get(name, blank) for pose in poses])
     return channels, len(poses), int(starts[0][0]), warnings
+
+
+def _with_gaps(
+    poses: list[dict[str, list[float]]], starts: list[tuple[str, int]], warnings: list[str]
+) -> list[dict[str, list[float]]]:
+    """Poses, and empty ones for those that numbers leave out; what is odd about these is said."""
+    numbers = [int(start) for start, _ in starts]
+    jumps, frames = _jumps([start for start, _ in starts]), frames_of(numbers)
+    if not len(jumps):
+        return poses
+    missing = frames[-1] + 1 - len(poses)
+    at = int(np.flatnonzero(np.diff(frames) != 1)[0]) if missing else int(jumps[0])
+    between = f"from {numbers[at]} to {numbers[at + 1]} in line {starts[at + 1][1]}"
+    if not missing:
+        warnings.append(f"Frame numbers go {between}; poses were read one after the other.")
+        return poses
+    warnings.append(
+        f"Frame numbers leave out {missing} poses, {between} for one; they were read as gaps."
+    )
+    there = dict(zip(frames, poses, strict=True))
+    return [there.get(frame, {}) for frame in range(frames[-1] + 1)]
+
+
+def _begins_name(word: str, dofs: Mapping[str, tuple[str, ...]]) -> bool:
+    """Whether a line that ends behind a word may end within a segment's name."""
+    return any(name.startswith(word) for name in dofs)
 
 
 def _cut_short(last: list[str], before: list[str]) -> bool:
@@ -176,7 +209,6 @@ def _poses_of(
             values = _finite(cells)
             if len(values) != len(dofs[name]):
                 if number == lines[-1][0]:
-                    poses[-1].clear()
                     break
                 raise FileFormatError(
                     f"{file} is damaged: line {number} should give {name} {len(dofs[name])}"

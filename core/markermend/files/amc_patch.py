@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Container
+from collections.abc import Collection, Container, Sequence
+from itertools import pairwise
 from math import isfinite, pi
 from pathlib import Path
 
 import numpy as np
 
 from markermend.arrays import FloatArray
+from markermend.files.pose_table import step_of
 from markermend.poses.skeleton import TURNS, Movement
 from markermend.progress import Progress
 
@@ -22,6 +24,7 @@ USUAL_RATE = 120.0
 _MOST_DIGITS = 15
 _SAME = 1e-9
 _POSES_A_REPORT = 256
+_MOST_FRAMES_A_POSE = 10
 
 
 def is_number(word: str) -> bool:
@@ -32,6 +35,21 @@ def is_number(word: str) -> bool:
 def starts_pose(word: str, segments: Container[str]) -> bool:
     """Whether a line begins with the number of a pose; what stands behind it is a comment."""
     return is_number(word) and word not in segments
+
+
+def frames_of(numbers: Sequence[int]) -> list[int]:
+    """Which frames poses are, from 0: numbers that are left out are frames of which there is none.
+
+    One after the other where numbers go in steps, do not grow, or leave out so many that one went
+    astray.
+    """
+    since = [number - numbers[0] for number in numbers]
+    one_by_one = list(range(len(numbers)))
+    if any(after <= before for before, after in pairwise(since)):
+        return one_by_one
+    step = step_of(since)
+    frames = [number // step for number in since]
+    return frames if frames[-1] < _MOST_FRAMES_A_POSE * len(frames) else one_by_one
 
 
 def tells_degrees(line: str) -> bool | None:
@@ -85,13 +103,16 @@ def patched(
     mark = _BYTE_ORDER_MARK if raw.startswith(_BYTE_ORDER_MARK) else b""
     lines = raw.removeprefix(mark).splitlines(keepends=True)
     told = _in_file(movement, degrees=movement.skeleton.degrees)
-    head, poses = _poses(lines, told)
+    head, poses = _poses(_without_cut_name(lines, told), told)
     for line in head:
         degrees = tells_degrees(" ".join(_words(line)))
         if degrees is not None:
             told = _in_file(movement, degrees=degrees)
     whole = movement.before + movement.frames + movement.after
-    # Of a file that is cut short the last pose was left out.
+    if not poses:
+        return None
+    poses = _with_gaps(poses)
+    # Of a file that is cut short a last pose without any segment was left out.
     if len(poses) not in (whole, whole + 1):
         return None
     usual, out = _usual_order(poses, told), [mark, *_with_rate(head, rate, _ending(lines[0]))]
@@ -101,7 +122,8 @@ def patched(
         if pose % _POSES_A_REPORT == 0:
             progress(pose / movement.frames, "Writing poses")
         values = {name: rows[pose] for name, rows in told.items() if all(map(isfinite, rows[pose]))}
-        out += _patched_pose(block, values, told, usual)
+        # What was not there, and has not been filled, is left out again.
+        out += _patched_pose(block, values, told, usual) if values or len(block) > 1 else []
     return b"".join(out)
 
 
@@ -129,6 +151,27 @@ def _poses(lines: list[bytes], told: Collection[str]) -> tuple[list[bytes], list
             poses.append([])
         (poses[-1] if poses else head).append(line)
     return head, poses
+
+
+def _without_cut_name(lines: list[bytes], told: Collection[str]) -> list[bytes]:
+    """Lines without a last one that ends within the name of a segment."""
+    name = b"".join(lines[-1:]).decode("latin-1").strip()
+    cut = bool(name) and name not in told and any(other.startswith(name) for other in told)
+    return lines[:-1] if cut and not lines[-1].endswith((b"\r", b"\n")) else lines
+
+
+def _with_gaps(poses: list[list[bytes]]) -> list[list[bytes]]:
+    """Lines of each pose, and only a number for those that are left out."""
+    numbers = [int(_words(block[0])[0]) for block in poses]
+    frames = frames_of(numbers)
+    step = (numbers[-1] - numbers[0]) // frames[-1] if frames[-1] else 1
+    out = [
+        [str(numbers[0] + step * frame).encode() + _ending(poses[0][0])]
+        for frame in range(frames[-1] + 1)
+    ]
+    for frame, block in zip(frames, poses, strict=True):
+        out[frame] = block
+    return out
 
 
 def _behind_pose(block: list[bytes]) -> list[bytes]:

@@ -25,7 +25,7 @@ from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import FileFormatError
 from markermend.files.body_size import unit_of_body
 from markermend.files.plausible import FARTHEST, read_as_missing
-from markermend.files.pose_clock import Clock, by_times
+from markermend.files.pose_clock import Clock, by_times, with_gaps_by_times
 from markermend.files.pose_csv_patch import Part, patched
 from markermend.files.pose_rows import (
     COLUMNS,
@@ -118,7 +118,10 @@ def read_pose_csv(
             " were read as following one another."
         )
     warnings += twice(body, frame, names, header)
-    values = np.full((count, len(joints), len(NUMBERS)), np.nan)
+    times = [header.time(row) for _, row in body]
+    frame, gaps = with_gaps_by_times(times, frame, header)
+    warnings += gaps
+    values = np.full((max(count, max(frame) + 1), len(joints), len(NUMBERS)), np.nan)
     place, report = {joint: i for i, joint in enumerate(joints)}, progress or quiet
     for n, (number, row) in enumerate(body):
         if n % (_FRAMES_A_REPORT * len(joints)) == 0:
@@ -143,7 +146,7 @@ def read_pose_csv(
     far = int(wild(values).sum())
     # What has no place is not seen, and is not written as seen either.
     values[~measured(values)] = np.nan
-    told = by_times([header.time(row) for _, row in body], frame, header)
+    told = by_times(times, frame, header)
     # Times that tell another rate are not believed.
     clock = told if rate in (None, told.rate) else Clock(rate)
     hertz = rate_of(clock.rate, path.name)

@@ -9,6 +9,7 @@ import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import FileFormatError
+from markermend.files.pose_clock import SENSOR_RATE
 from markermend.files.pose_csv import quoted, rows_of, too_short
 from markermend.files.pose_rows import (
     COLUMNS,
@@ -19,10 +20,10 @@ from markermend.files.pose_rows import (
     measured,
     says_nothing,
 )
+from markermend.files.pose_stream_pace import PacedLive
 from markermend.files.pose_stream_whole import STREAM, Row, WholePoses
 from markermend.files.pose_table import parents_of
 from markermend.poses.faults.guessing import INFERRED
-from markermend.poses.live import Live
 from markermend.poses.pose import Pose
 from markermend.poses.prior import NOT_FITTING, Prior, shipped_prior
 from markermend.poses.quaternion import NO_TURN
@@ -37,7 +38,7 @@ def follow(
     lines: Iterable[str],
     write: Callable[[str], None],
     *,
-    rate: float,
+    rate: float | None,
     prior: Prior | None,
     warn: Callable[[str], None] = lambda sentence: None,
 ) -> int:
@@ -49,7 +50,7 @@ def follow(
     write : called with the header, then with the rows of each pose, once its last joint has come
         (:class:`markermend.files.pose_stream_whole.WholePoses`); which joints there are, the first
         frame tells, so the first pose waits for the second
-    rate : poses per second
+    rate : poses per second; None for as many as times of the first poses tell, or else 30
     prior : how bodies move
     warn : told, in a sentence, what is not used of the stream or of the prior, and which joints
         were not seen in the first 3 s
@@ -61,23 +62,20 @@ def follow(
     Raises
     ------
     FileFormatError
-        when there is no header, or a row is damaged
+        when there is no header, or a row is damaged, or it is in UTF-16
     """
     telling = ((n, line) for n, line in enumerate(lines, 1) if not says_nothing(line))
-    number, first_line = next(telling, (0, ""))
-    if not number:
-        raise FileFormatError(f"{STREAM} is empty; it should begin with a line of column names.")
-    header = header_of(first_line.rstrip("\r\n"), STREAM, number)
-    if not header.unit_known:
-        warn(UNKNOWN_UNIT)
+    header = _header(*next(telling, (0, "")), warn)
     write(",".join(COLUMNS) + "\n")
     joints: tuple[str, ...] = ()
-    live: Live | None = None
+    paced: PacedLive | None = None
+    assumed = rate or SENSOR_RATE
     told_fit = prior is None or prior is shipped_prior()
     parents: tuple[int, ...] = ()
     ever, fine = np.zeros(0, dtype=bool), False
-    count, time, soon = 0, -1.0 / rate, max(round(_SAID_S * rate), 1)
-    for rows in WholePoses(header, rate, warn).of(telling):
+    count, time, told_unseen = 0, -1.0 / assumed, False
+    poses = WholePoses(header, assumed, warn)
+    for rows in poses.of(telling):
         if not joints:
             joints, parents = _body(rows, header)
             ever = np.zeros(len(joints), dtype=bool)
@@ -86,34 +84,53 @@ def follow(
         fine = fine or (not count and too_short(values[None, :, :3], parents))
         places, turns, sure = values[:, :3], values[:, 3:7], values[:, 7]
         seen = sure > 0
-        if live is None:
-            sole = Pose(places[None], turns[None], joints, parents, rate, sure[None])
-            live = Live(sole, prior)
-        places, turns = live(places, turns, seen)
+        if paced is None:
+            sole = Pose(places[None], turns[None], joints, parents, assumed, sure[None])
+            paced = PacedLive(sole, prior, None if rate else header, warn)
+        number, row = rows[0]
+        frame, told = header.frame(row, number), header.time(row)
+        places, turns = paced(frame, told, places, turns, seen)
+        live = paced.live
+        poses.come_at(paced.rate)
         seen, sure = seen[live.own] & ~live.wrong, sure[live.own]
         sure = np.where(seen | ~live.joined, sure, INFERRED)
         if live.begun and not told_fit:
             told_fit = True
             if not live.by_prior:
                 warn(NOT_FITTING)
-        number, row = rows[0]
-        told = header.time(row)
-        time = told * (header.second or 1.0) if isfinite(told) else time + 1.0 / rate
+        time = told * (header.second or 1.0) if isfinite(told) else time + 1.0 / assumed
         names = [quoted(joint) for joint in joints]
         above = [names[parent] if parent >= 0 else "" for parent in parents]
         unturned = np.where((sure > 0)[:, None], 0.0, NO_TURN)
         turns = np.where(np.isnan(turns), unturned, turns)
         values = np.column_stack([places, turns, sure])
-        write("".join(rows_of(header.frame(row, number), time, names, above, values, fine=fine)))
+        write("".join(rows_of(frame, time, names, above, values, fine=fine)))
         count, ever = count + 1, ever | seen
-        if count == soon and not ever.all():
+        if count >= _SAID_S * paced.rate and not told_unseen and not ever.all():
+            told_unseen = True
             then = _BEGUN if live.begun else _NOT_BEGUN
             warn(f"Not seen in the first {_SAID_S:g} s: {_names(joints, ~ever)}. {then}")
-    if 0 < count < soon and not ever.all():
+    if count and not told_unseen and not ever.all():
         warn(f"Never seen, and left so: {_names(joints, ~ever)}.")
-    if live is not None and not live.begun:
+    if paced is not None and not paced.live.begun:
         warn("Nothing was filled: no pose of the stream showed the root joint and a bone.")
     return count
+
+
+def _header(number: int, line: str, warn: Callable[[str], None]) -> Header:
+    """What the first line that says something tells; what is not used of it is said."""
+    if not number:
+        raise FileFormatError(f"{STREAM} is empty; it should begin with a line of column names.")
+    if "\0" in line:
+        raise FileFormatError(
+            f"{STREAM} is text in UTF-16, as PowerShell writes it; let it be UTF-8."
+        )
+    header = header_of(line.rstrip("\r\n"), STREAM, number)
+    if not header.unit_known:
+        warn(UNKNOWN_UNIT)
+    if header.others:
+        warn(f"Of further columns a stream keeps nothing: {', '.join(header.others)}.")
+    return header
 
 
 def _names(joints: tuple[str, ...], those: BoolArray) -> str:

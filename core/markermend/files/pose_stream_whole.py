@@ -35,13 +35,17 @@ class WholePoses:
 
     def __init__(self, header: Header, rate: float, warn: Callable[[str], None]) -> None:
         self._header, self._warn = header, warn
-        self._lately = max(round(LATELY_S * rate), 1)
+        self.come_at(rate)
         # Of each joint its place in the first pose, and the last pose that it came with.
         self._place, self._came = dict[str, int](), dict[str, int]()
         self._count, self._in_order = 0, 0
         self._waiting: dict[str, Row] = {}
         self._expected, self._last = frozenset[str](), -1
         self._strangers, self._late = set[str](), False
+
+    def come_at(self, rate: float) -> None:
+        """So many poses a second come from now on."""
+        self._lately = max(round(LATELY_S * rate), 1)
 
     def of(self, lines: Iterator[tuple[int, str]]) -> Iterator[list[Row]]:
         """Rows of one pose after the other.

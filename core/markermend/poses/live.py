@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from markermend.arrays import BoolArray, FloatArray, IntArray
@@ -13,6 +15,9 @@ from markermend.poses.prior import Prior, bending_of, fitting
 from markermend.poses.streaming.doubting import Doubting
 from markermend.poses.streaming.following import Following
 from markermend.poses.streaming.steadying import Steadying
+
+# After so many poses that did not come nothing is left of how things moved.
+_LONG = 1_000_000
 
 
 class Live:
@@ -55,6 +60,14 @@ class Live:
         self._doubting.keep(given[0], given[2])
         self._join(*given)
 
+    def come_at(self, rate: float) -> None:
+        """So many poses a second come from now on, which was not known before."""
+        self._body = replace(self._body, rate=rate)
+        self._doubting.come_at(rate)
+        self._steadying.come_at(rate)
+        if self._following is not None:
+            self._following.come_at(rate)
+
     @property
     def wrong(self) -> BoolArray:
         """Joints of the last pose that were taken for not seen."""
@@ -71,7 +84,7 @@ class Live:
         return self._following is not None
 
     def __call__(
-        self, positions: FloatArray, rotations: FloatArray, seen: BoolArray
+        self, positions: FloatArray, rotations: FloatArray, seen: BoolArray, missed: int = 0
     ) -> tuple[FloatArray, FloatArray]:
         """Clean one pose.
 
@@ -80,15 +93,18 @@ class Live:
         positions : (joints, 3) mm; anything where not seen
         rotations : (joints, 4) unit quaternions x, y, z, w; 0 or NaN of a joint that has none
         seen : (joints,) bool
+        missed : poses that should have come since the last, and did not: much may have happened
+            meanwhile, so less of this one is taken for wrong; what was learnt stays
 
         Returns
         -------
         positions and rotations, whole but for what never joined, which is as it came; so are
         rotations of a joint that never had one, or on which one hangs that never joined
         """
-        positions, rotations, seen = self._doubting(positions, rotations, seen)
-        positions, rotations = self._steadying(positions, rotations, seen)
-        places, turns = self._filled(positions, rotations, seen)
+        steps = 1.0 + min(max(missed, 0), _LONG)
+        positions, rotations, seen = self._doubting(positions, rotations, seen, steps)
+        positions, rotations = self._steadying(positions, rotations, seen, steps)
+        places, turns = self._filled(positions, rotations, seen, steps)
         self._doubting.keep(places, seen | self.joined)
         if not self.joined.all():
             new = seen & ~self.joined
@@ -97,15 +113,15 @@ class Live:
         return places, turns
 
     def _filled(
-        self, positions: FloatArray, rotations: FloatArray, seen: BoolArray
+        self, positions: FloatArray, rotations: FloatArray, seen: BoolArray, steps: float
     ) -> tuple[FloatArray, FloatArray]:
         """One pose, with the joints that joined so far filled."""
         if self._following is None:
             return positions, rotations
         if not self._left_handed:
-            return self._following(positions, rotations, seen)
+            return self._following(positions, rotations, seen, steps)
         # Priors are of right-handed axes, many sensors are not.
-        places, turns = self._following(positions * MIRROR[:3], rotations * MIRROR[3:], seen)
+        places, turns = self._following(positions * MIRROR[:3], rotations * MIRROR[3:], seen, steps)
         return places * MIRROR[:3], turns * MIRROR[3:]
 
     def _join(self, positions: FloatArray, rotations: FloatArray, new: BoolArray) -> None:

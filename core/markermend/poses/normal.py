@@ -59,7 +59,10 @@ def normalise(pose: Pose) -> tuple[FloatArray, Normal]:
     bones = bone_lengths(pose.positions, pose.parents)
     lengths = bones[[j for j, parent in enumerate(pose.parents) if parent >= 0]]
     if not len(lengths) or np.isnan(lengths).all() or np.nanmean(lengths) == 0:
-        raise DataError("No bone of this recording was ever seen whole.")
+        raise DataError(
+            "No bone of this recording was ever seen whole; a joint and the one that it hangs on"
+            " must be seen in one pose."
+        )
     scale = float(np.nanmean(lengths))
     offset = _offsets(pose)
     turned = multiply(pose.rotations, offset)

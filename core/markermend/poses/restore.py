@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from os import PathLike
 
 import numpy as np
 from threadpoolctl import threadpool_limits
 
 from markermend.arrays import BoolArray, FloatArray
-from markermend.errors import DataError
+from markermend.errors import DataError, MethodError
 from markermend.poses.body.agreeing import NOISY, SURE, agreeing, agreeing_in_time, with_bones
 from markermend.poses.body.bending import OthersBends
 from markermend.poses.body.bones import Bones, wobble
@@ -109,9 +110,23 @@ def denoise(pose: Pose, *, prior: Prior | None = None, progress: Progress | None
     Raises
     ------
     DataError
-        when nothing can be made of it: fewer than three poses, or no bone ever seen whole
+        when nothing can be made of it: fewer than three poses, or no bone ever seen whole; or it is
+        no skeleton recording
+    MethodError
+        when what should be a prior is none
     """
+    if not isinstance(pose, Pose):
+        raise DataError(
+            f"{_kind(pose)} is no skeleton recording; give what read_pose makes of a file."
+        )
+    if not isinstance(prior, Prior | None):
+        raise MethodError(f"{_kind(prior)} is no prior; give what own_prior makes of a file.")
     return restore(pose, prior=prior or shipped_prior(), progress=progress).pose
+
+
+def _kind(thing: object) -> str:
+    """What somebody gave, in words."""
+    return f"“{thing}”" if isinstance(thing, str | PathLike) else f"A {type(thing).__name__}"
 
 
 def restore(
@@ -140,7 +155,8 @@ def restore(
     """
     if pose.frames < _LEAST_FRAMES:
         raise DataError(
-            f"The recording is too short: it takes {_LEAST_FRAMES} poses, and has {pose.frames}."
+            f"The recording is too short: it takes {_LEAST_FRAMES} poses, and has {pose.frames};"
+            " take a longer one."
         )
     body = without_loose_root(pose)
     if body is not None:

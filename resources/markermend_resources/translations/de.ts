@@ -2152,6 +2152,10 @@
         <translation>Die Datei ist abgeschnitten; ihre letzte Pose wurde weggelassen.</translation>
     </message>
     <message>
+        <source>The file is cut short; what its last pose lacks was read as missing.</source>
+        <translation>Die Datei ist abgeschnitten; was ihrer letzten Pose fehlt, wurde als nicht gesehen gelesen.</translation>
+    </message>
+    <message>
         <source>The file is cut short; its last row was left out.</source>
         <translation>Die Datei ist abgeschnitten; ihre letzte Zeile wurde ausgelassen.</translation>
     </message>
@@ -2178,6 +2182,22 @@
     <message>
         <source>Frame numbers go from {0} to {1} in line {2}; poses were read one after the other.</source>
         <translation>Die Nummern der Frames springen in Zeile {2} von {0} auf {1}; die Posen wurden nacheinander gelesen.</translation>
+    </message>
+    <message>
+        <source>Frame numbers leave out {0} poses, from {1} to {2} in line {3} for one; they were read as gaps.</source>
+        <translation>Die Nummern der Frames lassen {0} Posen aus, etwa in Zeile {3} von {1} auf {2}; sie wurden als Lücken gelesen.</translation>
+    </message>
+    <message>
+        <source>Times tell of {0} poses that are missing, after frame {1} for one; they were read as gaps, and frames after them are numbered anew.</source>
+        <translation>Nach den Zeiten fehlen {0} Posen, etwa nach Frame {1}; sie wurden als Lücken gelesen, und Frames danach sind neu nummeriert.</translation>
+    </message>
+    <message>
+        <source>Times in the file run backwards and tell no rate; {0} Hz was assumed.</source>
+        <translation>Die Zeiten in der Datei laufen rückwärts und sagen keine Rate; {0} Hz wurden angenommen.</translation>
+    </message>
+    <message>
+        <source>Times in the file stand still and tell no rate; {0} Hz was assumed.</source>
+        <translation>Die Zeiten in der Datei stehen still und sagen keine Rate; {0} Hz wurden angenommen.</translation>
     </message>
     <message>
         <source>Frames are numbered {0}, {1} and so on; they were read as following one another.</source>
@@ -2880,16 +2900,8 @@
         <translation>Nur Skelettaufnahmen haben Gelenke und Knochen.</translation>
     </message>
     <message>
-        <source>No bone of this recording was ever seen whole.</source>
-        <translation>Kein Knochen dieser Aufnahme war jemals ganz zu sehen.</translation>
-    </message>
-    <message>
         <source>The joint is never seen elsewhere, so that nothing tells.</source>
         <translation>Das Gelenk ist sonst nie zu sehen, sodass nichts Aufschluss gibt.</translation>
-    </message>
-    <message>
-        <source>The recording is too short: it takes {0} poses, and has {1}.</source>
-        <translation>Die Aufnahme ist zu kurz: Nötig sind {0} Posen, vorhanden sind {1}.</translation>
     </message>
     <message>
         <source>{0} is not seen in these frames; there is nothing to cut.</source>
@@ -3190,6 +3202,14 @@
     <message>
         <source>No counterpart is known that carries the opposite step.</source>
         <translation>Kein Gegenstück mit dem entgegengesetzten Sprung ist bekannt.</translation>
+    </message>
+    <message>
+        <source>No bone of this recording was ever seen whole; a joint and the one that it hangs on must be seen in one pose.</source>
+        <translation>Kein Knochen dieser Aufnahme war je ganz zu sehen; ein Gelenk und das, an dem es hängt, müssen in einer Pose zu sehen sein.</translation>
+    </message>
+    <message>
+        <source>The recording is too short: it takes {0} poses, and has {1}; take a longer one.</source>
+        <translation>Die Aufnahme ist zu kurz: Es braucht {0} Posen, sie hat {1}; nehmen Sie eine längere.</translation>
     </message>
     <message>
         <source>There is no signal to smooth inside a gap.</source>

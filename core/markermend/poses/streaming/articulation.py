@@ -86,9 +86,14 @@ class Articulation:
         self._precision: FloatArray = np.empty_like(self._covariance)
         self._age = 2 * _KEPT
         self._twins = twins
-        self._gone, self._frame_s = np.zeros((joints, 2)), 1.0 / rate
+        self._gone = np.zeros((joints, 2))
+        self.come_at(rate)
         self._usual = first.reshape(-1, FEATURES).copy()
         self._variance = np.full(self._usual.shape, _TURN)
+
+    def come_at(self, rate: float) -> None:
+        """So many poses a second come from now on."""
+        self._frame_s = 1.0 / rate
 
     def go_on(self, before: Articulation, kept: Kept) -> None:
         """Take over what was learnt of some joints, which hang where they did, all their columns.
@@ -107,7 +112,12 @@ class Articulation:
         self._weight = min(before._weight, JOINING)
 
     def follow(
-        self, values: FloatArray, known: BoolArray, root: FloatArray, counts: int = 1
+        self,
+        values: FloatArray,
+        known: BoolArray,
+        root: FloatArray,
+        counts: int = 1,
+        steps: float = 1.0,
     ) -> FloatArray:
         """Let settle what is hidden in the next pose, and learn from what comes out.
 
@@ -117,6 +127,7 @@ class Articulation:
         known : (joints · 7,) bool
         root : (4,) how the root, which is at 0, is turned in the same axes
         counts : for how many poses it counts, 0 to learn nothing from it
+        steps : poses from the last to this one; those between did not come
 
         Returns
         -------
@@ -128,7 +139,7 @@ class Articulation:
         hidden = ~known.reshape(-1, FEATURES)[:, [0, _PLACE]]
         # Whoever fills has more to do where other joints are hidden than before.
         busy = bool((hidden != (self._gone > 0)).any())
-        self._gone = np.where(hidden, self._gone + self._frame_s, 0.0)
+        self._gone = np.where(hidden, self._gone + steps * self._frame_s, 0.0)
         if not (np.abs(hung.local) < FAR).all():
             return values
         if hidden.any():

@@ -82,14 +82,20 @@ class Doubting:
         self._age = 0
         self._set_limits()
 
+    def come_at(self, rate: float) -> None:
+        """So many poses a second come from now on."""
+        self._rate = rate
+        self._set_limits()
+
     def __call__(
-        self, positions: FloatArray, rotations: FloatArray, seen: BoolArray
+        self, positions: FloatArray, rotations: FloatArray, seen: BoolArray, steps: float = 1.0
     ) -> tuple[FloatArray, FloatArray, BoolArray]:
         """Look at one pose.
 
         Parameters
         ----------
         positions, rotations, seen : as :class:`markermend.poses.live.Live` takes them, mm
+        steps : poses from the last to this one; those between did not come
 
         Returns
         -------
@@ -101,7 +107,7 @@ class Doubting:
         places = np.where(there[:, None], positions, np.nan)
         bones = places[self._joints] - places[self._parents]
         lengths = lengths_of(bones)
-        frozen = self._repeating.frozen_in(places, lengths, self._mean_bone)
+        frozen = self._repeating.frozen_in(places, lengths, self._mean_bone, steps)
         places[frozen] = np.nan
         self.own = self._put_back(places)
         if self.own is not self._every:
@@ -246,6 +252,7 @@ class Doubting:
     ) -> BoolArray:
         """(joints,) bool: ends of broken bones that are at the wrong place, and what went along."""
         wrong = np.zeros(len(places), dtype=bool)
+        goes = self._repeating.since * self._turns + self._room
         whole = np.isfinite(lengths) & ~broken
         far = np.nan_to_num(lengths_of(places - self._at))
         further = far / (far + self._mean_bone)
@@ -265,7 +272,7 @@ class Doubting:
                 continue
             length = self._lengths[bone]
             alike = abs(lengths[bone] - length) < OFF * length
-            if alike and far[joint] > self._turns[bone] + self._room[bone]:
+            if alike and far[joint] > goes[bone]:
                 wrong[joint] = True
                 continue
             reach, above = length, int(parent)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections import deque
 from dataclasses import replace
 
@@ -29,6 +28,7 @@ from markermend.poses.quaternion import (
 from markermend.poses.solving import Regression, average_in
 from markermend.poses.streaming.articulation import FAR, Articulation
 from markermend.poses.streaming.joining import JOINING, Kept, widened
+from markermend.poses.streaming.keeping import with_bones
 from markermend.poses.streaming.levels import Levels
 from markermend.poses.turnless import given_turns, turned_as_parents
 
@@ -46,7 +46,6 @@ _SETTLES_S = 0.08
 _FOLLOWS_S, _FACES_S = 0.1, 0.3
 # How often joints are asked for it, and how often poses are learnt from.
 _ASKED_HZ, _LEARNT_HZ = 30.0, 60.0
-_ROUNDS = 2
 
 
 class Following:
@@ -98,7 +97,7 @@ class Following:
         self._untold = np.array([p for j, p in self._hanging if not self._there[j]], dtype=int)
         every = [j for j in range(len(first.joints)) if j != self._root]
         self._others = [j for j in every if self._there[j]]
-        self._scale, self._offset, self._rate = normal.scale, normal.offset, first.rate
+        self._scale, self._offset = normal.scale, normal.offset
         others = None
         if moments is not None:
             others = moments.of(np.flatnonzero(np.repeat(self._there[every], FEATURES)))
@@ -106,8 +105,6 @@ class Following:
         self._values = features[0, self._others].ravel()
         self._root_pose = first.positions[0, root], first.rotations[0, root]
         self._axes_turn, self._unasked, self._unlearnt = self._root_pose[1], 0, 0
-        # Poses that come faster than that tell the same.
-        self._learns_from = max(round(self._rate / _LEARNT_HZ), 1)
         kept = None if before is None else self._measure_as(before, first)
         self._aligning = by_right(self._offset[self._others])
         channels = len(self._values)
@@ -124,16 +121,26 @@ class Following:
             self._weight = others.weight
         at = {joint: n for n, joint in enumerate(self._others)} | {self._root: -1, -1: -1}
         above = [at[self._above(joint)] for joint in self._others]
-        body = self._values, above, self._rate, self._twins
+        body = self._values, above, first.rate, self._twins
         self._articulation = Articulation(*body, self._bending(first, bending, normal.scale))
-        self._levels = Levels(self._values, others, self._rate)
+        self._levels = Levels(self._values, others, first.rate)
         self._speed, self._coasting = np.zeros(channels), np.zeros(channels)
         self._known = np.ones(channels, dtype=bool)
         self._others_tell: Regression | None = None
-        self._lags = sorted({max(round(lag * self._rate), 1) for lag in _LAGS_S})
-        self._past: deque[FloatArray] = deque([self._values], maxlen=self._lags[-1])
+        self._past: deque[FloatArray | None] = deque([self._values])
+        self.come_at(first.rate)
         if before is not None and kept is not None:
             self._go_on(before, kept)
+
+    def come_at(self, rate: float) -> None:
+        """So many poses a second come from now on."""
+        self._rate = rate
+        # Poses that come faster than that tell the same.
+        self._learns_from = max(round(rate / _LEARNT_HZ), 1)
+        self._lags = sorted({max(round(lag * rate), 1) for lag in _LAGS_S})
+        self._past = deque(self._past, maxlen=self._lags[-1])
+        self._levels.come_at(rate)
+        self._articulation.come_at(rate)
 
     def _bending(self, first: Pose, others: OthersBends | None, scale: float) -> OthersBends | None:
         """How others bend, of the joints that take part; a recording's mean bone is ``scale``."""
@@ -217,11 +224,11 @@ class Following:
         self._forth = multiply(self._axes_turn, self._offset[self._root])
         self._axes = matrices(self._forth[None])[0]
 
-    def _follow_root(self) -> None:
+    def _follow_root(self, steps: float) -> None:
         """Turn axes after the root: how it shakes is no movement of what hangs on it."""
         own, turned = self._axes_turn, self._root_pose[1]
         follows_s = _FOLLOWS_S if self._sides is None else _FACES_S
-        share = 1.0 - np.exp(-1.0 / (follows_s * self._rate))
+        share = 1.0 - np.exp(-steps / (follows_s * self._rate))
         self._axes_turn = unit(own + share * (np.copysign(1.0, turned @ own) * turned - own))
         self._look()
 
@@ -248,7 +255,7 @@ class Following:
         return own if np.isnan(faced).any() else faced
 
     def __call__(
-        self, positions: FloatArray, rotations: FloatArray, seen: BoolArray
+        self, positions: FloatArray, rotations: FloatArray, seen: BoolArray, steps: float = 1.0
     ) -> tuple[FloatArray, FloatArray]:
         """Fill one pose.
 
@@ -257,6 +264,7 @@ class Following:
         positions : (joints, 3) mm; anything where not seen
         rotations : (joints, 4) unit quaternions x, y, z, w; 0 or NaN of a joint that has none
         seen : (joints,) bool
+        steps : poses from the last to this one; those between did not come
 
         Returns
         -------
@@ -271,20 +279,21 @@ class Following:
         if seen[self._root] and np.isfinite(positions[self._root]).all():
             place = positions[self._root]
         self._root_pose = place, self._root_turn(positions, turns, seen, told)
-        self._follow_root()
+        self._follow_root(steps)
         values, known = self._relative(positions, turns, seen, told)
         # Matrices as small as these take twice as long where two threads share one.
         with self._threads.limit(limits=1):
-            filled = self._filled(values, known)
+            filled = self._filled(values, known, steps)
             self._unlearnt += 1
             counts = self._unlearnt if self._unlearnt >= self._learns_from else 0
-            values = self._articulation.follow(filled, known, self._turned_root(), counts)
+            values = self._articulation.follow(filled, known, self._turned_root(), counts, steps)
             # As whole steps each, they would draw a joint to its mean.
-            share = 1.0 - np.exp(-1.0 / (_SETTLES_S * self._rate))
+            share = 1.0 - np.exp(-steps / (_SETTLES_S * self._rate))
             self._values = filled + share * (values - filled)
+            self._past.extend([None] * (min(round(steps), self._lags[-1]) - 1))
             self._learn(self._values, counts)
         where, turned = self._absolute(values)
-        where = self._with_bones(where, seen)
+        where = with_bones(where, seen, self._bones, self._lengths)
         free = np.ones(len(seen), dtype=bool)
         free[self._others] = known[FEATURES - 1 :: FEATURES]
         free[self._root] = told[self._root]
@@ -316,7 +325,7 @@ class Following:
         # So far out no joint is a body's; NaN is not known either.
         return values.ravel(), known.ravel() & (np.abs(values.ravel()) < FAR)
 
-    def _filled(self, values: FloatArray, known: BoolArray) -> FloatArray:
+    def _filled(self, values: FloatArray, known: BoolArray, steps: float) -> FloatArray:
         """What is not known moves and is where what is known tells, and coasts a little."""
         now = np.where(known, values, self._values)
         hidden, visible = np.flatnonzero(~known), np.flatnonzero(known)
@@ -329,11 +338,14 @@ class Following:
                 gone = self._known[hidden]
                 self._coasting[hidden] = np.where(gone, left, self._coasting[hidden])
             told = self._others_tell.tell(now[visible] - self._values[visible])
-            now[hidden] += told + self._coasting[hidden]
-            self._levels.draw(now)
-            self._coasting *= np.exp(-1.0 / (_COASTS_S * self._rate))
-        share = 1.0 - np.exp(-1.0 / (_AVERAGED_S * self._rate))
-        self._speed += share * (now - self._values - self._speed)
+            slower = np.exp(-1.0 / (_COASTS_S * self._rate))
+            # All the way that is gone at a speed that fades.
+            far = (1.0 - slower**steps) / (1.0 - slower)
+            now[hidden] += told + far * self._coasting[hidden]
+            self._levels.draw(now, steps)
+            self._coasting *= slower**steps
+        share = 1.0 - np.exp(-steps / (_AVERAGED_S * self._rate))
+        self._speed += share * ((now - self._values) / steps - self._speed)
         now.reshape(-1, FEATURES)[:, 3:] = unit(now.reshape(-1, FEATURES)[:, 3:])
         self._known = known
         return now
@@ -345,11 +357,12 @@ class Following:
         moves much like a right one that is mirrored.
         """
         past = self._past
-        if counts:
-            lags = [n for n in self._lags if n <= len(past)]
+        then = {n: past[-n] for n in self._lags if n <= len(past)} if counts else {}
+        there = {n: one for n, one in then.items() if one is not None}
+        if there:
             # Movement grows with the root of time.
-            usual = np.sqrt(_USUAL_S * self._rate / np.array(lags))
-            before = np.array([past[-n] for n in lags]).reshape(len(lags), len(values))
+            usual = np.sqrt(_USUAL_S * self._rate / np.array(list(there)))
+            before = np.array(list(there.values())).reshape(len(there), len(values))
             moved = (values - before) * usual[:, None]
             if self._twins is not None:
                 moved = both_sides_moved(moved, self._twins, self._signs)
@@ -369,23 +382,3 @@ class Following:
         turned = (columns[:, 3:] @ by_left(self._forth).T)[:, :, None]
         rotations[others] = (self._aligning.swapaxes(1, 2) @ turned)[:, :, 0]
         return positions, rotations
-
-    def _with_bones(self, positions: FloatArray, seen: BoolArray) -> FloatArray:
-        """Move joints that are not seen to where their bones reach."""
-        loose = [(j, p) for j, p in self._bones if not (seen[j] and seen[p])]
-        if not loose:
-            return positions
-        # Of so few numbers Python's own are faster.
-        places, lengths, shown = positions.tolist(), self._lengths.tolist(), seen.tolist()
-        for joint, parent in loose * _ROUNDS:
-            (x, y, z), (u, v, w) = places[joint], places[parent]
-            bone = (x - u, y - v, z - w)
-            share = lengths[joint] / (math.hypot(*bone) or 1.0) - 1.0
-            if not (shown[joint] or shown[parent]):
-                share *= 0.5
-            i, j, k = (share * way for way in bone)
-            if not shown[joint]:
-                places[joint] = (x + i, y + j, z + k)
-            if not shown[parent]:
-                places[parent] = (u - i, v - j, w - k)
-        return np.array(places)

@@ -38,8 +38,12 @@ class Levels:
             self._mean, self._weight = others.mean.copy(), _OTHERS
             self._covariance = np.array(others.whole, order="C")
         self._hidden: IntArray = np.empty(0, dtype=int)
+        self.come_at(rate)
+
+    def come_at(self, rate: float) -> None:
+        """So many poses a second come from now on."""
         self._fading = np.exp(-1.0 / (_LASTS_S * rate))
-        self._share = 1.0 - np.exp(-1.0 / (_DRAWN_S * rate))
+        self._staying = np.exp(-1.0 / (_DRAWN_S * rate))
 
     def go_on(self, before: Levels, kept: Kept) -> None:
         """Take over what was learnt of some columns."""
@@ -67,11 +71,18 @@ class Levels:
         self._others_tell = Regression(self._covariance, hidden, visible, _RIDGE)
         self._away = before[hidden] - self._expected(before)
 
-    def draw(self, values: FloatArray) -> None:
-        """Draw the hidden columns of the next pose, in place, to where they are expected."""
-        self._away *= self._fading
+    def draw(self, values: FloatArray, steps: float = 1.0) -> None:
+        """Draw the hidden columns of a pose, in place, to where they are expected.
+
+        Parameters
+        ----------
+        values : (columns,)
+        steps : poses from the last to this one; those between did not come
+        """
+        self._away *= self._fading**steps
         there = self._expected(values) + self._away
-        values[self._hidden] += self._share * (there - values[self._hidden])
+        share = 1.0 - self._staying**steps
+        values[self._hidden] += share * (there - values[self._hidden])
 
     def _expected(self, values: FloatArray) -> FloatArray:
         """(hidden,) what the visible columns tell."""

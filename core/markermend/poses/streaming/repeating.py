@@ -37,14 +37,16 @@ class Repeating:
         self._joints, self._parents = joints, parents
         self._tops: BoolArray = np.ones(count, dtype=bool)
         self._tops[joints] = False
-        self.whole, self.since, self._digit = False, 1, np.inf
+        self.whole, self.since, self._digit = False, 1.0, np.inf
         self._came = np.full((count, 3), np.nan)
         # How long bones were when one of their ends began to stand.
         self._then = np.full(len(joints), np.nan)
         self._repeats = np.zeros(count, dtype=int)
         self._frozen, self._moved = np.zeros((2, count), dtype=bool)
 
-    def frozen_in(self, places: FloatArray, lengths: FloatArray, mean_bone: float) -> BoolArray:
+    def frozen_in(
+        self, places: FloatArray, lengths: FloatArray, mean_bone: float, steps: float = 1.0
+    ) -> BoolArray:
         """Look at one pose.
 
         Parameters
@@ -52,17 +54,18 @@ class Repeating:
         places : (joints, 3) mm, NaN where not seen
         lengths : (bones,) mm, NaN where an end was not seen
         mean_bone : mm
+        steps : poses from the last to this one; those between did not come
 
         Returns
         -------
         (joints,) bool: it stands still, and those that it is tied to have moved away from it
         """
         before, self._came = self._came, places.copy()
-        steps = np.abs(places - before)
-        same = (steps < _SAME_MM).all(axis=1)
+        ways = np.abs(places - before)
+        same = (ways < _SAME_MM).all(axis=1)
         # Others may be measured from a root, which never moves then.
-        self._moved |= (steps >= _SAME_MM).any(axis=1)
-        self.since = self.since + 1 if self.whole else 1
+        self._moved |= (ways >= _SAME_MM).any(axis=1)
+        self.since = self.since + steps if self.whole else steps
         if not same.any():
             self.whole, self._then = False, lengths
             self._repeats[:] = 0
@@ -73,7 +76,7 @@ class Repeating:
         self._repeats = np.where(same, self._repeats + 1, 0)
         stands, self._frozen = self._repeats >= REPEATS, self._frozen & same
         # Numbers may be rounded: whoever moves a little stands then, too, and jumps.
-        self._digit = min(self._digit, steps[steps >= _SAME_MM].min(initial=np.inf))
+        self._digit = min(self._digit, ways[ways >= _SAME_MM].min(initial=np.inf))
         least = max(_CHANGED * mean_bone, _DIGITS * self._digit)
         changed = np.abs(lengths - self._then) > least
         # Joints that stand still together, by the uppermost of them, and how many bones that tie

@@ -40,8 +40,12 @@ class Steadying:
         self._bracing = Bracing(self._joints, self._parents, len(parents))
         self._tracking = Tracking((len(parents), _PLACE + _TURN), rate)
 
+    def come_at(self, rate: float) -> None:
+        """So many poses a second come from now on."""
+        self._tracking.come_at(rate)
+
     def __call__(
-        self, positions: FloatArray, rotations: FloatArray, seen: BoolArray
+        self, positions: FloatArray, rotations: FloatArray, seen: BoolArray, steps: float = 1.0
     ) -> tuple[FloatArray, FloatArray]:
         """Steady one pose.
 
@@ -49,6 +53,7 @@ class Steadying:
         ----------
         positions, rotations, seen : as
             :class:`markermend.poses.streaming.doubting.Doubting` returns them, mm
+        steps : poses from the last to this one; those between did not come
 
         Returns
         -------
@@ -57,6 +62,8 @@ class Steadying:
         told = given_turns(rotations, seen)
         self._age += 1
         turn_of = self._age % _OF
+        if steps > 1.0:
+            self._shaking.look_away()
         if self._age <= _AT_FIRST or turn_of < _IN_A_ROW:
             self._look(positions, rotations, seen, told)
         elif turn_of == _IN_A_ROW:
@@ -77,7 +84,7 @@ class Steadying:
         # Of q and -q the one that it was.
         other = np.einsum("jq,jq->j", turns, self._tracking.at[:, _PLACE:]) < 0
         turns[other] *= -1.0
-        now = self._tracking.follow(values, known, noise)
+        now = self._tracking.follow(values, known, noise, steps)
         turns = now[:, _PLACE:] if shaking.noise_rad else turns
         turns = unit(np.where(told[:, None], turns, 1.0))
         given = now[:, :_PLACE], turns, seen, told

@@ -31,11 +31,17 @@ class Tracking:
 
     def __init__(self, shape: tuple[int, ...], rate: float) -> None:
         self._there = np.zeros(shape, dtype=bool)
-        self._learns = _STEP * (1.0 - np.exp(-1.0 / (_LEARNS_S * rate)))
+        self.come_at(rate)
         self.at, self._speed = np.zeros((2, *shape))
         self._unsure, self._together, self._speed_unsure, self._changes = np.zeros((4, *shape))
 
-    def follow(self, values: FloatArray, known: BoolArray, noise: FloatArray) -> FloatArray:
+    def come_at(self, rate: float) -> None:
+        """So many poses a second come from now on."""
+        self._learns = _STEP * (1.0 - np.exp(-1.0 / (_LEARNS_S * rate)))
+
+    def follow(
+        self, values: FloatArray, known: BoolArray, noise: FloatArray, steps: float = 1.0
+    ) -> FloatArray:
         """Return the next values without noise; of what is not known, anything.
 
         Parameters
@@ -43,12 +49,15 @@ class Tracking:
         values : of the shape; anything where not known
         known : of the shape; what was never known before starts with it
         noise : variances, more than 0, as many as the last axis has
+        steps : poses from the last to this one; those between did not come
         """
         # What is not known goes on as it went, and is the less sure of it.
-        changes = self._changes
-        ahead = self.at + self._speed
-        unsure = self._unsure + 2.0 * self._together + self._speed_unsure + 0.25 * changes
-        together = self._together + self._speed_unsure + 0.5 * changes
+        changes, doubt = self._changes, self._speed_unsure
+        ahead = self.at + steps * self._speed
+        # Summed over steps, in each of which the speed changes by as much.
+        shaken = steps * (4.0 * steps**2 - 1.0) / 12.0 * changes
+        unsure = self._unsure + 2.0 * steps * self._together + steps**2 * doubt + shaken
+        together = self._together + steps * doubt + 0.5 * steps**2 * changes
         missed, expected = np.where(known, values - ahead, 0.0), unsure + noise
         told = known / expected
         gain, speed_gain = unsure * told, together * told
@@ -61,7 +70,7 @@ class Tracking:
         self.at = np.where(new, values, ahead + gain * missed)
         self._speed = np.where(new, 0.0, self._speed + speed_gain * missed)
         self._speed_unsure = np.where(
-            new, _SPEED**2 * noise, self._speed_unsure + changes - speed_gain * together
+            new, _SPEED**2 * noise, doubt + steps * changes - speed_gain * together
         )
         self._unsure = np.where(new, noise, (1.0 - gain) * unsure)
         self._together = np.where(new, 0.0, (1.0 - gain) * together)
