@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from markermend.arrays import BoolArray, IntArray, free_starts, runs
+from markermend.arrays import BoolArray, FloatArray, IntArray, free_starts, runs
+from markermend.poses.filling.bridging import bridging_error
+from markermend.poses.quaternion import lengths_of
 
 if TYPE_CHECKING:
     from markermend.poses.pose import Pose
@@ -127,7 +129,7 @@ def tried(restored: Restored, hanging: BoolArray, again: Callable[[Pose], Restor
     whole, rows = restored.pose, enough_around(restored.filled)
     trials = trials_of(restored.filled[rows], whole.rate)
     if not trials:
-        return restored
+        return replace(restored, error_mm=_untried(restored, restored.error_mm, hanging, rows, ()))
     positions, rotations = whole.positions[rows], whole.rotations[rows]
     hidden = hidden_in(trials, len(positions), len(whole.joints))
     known = whole.with_samples(positions, rotations, np.where(hidden, 0.0, 1.0))
@@ -140,4 +142,42 @@ def tried(restored: Restored, hanging: BoolArray, again: Callable[[Pose], Restor
         if judged.any():
             more = float(np.sqrt(np.sum(away[judged]) / np.sum(found.error_mm[judged] ** 2)))
             error[restored.filled & joints] *= max(more, 1.0)
-    return replace(restored, error_mm=error)
+    return replace(restored, error_mm=_untried(restored, error, hanging, rows, trials))
+
+
+def _untried(
+    restored: Restored,
+    error_mm: FloatArray,
+    hanging: BoolArray,
+    rows: slice,
+    trials: Sequence[Trial],
+) -> FloatArray:
+    """Expect no less than what time alone would miss of gaps longer than any that was tried.
+
+    Where so little was seen a body's covariances fit it by chance, and tell nothing of the rest.
+    Time alone misses a joint by no more than as far as it is from what was seen.
+    """
+    error, whole = error_mm.copy(), restored.pose
+    paths = whole.positions - whole.positions[:, whole.order[0], None]
+    for joint in np.flatnonzero(hanging & restored.filled[rows].any(axis=0)).tolist():
+        tried = max((t.stop - t.start for t in trials if joint in t.joints), default=0)
+        filled = restored.filled[:, joint]
+        longer = np.zeros(len(filled), dtype=bool)
+        for start, stop in runs(filled).tolist():
+            longer[start:stop] = stop - start > tried
+        if longer.any():
+            missed = bridging_error(paths[:, joint], ~filled)
+            missed = np.fmin(missed, _from_seen(restored, joint, longer))
+            error[longer, joint] = np.fmax(error[longer, joint], missed[longer])
+    return error
+
+
+def _from_seen(restored: Restored, joint: int, frames: BoolArray) -> float:
+    """Length of all bones from a joint up to the next one that is seen in some frames; mm."""
+    pose, far = restored.pose, 0.0
+    while pose.parents[joint] >= 0 and restored.filled[frames, joint].any():
+        parent = pose.parents[joint]
+        bone = pose.positions[frames, joint] - pose.positions[frames, parent]
+        far += float(np.median(lengths_of(bone)))
+        joint = parent
+    return far

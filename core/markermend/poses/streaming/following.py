@@ -27,8 +27,8 @@ from markermend.poses.quaternion import (
 )
 from markermend.poses.solving import Regression, average_in
 from markermend.poses.streaming.articulation import FAR, Articulation
+from markermend.poses.streaming.hanging import bones_more, with_bones
 from markermend.poses.streaming.joining import JOINING, Kept, widened
-from markermend.poses.streaming.keeping import with_bones
 from markermend.poses.streaming.levels import Levels
 from markermend.poses.turnless import given_turns, turned_as_parents
 
@@ -38,6 +38,9 @@ _PRIOR_S, _LAGS_S, _MEMORY = 1.0, (0.008, 0.03, 0.125, 0.5, 2.0), 3000.0
 _USUAL_S = 0.125
 # Added to variances, the second over the poses learnt from: of few, less is made.
 _RIDGE, _FEW = 1e-4, 0.1
+# The same for each bone more that hidden joints are from seen ones, where one's own poses are all
+# there is: those that follow each other tell much the same, and neighbours tell more than others.
+_FEW_A_BONE = 4.0
 # A joint that goes keeps a speed of its own for about this long; speeds are averaged over this.
 _COASTS_S, _AVERAGED_S = 0.042, 0.024
 # In this time what was filled follows what it settles to.
@@ -92,7 +95,8 @@ class Following:
         features, normal = normalise(first)
         self._parents, self._root = first.parents, normal.root
         self._hanging = [(j, p) for j, p in enumerate(first.parents) if p >= 0]
-        self._bones = [(j, p) for j, p in self._hanging if self._there[j] and self._there[p]]
+        hung = [(j, first.parents[j]) for j in first.order if first.parents[j] >= 0]
+        self._bones = [(j, p) for j, p in hung if self._there[j] and self._there[p]]
         # Without a child that was ever seen nobody knows how a joint is turned.
         self._untold = np.array([p for j, p in self._hanging if not self._there[j]], dtype=int)
         every = [j for j in range(len(first.joints)) if j != self._root]
@@ -102,6 +106,7 @@ class Following:
         if moments is not None:
             others = moments.of(np.flatnonzero(np.repeat(self._there[every], FEATURES)))
         self._lengths = bone_lengths(first.positions, first.parents)
+        self._own_alone = others is None
         self._values = features[0, self._others].ravel()
         self._root_pose = first.positions[0, root], first.rotations[0, root]
         self._axes_turn, self._unasked, self._unlearnt = self._root_pose[1], 0, 0
@@ -293,7 +298,7 @@ class Following:
             self._past.extend([None] * (min(round(steps), self._lags[-1]) - 1))
             self._learn(self._values, counts)
         where, turned = self._absolute(values)
-        where = with_bones(where, seen, self._bones, self._lengths)
+        where = with_bones(where, self._bones, self._lengths.tolist(), seen.tolist())
         free = np.ones(len(seen), dtype=bool)
         free[self._others] = known[FEATURES - 1 :: FEATURES]
         free[self._root] = told[self._root]
@@ -331,7 +336,11 @@ class Following:
         hidden, visible = np.flatnonzero(~known), np.flatnonzero(known)
         if len(hidden):
             if self._others_tell is None or not np.array_equal(known, self._known):
-                more = _RIDGE + _FEW / (1.0 + self._weight)
+                few = _FEW
+                if self._own_alone:
+                    lost = {self._others[n] for n in np.flatnonzero(~known[::FEATURES])}
+                    few += _FEW_A_BONE * bones_more(self._bones, lost)
+                more = _RIDGE + few / (1.0 + self._weight)
                 self._others_tell = Regression(self._covariance, hidden, visible, more)
                 left = self._speed[hidden] - self._others_tell.tell(self._speed[visible])
                 self._levels.begin(hidden, visible, self._values)
