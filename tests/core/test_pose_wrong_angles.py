@@ -156,6 +156,23 @@ def test_where_two_angles_are_wrong_at_a_time_what_was_filled_stays(movement):
         assert (found.positions != told.positions)[fore, hand].any() == kept
 
 
+@pytest.mark.parametrize("bvh", [False, True])
+def test_where_filling_is_far_off_for_a_time_angles_go_steadily_to_what_is_after(movement, bvh):
+    truth, rows = forward_kinematics(movement, RATE), slice(100, 130)
+    given = forward_kinematics(turned(movement, "fore", 0, rows, 60.0), RATE)
+    given = replace(given, source=None) if bvh else given
+    places, (fore, hand) = np.array(truth.positions), map(truth.index, ("fore", "hand"))
+    away = np.zeros((FRAMES, 1, 1))
+    away[100:112, 0, 0] = np.sin(np.linspace(0.0, np.pi, 12))
+    places[:, [fore, hand]] += away * np.array([0.0, 400.0, 300.0])
+    told = truth.with_samples(places, truth.rotations)
+    found = with_own_angles(told, given, mend_faults(given)[1])
+    turns = hinges_of(truth).turns[rows].copy()
+    turns[:, fore] = hinges_of(truth).bridged(fore, rows)
+    apart = np.abs(np.sum(hinges_of(found).turns[rows] * turns, axis=2)) - 1.0
+    np.testing.assert_allclose(apart, 0.0, atol=1e-9)
+
+
 def test_a_few_times_are_found_in_a_second_or_two(movement):
     twice = turned(
         turned(movement, "fore", 0, slice(60, 80), 60.0), "fore", 0, slice(150, 170), 60.0
