@@ -122,6 +122,23 @@ def test_joints_come_back_and_no_other_angle_is_changed(shared_data):
     assert np.abs(back.channels["rradius"] - truth.source.channels["rradius"]).max() < 8.0
 
 
+def test_of_two_ways_that_disagree_more_is_expected(movement, monkeypatch):
+    pose = forward_kinematics(movement.part(0, 40), RATE)
+    hand, rows = pose.index("hand"), slice(10, 20)
+
+    def elsewhere(told, *_):
+        places = np.array(told.positions)
+        places[rows, hand] += np.array([0.0, 60.0, 80.0])
+        return told.with_samples(places, told.rotations)
+
+    usual = restore(pose).error_mm
+    monkeypatch.setattr("markermend.poses.restore.with_own_angles", elsewhere)
+    told = restore(pose).error_mm
+    np.testing.assert_allclose(told[rows, hand], np.hypot(usual[rows, hand], 100.0 / 2.0**0.5))
+    told[rows, hand] = usual[rows, hand]
+    np.testing.assert_array_equal(told, usual)
+
+
 def test_where_other_angles_were_wrong_too_what_was_filled_stays(movement):
     segments = [
         replace(s, length=4.0 if s.name == "hand" else s.length) for s in movement.skeleton.segments
