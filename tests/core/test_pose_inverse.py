@@ -162,3 +162,49 @@ def test_a_skeleton_without_a_movement_stays_as_it_is(movement):
     pose = forward_kinematics(rest, 100.0)
     found = inverse_kinematics(replace(pose, positions=pose.positions + 5.0), rest)
     assert found.channels == {}
+
+
+def test_what_was_filled_is_reached_by_its_own_angles_and_measured_ones_stay(movement):
+    """How a joint that was filled is turned need not fit where it is."""
+    pose = forward_kinematics(movement, 100.0)
+    channels = {name: np.array(values) for name, values in movement.channels.items()}
+    channels["fore"][10:20] = channels["hand"][10:20] = np.nan
+    rotations = pose.rotations.copy()
+    for name in ("fore", "hand"):
+        part = rotations[10:20, pose.index(name)]
+        rotations[10:20, pose.index(name)] = multiply(part, np.array([0.2, 0.1, 0.3, 0.86**0.5]))
+    found = inverse_kinematics(
+        replace(pose, rotations=rotations), replace(movement, channels=channels)
+    )
+    assert how_far_off(found, pose).max() < 0.5
+    for name in ("root", "back", "arm", "leg"):
+        np.testing.assert_array_equal(found.channels[name], movement.channels[name])
+
+
+def test_angles_of_what_was_filled_go_on_in_as_many_rounds(movement):
+    truth = {name: np.array(values) for name, values in movement.channels.items()}
+    truth["root"][:, 3:] = np.linspace([166.0, -15.0, -178.0], [172.0, -18.0, -183.0], FRAMES)
+    # A middle angle beyond 90 degrees is told otherwise, too.
+    truth["arm"][:] = np.linspace([20.0, 110.0, 30.0], [25.0, 120.0, 50.0], FRAMES)
+    truth["hand"] += 1090.0
+    whole = replace(movement, channels=truth)
+    pose = forward_kinematics(whole, 100.0)
+    for rows in (slice(10, 20), slice(0, 8), slice(24, None)):
+        gone = {name: np.array(values) for name, values in truth.items()}
+        for name in ("root", "arm", "hand"):
+            gone[name][rows] = np.nan
+        found = inverse_kinematics(pose, replace(movement, channels=gone))
+        for name, values in truth.items():
+            np.testing.assert_allclose(found.channels[name], values, atol=1e-4)
+
+
+def test_places_that_cannot_be_reached_turn_nothing_round_and_round(movement):
+    pose = forward_kinematics(movement, 100.0)
+    places, arm = pose.positions.copy(), [pose.index(name) for name in ("arm", "fore", "hand")]
+    places[:, arm] += np.random.default_rng(0).normal(0.0, 400.0, (FRAMES, len(arm), 3))
+    found = inverse_kinematics(replace(pose, positions=places), movement)
+    for name in ("arm", "fore", "hand"):
+        assert np.abs(found.channels[name] - movement.channels[name]).max() <= 180.0
+    # With steps of any size it is 420 mm.
+    away = np.linalg.norm(forward_kinematics(found, 100.0).positions - places, axis=2)
+    assert np.sqrt(np.mean(away**2)) < 412.0

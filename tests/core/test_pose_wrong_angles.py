@@ -122,6 +122,23 @@ def test_joints_come_back_and_no_other_angle_is_changed(shared_data):
     assert np.abs(back.channels["rradius"] - truth.source.channels["rradius"]).max() < 8.0
 
 
+def test_of_two_ways_that_disagree_more_is_expected(movement, monkeypatch):
+    pose = forward_kinematics(movement.part(0, 40), RATE)
+    hand, rows = pose.index("hand"), slice(10, 20)
+
+    def elsewhere(told, *_):
+        places = np.array(told.positions)
+        places[rows, hand] += np.array([0.0, 60.0, 80.0])
+        return told.with_samples(places, told.rotations)
+
+    usual = restore(pose).error_mm
+    monkeypatch.setattr("markermend.poses.restore.with_own_angles", elsewhere)
+    told = restore(pose).error_mm
+    np.testing.assert_allclose(told[rows, hand], np.hypot(usual[rows, hand], 100.0 / 2.0**0.5))
+    told[rows, hand] = usual[rows, hand]
+    np.testing.assert_array_equal(told, usual)
+
+
 def test_where_other_angles_were_wrong_too_what_was_filled_stays(movement):
     segments = [
         replace(s, length=4.0 if s.name == "hand" else s.length) for s in movement.skeleton.segments
@@ -154,6 +171,23 @@ def test_where_two_angles_are_wrong_at_a_time_what_was_filled_stays(movement):
         found = with_own_angles(told, given, mend_faults(given)[1])
         hand = truth.index("hand")
         assert (found.positions != told.positions)[fore, hand].any() == kept
+
+
+@pytest.mark.parametrize("bvh", [False, True])
+def test_where_filling_is_far_off_for_a_time_angles_go_steadily_to_what_is_after(movement, bvh):
+    truth, rows = forward_kinematics(movement, RATE), slice(100, 130)
+    given = forward_kinematics(turned(movement, "fore", 0, rows, 60.0), RATE)
+    given = replace(given, source=None) if bvh else given
+    places, (fore, hand) = np.array(truth.positions), map(truth.index, ("fore", "hand"))
+    away = np.zeros((FRAMES, 1, 1))
+    away[100:112, 0, 0] = np.sin(np.linspace(0.0, np.pi, 12))
+    places[:, [fore, hand]] += away * np.array([0.0, 400.0, 300.0])
+    told = truth.with_samples(places, truth.rotations)
+    found = with_own_angles(told, given, mend_faults(given)[1])
+    turns = hinges_of(truth).turns[rows].copy()
+    turns[:, fore] = hinges_of(truth).bridged(fore, rows)
+    apart = np.abs(np.sum(hinges_of(found).turns[rows] * turns, axis=2)) - 1.0
+    np.testing.assert_allclose(apart, 0.0, atol=1e-9)
 
 
 def test_a_few_times_are_found_in_a_second_or_two(movement):

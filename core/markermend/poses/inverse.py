@@ -7,13 +7,13 @@ was measured, or restored, by itself. What is looked at, and reviewed, is where 
 from __future__ import annotations
 
 from dataclasses import replace
-from warnings import catch_warnings, filterwarnings
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 from threadpoolctl import threadpool_limits
 
 from markermend.arrays import BoolArray, FloatArray
+from markermend.poses.angles import angles_of, told_alike
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import lengths_of
 from markermend.poses.reaching import SHIFTS, axes_of, reach
@@ -43,13 +43,15 @@ def inverse_kinematics(pose: Pose, source: Movement, *, progress: Progress = qui
     Movement
         with joints as near to the recording's as rigid segments and their degrees of freedom
         allow, and turned as there as far as that leaves open; only turned as there in frames in
-        which every joint is where it was. NaN where a joint or its parent was not seen.
+        which every joint is where it was. A joint that was not seen there turns none that it hangs
+        on, and its angles go on from those beside, in as many rounds. NaN where a joint or its
+        parent was not seen.
     """
-    turned, away = _changes(pose, source)
+    turned, away, filled = _changes(pose, source)
     channels = _nearest_turns(pose, source, _with_parents(turned, pose))
     free = _free(turned, away, pose)
     # A skeleton by itself has nothing that could be turned.
-    frames = np.flatnonzero(away.any(axis=1) & bool(channels))
+    frames = np.flatnonzero((away | filled).any(axis=1) & bool(channels))
     # On matrices as small as these several threads only wait for each other.
     with threadpool_limits(1):
         for first in range(0, len(frames), BLOCK):
@@ -73,14 +75,14 @@ def how_far_off(movement: Movement, pose: Pose) -> FloatArray:
     return np.asarray(away.max(axis=0, initial=0.0))
 
 
-def _changes(pose: Pose, source: Movement) -> tuple[BoolArray, BoolArray]:
-    """Whether joints are turned or seen otherwise than in the source, and whether elsewhere.
+def _changes(pose: Pose, source: Movement) -> tuple[BoolArray, BoolArray, BoolArray]:
+    """Whether joints are turned or seen otherwise than in the source, elsewhere, or new.
 
-    Both (frames, segments) bool; a root that is elsewhere counts for both.
+    All (frames, segments) bool; a root that is elsewhere counts for the first two, too.
     """
     if source.frames != pose.frames:
         every = np.ones(pose.rotations.shape[:2], dtype=bool)
-        return every, every
+        return every, every, every
     before = forward_kinematics(source, pose.rate)
     apart = np.abs(pose.positions - before.positions) > SAME * source.skeleton.scale_mm
     away = np.asarray(apart.any(axis=2))
@@ -88,7 +90,7 @@ def _changes(pose: Pose, source: Movement) -> tuple[BoolArray, BoolArray]:
     turned |= pose.seen != before.seen
     roots = [i for i, parent in enumerate(pose.parents) if parent < 0]
     turned[:, roots] |= away[:, roots]
-    return turned, away
+    return turned, away, pose.seen & ~before.seen
 
 
 def _with_parents(marked: BoolArray, pose: Pose) -> BoolArray:
@@ -137,11 +139,9 @@ def _nearest_turns(pose: Pose, source: Movement, turned: BoolArray) -> dict[str,
         if turns and len(anew):
             axes = "".join(segment.dofs[k][1] for k in turns)
             frame = axes_of(segment)
-            columns = np.ix_(anew, np.array(turns))
-            angles = _angles(frame.inv() * own * frame, axes)
-            # A turn may be told as one beyond 180 degrees.
-            rounds = np.round((np.nan_to_num(values[columns]) - angles) / 360.0)
-            values[columns] = angles + 360.0 * rounds
+            angles = angles_of(frame.inv() * own * frame, axes)
+            given = values[:, turns] if source.frames == pose.frames else None
+            values[anew[:, None], turns] = told_alike(angles, anew, given)
         if segment.parent < 0:
             start = pose.positions[:, i] / skeleton.scale_mm - np.asarray(skeleton.position)
             for k, dof in enumerate(segment.dofs):
@@ -151,27 +151,3 @@ def _nearest_turns(pose: Pose, source: Movement, turned: BoolArray) -> dict[str,
         values[~seen & turned[:, i]] = np.nan
         channels[segment.name] = values
     return channels
-
-
-def _angles(turned: Rotation, axes: str) -> FloatArray:
-    """(frames, axes) degrees of turns about these axes, one after the other, that come nearest.
-
-    Three tell every rotation. Euler angles cut to fewer tell another one where the middle one is
-    near 90 degrees or beyond; so of two turns each is read from the axis that only it moves.
-    """
-    if len(axes) == 3:
-        with catch_warnings():
-            # Where two axes fall together one of their turns is as good as the other.
-            filterwarnings("ignore", message="Gimbal lock")
-            return np.asarray(turned.as_euler(axes, degrees=True))  # type: ignore[call-overload]
-    matrix = turned.as_matrix()
-    if len(axes) == 1:
-        i = "xyz".index(axes)
-        j, k = (i + 1) % 3, (i + 2) % 3
-        sine, cosine = matrix[:, k, j] - matrix[:, j, k], matrix[:, j, j] + matrix[:, k, k]
-        return np.asarray(np.degrees(np.arctan2(sine, cosine)))[:, None]
-    i, j = map("xyz".index, axes)
-    k, sign = 3 - i - j, 1.0 if j == (i + 1) % 3 else -1.0
-    first = np.arctan2(-sign * matrix[:, j, k], matrix[:, j, j])
-    second = np.arctan2(-sign * matrix[:, k, i], matrix[:, i, i])
-    return np.asarray(np.degrees(np.stack([first, second], axis=1)))

@@ -21,6 +21,8 @@ PASSES, SETTLED, NOTHING_MM2 = 40, 1e-2, 1e-12
 """Passes at most; a frame is done when one makes it better by less than that share, or when no more
 than that is left of its squared error."""
 FIRST_DAMPING, MOST_DAMPING = 1e-4, 1e4
+FARTHEST = 0.5
+"""No pass turns about an axis by more radians: slopes do not tell how ends move farther on."""
 
 
 def reach(
@@ -89,6 +91,7 @@ class _Limbs:
     frame : (segments, 3, 3) from the axes that a segment turns about to those at rest
     offset : (frames, segments, 3) mm, where it begins, from its parent's end in its parent's axes
     bone : (frames, segments, 3) mm, from there to its end in its own axes
+    turns : (n,) bool, what is an angle
     """
 
     skeleton: Skeleton
@@ -99,6 +102,7 @@ class _Limbs:
     frame: FloatArray
     offset: FloatArray
     bone: FloatArray
+    turns: BoolArray
 
     @classmethod
     def of(cls, skeleton: Skeleton, channels: Mapping[str, FloatArray]) -> _Limbs:
@@ -109,7 +113,8 @@ class _Limbs:
         for i in range(len(segments) - 1, 0, -1):
             below[segments[i].parent] |= below[i]
         offset, bone = (np.zeros((frames, len(segments), 3)) for _ in range(2))
-        columns, segment, start = [], list[int](), list[FloatArray]()
+        columns, turns = [], list[bool]()
+        segment, start = list[int](), list[FloatArray]()
         for i, one in enumerate(segments):
             there = one.name in channels
             values = channels[one.name] if there else np.zeros((frames, len(one.dofs)))
@@ -121,6 +126,7 @@ class _Limbs:
                 if there and (dof in TURNS or (dof in SHIFTS and one.parent < 0)):
                     unit = np.pi / 180 if dof in TURNS else scale
                     columns.append((one.name, k, unit))
+                    turns.append(dof in TURNS)
                     segment.append(i)
                     start.append(values[:, k] * unit)
                 elif dof in SHIFTS:
@@ -137,6 +143,7 @@ class _Limbs:
             np.stack([axes_of(one).as_matrix() for one in segments]),
             scale * offset,
             scale * bone,
+            np.array(turns, dtype=bool),
         )
 
 
@@ -177,7 +184,12 @@ def _settled(limbs: _Limbs, places: FloatArray, fixed: BoolArray) -> FloatArray:
         diagonal = np.einsum("fnn->fn", gram)
         diagonal += damping[rows, None] * diagonal + TURN_MM**2
         pull = (slope @ left[rows, :, None])[:, :, 0] - TURN_MM**2 * (values - start)[rows]
-        tried = values[rows] + np.linalg.solve(gram, pull[:, :, None])[:, :, 0]
+        step = np.linalg.solve(gram, pull[:, :, None])[:, :, 0]
+        step = np.where(limbs.turns, np.clip(step, -FARTHEST, FARTHEST), step)
+        tried = values[rows] + step
+        # The same turn without what went round.
+        rounds = np.round((tried - start[rows]) / (2 * np.pi))
+        tried -= np.where(limbs.turns, 2 * np.pi * rounds, 0.0)
         error = _away(_placed(limbs, tried, rows), places[rows])
         now = (error**2).sum(axis=1) + TURN_MM**2 * ((tried - start[rows]) ** 2).sum(axis=1)
         before = cost[rows]

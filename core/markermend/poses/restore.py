@@ -31,7 +31,12 @@ from markermend.poses.faults.finding import Fault, mend_faults
 from markermend.poses.faults.guessing import INFERRED, guessed, restored_beside_guesses
 from markermend.poses.faults.wrong_angles import with_own_angles
 from markermend.poses.filling.covariance import Moments
-from markermend.poses.filling.expecting import left_of_noise, limbs_doubted, with_root_errors
+from markermend.poses.filling.expecting import (
+    left_of_noise,
+    limbs_doubted,
+    with_disagreement,
+    with_root_errors,
+)
 from markermend.poses.filling.filling import BRIEF_S, Filled, fill
 from markermend.poses.filling.hanging import by_parents, hanging_joints
 from markermend.poses.filling.likeness import FEW_MOMENTS, MOMENTS, SOME_MOMENTS
@@ -188,8 +193,10 @@ def restore(
         restored = replace(restored, pose=mirrored(restored.pose))
     if pose is not mended:
         restored = replace(restored, pose=with_one_turn(restored.pose, mended))
-    restored = replace(restored, pose=with_own_angles(restored.pose, given, faults))
-    error = with_root_errors(restored.error_mm, restored.filled, restored.pose, faults, pose)
+    own = with_own_angles(restored.pose, given, faults)
+    error = with_disagreement(restored.error_mm, restored.pose, own)
+    restored = replace(restored, pose=own)
+    error = with_root_errors(error, restored.filled, restored.pose, faults, pose)
     return replace(restored, error_mm=error, faults=faults)
 
 

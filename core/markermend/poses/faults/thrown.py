@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from scipy.ndimage import median_filter
 
@@ -98,15 +100,30 @@ def _elsewhere(hinges: Hinges, joint: int, rows: slice) -> BoolArray:
     A root that is turned wrongly has angles jump that keep the body where it is.
     """
     pose = hinges.pose
-    around = slice(max(rows.start - 2, 0), min(rows.stop + 2, pose.frames))
-    inside = slice(rows.start - around.start, rows.stop - around.start)
-    here = pose.positions[around]
-    there = np.array(here)
-    there[inside], _ = hinges.placed(rows, {joint: hinges.bridged(joint, rows)})
-    far = np.nan_to_num(lengths_of(there - here)).max(axis=0)
+    there, _ = hinges.placed(rows, {joint: hinges.bridged(joint, rows)})
+    around = slice(max(rows.start - 2, 0), rows.stop + 2)
+    far = np.nan_to_num(lengths_of(there - pose.positions[rows])).max(axis=0)
     thrown = (far > _ELSEWHERE_MM) & pose.seen[around].all(axis=0)
-    before, after = (_ends(path[:, thrown], inside) for path in (here, there))
-    return np.asarray(thrown & (after < _SMOOTHER * before))
+    return np.asarray(thrown & goes_on(pose.positions, there, rows, thrown))
+
+
+def goes_on(
+    positions: FloatArray, there: FloatArray, rows: slice, joints: Sequence[int] | BoolArray
+) -> bool:
+    """Whether joints leave and come back with far less of a jump where they are elsewhere.
+
+    Parameters
+    ----------
+    positions : (frames, joints, 3) of a whole recording, without NaN beside and in the ``rows``
+    there : (rows, joints, 3) elsewhere, in these
+    joints : that are looked at, all together
+    """
+    around = slice(max(rows.start - 2, 0), min(rows.stop + 2, len(positions)))
+    inside = slice(rows.start - around.start, rows.stop - around.start)
+    before = positions[around][:, joints]
+    after = np.array(before)
+    after[inside] = there[:, joints]
+    return _ends(after, inside) < _SMOOTHER * _ends(before, inside)
 
 
 def _ends(path: FloatArray, rows: slice) -> float:

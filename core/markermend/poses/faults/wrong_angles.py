@@ -11,7 +11,7 @@ from markermend.arrays import FloatArray
 from markermend.poses.faults.finding import MISPLACED, THROWN, Fault
 from markermend.poses.faults.hinges import Hinges, hinges_of
 from markermend.poses.faults.swinging import nearest_turns
-from markermend.poses.faults.thrown import steps_of
+from markermend.poses.faults.thrown import goes_on, steps_of
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import inverse, lengths_of, multiply
 from markermend.poses.reaching import reach
@@ -46,8 +46,10 @@ def with_own_angles(told: Pose, given: Pose, faults: Iterable[Fault]) -> Pose:
     -------
     Pose
         where joints turn by a jump as a limb leaves and as it comes back, and the limb, turned
-        otherwise at these alone, comes near to where it was filled: so turned. Bones and all other
-        angles are then those of the file.
+        otherwise at these alone, comes near to where it was filled: so turned. Where it comes near
+        most of the time only, and leaves and comes back without a jump once these turn steadily
+        from what is before to what is after: so. Bones and all other angles are then those of the
+        file.
     """
     events: dict[tuple[int, int], list[int]] = {}
     for fault in faults:
@@ -84,16 +86,20 @@ def _turned_back(
     if any(_leaps_within(hinges.turns[:, j], rows) for j in may - set(wrong)):
         # Something else is wrong for a part of that time.
         return None
-    if _as_read(given, rows):
-        found = _by_channels(given, rows, wanted, wrong, joints)
-    else:
-        found = _by_turns(hinges, rows, wanted, wrong, joints)
+    by = _by_channels if _as_read(given, rows) else _by_turns
+    reached, bridged = by(hinges, rows, wanted, wrong, joints)
     off, away = (
         lengths_of(placed[:, joints] - wanted[:, joints]).mean(axis=1)
-        for placed in (found[0], given.positions[rows])
+        for placed in (reached[0], given.positions[rows])
     )
-    near = bool((off <= np.maximum(_NEAR * away, _NEAR_MM)).all())
-    return found if near and _whole(hinges, found[0], wanted, joints) else None
+    if (off <= np.maximum(_NEAR * away, _NEAR_MM)).all():
+        found = reached
+    elif off.sum() <= _NEAR * away.sum() and goes_on(given.positions, bridged[0], rows, joints):
+        # What was filled is itself far off for a part of that time.
+        found = bridged
+    else:
+        return None
+    return found if _whole(hinges, found[0], wanted, joints) else None
 
 
 def _as_read(given: Pose, rows: slice) -> bool:
@@ -121,9 +127,10 @@ def _whole(hinges: Hinges, found: FloatArray, wanted: FloatArray, joints: list[i
 
 
 def _by_channels(
-    given: Pose, rows: slice, wanted: FloatArray, wrong: list[int], joints: list[int]
-) -> tuple[FloatArray, FloatArray]:
-    """Turn segments as far as the degrees of freedom of their file go."""
+    hinges: Hinges, rows: slice, wanted: FloatArray, wrong: list[int], joints: list[int]
+) -> tuple[tuple[FloatArray, FloatArray], tuple[FloatArray, FloatArray]]:
+    """Turn segments as far as their degrees of freedom go: to what is wanted, and steadily."""
+    given = hinges.pose
     movement = given.source
     assert isinstance(movement, Movement)
     names = movement.skeleton.names
@@ -140,8 +147,10 @@ def _by_channels(
     places = np.full(wanted.shape, np.nan)
     places[:, joints] = wanted[:, joints]
     found = reach(movement.skeleton, channels, places, free, held=held)
-    there = forward_kinematics(replace(inside, channels=found), given.rate)
-    return there.positions, there.rotations
+    there, between = (
+        forward_kinematics(replace(inside, channels=ways), given.rate) for ways in (found, channels)
+    )
+    return (there.positions, there.rotations), (between.positions, between.rotations)
 
 
 def _bridged(movement: Movement, name: str, rows: slice) -> FloatArray:
@@ -172,10 +181,11 @@ def _still(movement: Movement, name: str, rows: slice) -> list[int]:
 
 def _by_turns(
     hinges: Hinges, rows: slice, wanted: FloatArray, wrong: list[int], joints: list[int]
-) -> tuple[FloatArray, FloatArray]:
-    """Turn joints freely, those nearer to the root first."""
+) -> tuple[tuple[FloatArray, FloatArray], tuple[FloatArray, FloatArray]]:
+    """Turn joints freely, those nearer to the root first: to what is wanted, and steadily."""
     pose = hinges.pose
     turns = {j: hinges.bridged(j, rows) for j in wrong}
+    between = hinges.placed(rows, turns)
     for j in wrong:
         positions, rotations = hinges.placed(rows, turns)
         hinge = pose.parents[j] if hinges.own else j
@@ -185,7 +195,7 @@ def _by_turns(
         arms, there = (x[:, moved] - positions[:, [hinge]] for x in (positions, wanted))
         further = multiply(nearest_turns(arms, there), rotations[:, j])
         turns[j] = multiply(inverse(rotations[:, pose.parents[j]]), further)
-    return hinges.placed(rows, turns)
+    return hinges.placed(rows, turns), between
 
 
 def _leaps(turns: FloatArray, rows: slice) -> bool:

@@ -14,6 +14,7 @@ from markermend.poses.filling.bridging import bridging_error
 from markermend.poses.filling.gaps import Gap
 from markermend.poses.filling.likeness import reach_of
 from markermend.poses.pose import Pose
+from markermend.poses.quaternion import lengths_of
 
 # What is left of white noise after smoothing, about, at 120 Hz; and the more the fewer frames there
 # are to tell it from movement, by this power of how many times as few.
@@ -79,3 +80,16 @@ def with_root_errors(
         off = bridging_error(restored.positions[:, root], ~(unseen | carried.any(axis=1)))
         error = np.where(carried, np.hypot(error, off[:, None]), error)
     return error
+
+
+def with_disagreement(error_mm: FloatArray, one: Pose, other: Pose) -> FloatArray:
+    """Expect more where joints were worked out in two ways that disagree.
+
+    Parameters
+    ----------
+    error_mm : (frames, joints) expected otherwise; NaN stays
+    one, other : the same recording, in both ways. Errors of two that are as good as each other, and
+        independent, are apart by the root of two times either.
+    """
+    apart = np.nan_to_num(lengths_of(one.positions - other.positions))
+    return np.asarray(np.hypot(error_mm, apart / np.sqrt(2.0)))

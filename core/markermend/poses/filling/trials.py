@@ -25,6 +25,8 @@ _FEW, _SHARE = 4, 0.25
 _BESIDE = 2
 # Of a long recording so many frames are tried on, which is slower by as much.
 _ENOUGH = 2000
+# What is tried tells of gaps up to so many times as long.
+_LONGER = 2.0
 
 
 @dataclass(frozen=True)
@@ -152,19 +154,19 @@ def _untried(
     rows: slice,
     trials: Sequence[Trial],
 ) -> FloatArray:
-    """Expect no less than what time alone would miss of gaps longer than any that was tried.
+    """Expect no less than what time alone would miss of gaps far longer than any tried.
 
     Where so little was seen a body's covariances fit it by chance, and tell nothing of the rest.
     Time alone misses a joint by no more than as far as it is from what was seen.
     """
     error, whole = error_mm.copy(), restored.pose
+    tried = max((trial.stop - trial.start for trial in trials), default=0)
     paths = whole.positions - whole.positions[:, whole.order[0], None]
     for joint in np.flatnonzero(hanging & restored.filled[rows].any(axis=0)).tolist():
-        tried = max((t.stop - t.start for t in trials if joint in t.joints), default=0)
         filled = restored.filled[:, joint]
         longer = np.zeros(len(filled), dtype=bool)
         for start, stop in runs(filled).tolist():
-            longer[start:stop] = stop - start > tried
+            longer[start:stop] = stop - start > _LONGER * tried
         if longer.any():
             missed = bridging_error(paths[:, joint], ~filled)
             missed = np.fmin(missed, _from_seen(restored, joint, longer))
