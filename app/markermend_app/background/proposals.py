@@ -82,6 +82,7 @@ class Proposals(QObject):
         self.lane = Lane("proposals", self)
         self.lane.progressed.connect(lambda _share, doing: self.progressed.emit(doing))
         self._known: dict[Key, Any] = {}
+        self._beside: dict[Key, frozenset[tuple[str, int, int]]] = {}
         # A request made anew after a change gets another object, so that the answer to the old one
         # is not taken for the new.
         self._asked: dict[Key, _Request] = {}
@@ -106,6 +107,8 @@ class Proposals(QObject):
         the others wait until the window has painted it.
         """
         wanted = tuple(map(_told, wanted))
+        if session.original.skeleton:
+            self._let_go_of_others(session, wanted)
         for key in self._asked.keys() - set(wanted):
             del self._asked[key]
         self._begin = partial(self._submit, session, mesh, wanted)
@@ -114,6 +117,19 @@ class Proposals(QObject):
         else:
             self._later.stop()
             self._begin()
+
+    def _let_go_of_others(self, session: Session, wanted: Sequence[Key]) -> None:
+        """Forget what rests on joints that were marked otherwise at the same time.
+
+        Joints of one body tell of each other, so that one that was marked since must not.
+        """
+        for key in wanted:
+            now = _at_the_same_time(key[0], session.artifacts)
+            asked, made = self._asked.get(key), self._beside.get(key, now)
+            if made != now:
+                self._known.pop(key, None)
+            if asked is not None and _at_the_same_time(key[0], asked.artifacts) != now:
+                del self._asked[key]
 
     def _submit(self, session: Session, mesh: Mesh, wanted: Sequence[Key]) -> None:
         """Hand to the worker what is not there or under way."""
@@ -157,6 +173,7 @@ class Proposals(QObject):
         self._begin = _nothing
         self.lane.cancel()
         self._known.clear()
+        self._beside.clear()
         self._asked.clear()
 
     def close(self) -> None:
@@ -168,6 +185,7 @@ class Proposals(QObject):
         if self._asked.get(key) is token:
             del self._asked[key]
             self._known[key] = repair
+            self._beside[key] = _at_the_same_time(key[0], token.artifacts)
             self.ready.emit(key[0].id)
 
     def _broke(self, key: Key, token: _Request, error: Exception) -> None:
@@ -212,6 +230,17 @@ class Proposals(QObject):
 def _told(key: Key) -> Key:
     """The same without the operator's note, on which no repair rests."""
     return (replace(key[0], note=""), *key[1:]) if key[0].note else key
+
+
+def _at_the_same_time(
+    artifact: Artifact, artifacts: Sequence[Artifact]
+) -> frozenset[tuple[str, int, int]]:
+    """Markers and frames of others that overlap with an artifact and were not rejected."""
+    return frozenset(
+        (a.marker, a.start, a.stop)
+        for a in artifacts
+        if a.status is not Status.REJECTED and a.overlaps(artifact.start, artifact.stop)
+    )
 
 
 def _nothing() -> None:

@@ -35,6 +35,7 @@ _LITTLE, _AGREES = 0.25, 0.1
 _MOST_TRIED = 12
 
 _RESTORED: WeakKeyDictionary[Pose, Restored] = WeakKeyDictionary()
+_WITHOUT: WeakKeyDictionary[Pose, tuple[bytes, Restored]] = WeakKeyDictionary()
 _PRIORS: WeakKeyDictionary[Pose, Prior] = WeakKeyDictionary()
 
 
@@ -190,8 +191,7 @@ def _little(take: Take, tried: Restored, some: BoolArray, tell: Progress | None)
     however near it is to where the joint was seen.
     """
     pose = pose_of(take)
-    lengths = bone_lengths(pose.positions, pose.parents)
-    most = _LITTLE * float(np.nanmean(lengths[np.asarray(pose.parents) >= 0]))
+    most = _LITTLE * _mean_bone(pose)
     moved, together = np.zeros(some.shape, dtype=bool), dict[tuple[int, int], list[int]]()
     for joint in np.flatnonzero(some.any(axis=0)).tolist():
         for start, stop in runs(some[:, joint]).tolist():
@@ -209,6 +209,12 @@ def _little(take: Take, tried: Restored, some: BoolArray, tell: Progress | None)
             continue
         moved[rows, [joint for joint in joints if _put_by(alone, take, joint, rows)]] = False
     return moved
+
+
+def _mean_bone(pose: Pose) -> float:
+    """Length of bones on average, mm."""
+    lengths = bone_lengths(pose.positions, pose.parents)
+    return float(np.nanmean(lengths[np.asarray(pose.parents) >= 0]))
 
 
 def _put_by(told: Restored, take: Take, joint: int, rows: slice) -> bool:
@@ -245,7 +251,12 @@ def restored(pose: Pose, progress: Progress | None = None) -> Restored:
 
 
 def restored_without(
-    pose: Pose, joints: Iterable[int], rows: slice, progress: Progress | None = None
+    pose: Pose,
+    joints: Iterable[int],
+    rows: slice,
+    progress: Progress | None = None,
+    *,
+    doubted: BoolArray | None = None,
 ) -> Restored:
     """A recording restored as if joints had not been seen for a while.
 
@@ -255,13 +266,46 @@ def restored_without(
     joints : indices
     rows : frames; where restoring worked the joints out anyway, nothing is done twice
     progress : told the share done; may raise to stop
+    doubted : (frames, joints) bool, what else is not to be believed; of it stretches count that
+        are at the same time as these, as each other's are
     """
-    told, columns = restored(pose, progress), list(joints)
-    if _worked_out(told)[rows, columns].all():
+    told = restored(pose, progress)
+    hidden, worked_out = np.zeros(told.filled.shape, dtype=bool), _worked_out(told)
+    hidden[rows, list(joints)] = True
+    if doubted is not None:
+        hidden = at_the_same_time(hidden, doubted & pose.seen & ~worked_out)
+    if worked_out[hidden].all():
         return told
-    hidden = np.zeros(told.filled.shape, dtype=bool)
-    hidden[rows, columns] = True
-    return restore(_hidden(pose, hidden), prior=prior_of(pose), progress=progress)
+    # Joints that are restored together are asked for one after the other.
+    key, known = np.packbits(hidden).tobytes(), _WITHOUT.get(pose)
+    if known is None or known[0] != key:
+        done = restore(_hidden(pose, hidden), prior=prior_of(pose), progress=progress)
+        known = _WITHOUT[pose] = (key, done)
+    return known[1]
+
+
+def at_the_same_time(some: BoolArray, others: BoolArray) -> BoolArray:
+    """(frames, n) bool: some, and stretches of others at the same time, and of these, in turn."""
+    found = some.copy()
+    left = [(n, *ends) for n in np.flatnonzero(others.any(axis=0)) for ends in runs(others[:, n])]
+    while True:
+        during: BoolArray = np.asarray(found.any(axis=1))
+        beside = [stretch for stretch in left if during[stretch[1] : stretch[2]].any()]
+        if not beside:
+            return found
+        for n, start, stop in beside:
+            found[start:stop, n] = True
+        left = [stretch for stretch in left if stretch not in beside]
+
+
+def moved_far(take: Take) -> BoolArray:
+    """(frames, joints) bool: where a take has a joint elsewhere than it was seen, or not at all.
+
+    Not where it was smoothed, which leaves the recording to be believed.
+    """
+    pose = pose_of(take)
+    far = lengths_of(take.positions - pose.positions)
+    return np.asarray(pose.seen & ~(far <= _LITTLE * _mean_bone(pose)))
 
 
 def restore_by(pose: Pose, prior: Prior) -> None:

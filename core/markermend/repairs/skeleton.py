@@ -11,7 +11,7 @@ import numpy as np
 from markermend.artifact import Artifact, axis_columns
 from markermend.errors import DataError
 from markermend.patch import Patch
-from markermend.poses.take import pose_of, restored, restored_without
+from markermend.poses.take import moved_far, pose_of, restored, restored_without
 from markermend.progress import Progress
 from markermend.repairs.registry import Evidence, Repair, register
 from markermend.repairs.result import MEAN_OVER_RMS, as_mapping, axes_of, refuse
@@ -35,8 +35,9 @@ class SkeletonParams:
 def repair_skeleton(evidence: Evidence, artifact: Artifact, params: Any) -> Repair:
     """Give joints where restoring the recording has them, as ``denoise`` does.
 
-    The recording is restored as it was read: what is wrong in it by itself, and the interval of
-    the artifact, count as not seen. A swap with a counterpart mends both joints.
+    The recording is restored as it was read: what is wrong in it by itself, the interval of the
+    artifact, and what is flagged, cut or repaired of other joints at the same time count as not
+    seen. A swap with a counterpart mends both joints.
     """
     take = evidence.take
     if not take.skeleton:
@@ -44,7 +45,10 @@ def repair_skeleton(evidence: Evidence, artifact: Artifact, params: Any) -> Repa
     rows, axes = slice(artifact.start, artifact.stop), axes_of(artifact)
     joints = [take.index(marker) for marker in artifact.markers]
     try:
-        told = restored_without(pose_of(take), joints, rows, evidence.progress)
+        doubted = ~evidence.seen | moved_far(take)
+        # Where a repair is to follow chosen joints alone, the others are believed all the same.
+        doubted &= evidence.seen.any(axis=0)
+        told = restored_without(pose_of(take), joints, rows, evidence.progress, doubted=doubted)
     except DataError as problem:
         return refuse(NAME, str(problem), params)
     values = told.pose.positions[rows]

@@ -161,12 +161,13 @@ def _untried(
     """
     error, whole = error_mm.copy(), restored.pose
     tried = max((trial.stop - trial.start for trial in trials), default=0)
+    enough = max(_LONGER * tried, _LEAST_S * whole.rate)
     paths = whole.positions - whole.positions[:, whole.order[0], None]
     for joint in np.flatnonzero(hanging & restored.filled[rows].any(axis=0)).tolist():
         filled = restored.filled[:, joint]
         longer = np.zeros(len(filled), dtype=bool)
         for start, stop in runs(filled).tolist():
-            longer[start:stop] = stop - start > _LONGER * tried
+            longer[start:stop] = stop - start > enough
         if longer.any():
             missed = bridging_error(paths[:, joint], ~filled)
             missed = np.fmin(missed, _from_seen(restored, joint, longer))
