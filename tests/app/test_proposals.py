@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+import markermend as mm
 from markermend.artifact import Artifact, Kind
 from markermend.errors import Cancelled
 from markermend.mesh import infer_mesh
@@ -167,3 +168,35 @@ def test_what_was_refused_is_tried_again_once_another_of_the_same_moment_is_repa
     proposals.invalidate(Change((artifacts[1].marker,), *there), rate)
     assert proposals.get(*refused) is None
     assert proposals.get(*good) is not None
+
+
+def test_joints_marked_since_at_the_same_time_spoil_what_was_proposed(qtbot, walk_session):
+    session, mesh, artifact, other, later = walk_session
+    proposals = Proposals()
+
+    def ask():
+        proposals.want(session, mesh, [(artifact, "skeleton", ())])
+        qtbot.waitUntil(lambda: proposals.get(artifact, "skeleton") is not None, timeout=WAIT)
+        return proposals.get(artifact, "skeleton")
+
+    session.add_detected([artifact], "artifact")
+    before = ask()
+    assert ask() is before
+    session.add_detected([later], "later")
+    assert ask() is before
+    session.add_detected([other], "other")
+    after = ask()
+    assert after is not before
+    assert after.error_mm > before.error_mm
+    proposals.close()
+
+
+@pytest.fixture
+def walk_session(shared_data):
+    """A review of joints, an elbow, the wrist on it at the same time, and one later."""
+    take = mm.read(shared_data / "poses" / "02_01.amc")
+    elbow, wrist, knee = (
+        Artifact(joint, "xyz", start, start + 20, Kind.NOISE)
+        for joint, start in (("lradius", 100), ("lwrist", 105), ("rtibia", 200))
+    )
+    return Session(take), infer_mesh(take), elbow, wrist, knee
