@@ -179,12 +179,12 @@ def test_joints_marked_since_at_the_same_time_spoil_what_was_proposed(qtbot, wal
         qtbot.waitUntil(lambda: proposals.get(artifact, "skeleton") is not None, timeout=WAIT)
         return proposals.get(artifact, "skeleton")
 
-    session.add_detected([artifact], "artifact")
+    session.add_detected([artifact], "truth")
     before = ask()
     assert ask() is before
-    session.add_detected([later], "later")
+    session.add_detected([artifact, later], "truth")
     assert ask() is before
-    session.add_detected([other], "other")
+    session.add_detected([artifact, later, other], "truth")
     after = ask()
     assert after is not before
     assert after.error_mm > before.error_mm
