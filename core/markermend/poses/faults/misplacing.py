@@ -17,6 +17,8 @@ FASTEST_RAD_S = 20.0
 """No bone turns faster."""
 
 _USUAL = (2.0, 98.0)
+# A distance is a bone's where in half of the frames it differs by no more than this share.
+_MOSTLY, _RIGID = (25.0, 50.0, 75.0), 0.05
 # So few possible frames in a row, between or beside impossible ones, may be so by chance; beside
 # them they are where the next frame could only be reached by turning this fast.
 _BY_CHANCE = 2
@@ -115,8 +117,10 @@ def _out_of_reach(
         judged = unjudged & ~wrong[:, ancestor] & ~np.isnan(far)
         if len(shown):
             low, high = np.percentile(shown, _USUAL)
-            if ancestor == parents[joint]:
-                low = high = np.median(shown)
+            calm, usually, most = np.percentile(shown, _MOSTLY)
+            # Over a joint that a sensor leaves out, the distance to the next one is no bone.
+            if ancestor == parents[joint] and most - calm <= _RIGID * usually + room:
+                low = high = usually
             out |= judged & ((far > (1 + OFF) * high + room) | (far < (1 - OFF) * low - room))
         unjudged &= ~judged
         ancestor = parents[ancestor]
