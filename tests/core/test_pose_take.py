@@ -104,7 +104,7 @@ def test_an_amc_is_the_same_where_nothing_was_repaired(shared_data, tmp_path):
     source = shared_data / "poses" / "02_01.amc"
     take = mm.read(source)
     mm.write(take, tmp_path / "same.amc")
-    marked = Artifact("lradius", "xyz", 100, 120, Kind.STEP)
+    marked = Artifact("rthumb", "xyz", 100, 120, Kind.STEP)
     clean = mm.repair(take, [marked])
     mm.write(clean, tmp_path / "clean.amc")
     asf = shared_data / "poses" / "02.asf"
@@ -116,7 +116,7 @@ def test_an_amc_is_the_same_where_nothing_was_repaired(shared_data, tmp_path):
     for name, values in before.items():
         np.testing.assert_array_equal(same[name], values)
         np.testing.assert_array_equal(after[name][rows], values[rows])
-    assert (after["lradius"][100:120] != before["lradius"][100:120]).any()
+    assert (after["rthumb"][100:120] != before["rthumb"][100:120]).any()
 
 
 def test_every_shared_recording_opens(shared_data):

@@ -200,14 +200,17 @@ def _little(take: Take, tried: Restored, some: BoolArray, tell: Progress | None)
             if far <= most and not _put_by(tried, take, joint, rows):
                 moved[rows, joint] = True
                 together.setdefault((start, stop), []).append(joint)
-    # Beside other intervals restoring puts a joint otherwise than by itself, when it was proposed.
+    # Beside other intervals restoring puts a joint otherwise than by itself, when it was proposed,
+    # and otherwise again without those at the same time, which may have been believed.
     for (start, stop), joints in list(together.items())[:_MOST_TRIED]:
         rows = slice(start, stop)
-        try:
-            alone = restored_without(pose, joints, rows, tell)
-        except DataError:
-            continue
-        moved[rows, [joint for joint in joints if _put_by(alone, take, joint, rows)]] = False
+        for doubted in (None, some):
+            try:
+                put = restored_without(pose, joints, rows, tell, doubted=doubted)
+            except DataError:
+                continue
+            by = [joint for joint in joints if _put_by(put, take, joint, rows)]
+            moved[rows, by] = False
     return moved
 
 

@@ -48,6 +48,8 @@ def repair_skeleton(evidence: Evidence, artifact: Artifact, params: Any) -> Repa
         doubted = ~evidence.seen | moved_far(take)
         # Where a repair is to follow chosen joints alone, the others are believed all the same.
         doubted &= evidence.seen.any(axis=0)
+        # What stands beside an interval of the joint itself is how restoring begins and ends it.
+        doubted[:, joints] = False
         told = restored_without(pose_of(take), joints, rows, evidence.progress, doubted=doubted)
     except DataError as problem:
         return refuse(NAME, str(problem), params)
