@@ -82,6 +82,7 @@ class Proposals(QObject):
         self.lane = Lane("proposals", self)
         self.lane.progressed.connect(lambda _share, doing: self.progressed.emit(doing))
         self._known: dict[Key, Any] = {}
+        # What was marked at the same time when each was made.
         self._beside: dict[Key, frozenset[tuple[str, int, int]]] = {}
         # A request made anew after a change gets another object, so that the answer to the old one
         # is not taken for the new.
@@ -97,7 +98,9 @@ class Proposals(QObject):
 
     def keep(self, made: Mapping[Key, Any]) -> None:
         """Take over proposals that were made elsewhere."""
-        self._known.update({_told(key): repair for key, repair in made.items()})
+        for key, repair in made.items():
+            self._known[_told(key)] = repair
+            self._beside.pop(_told(key), None)
 
     def want(self, session: Session, mesh: Mesh, wanted: Sequence[Key]) -> None:
         """Make these proposals, in this order, unless they are there or under way.

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.files.body_size import unit_of_body
-from markermend.files.bvh_angles import turned_by
 from markermend.files.plausible import FARTHEST
 from markermend.files.text import number
 from markermend.poses.pose import Pose
-from markermend.poses.quaternion import inverse, multiply, turn
+from markermend.poses.quaternion import NO_TURN, inverse, multiply, turn
 
 END = "_end"
 CM = 10.0
@@ -216,6 +216,13 @@ def placed(
             positions[:, i] = positions[:, joint.parent] + turn(above, place * scale)
             rotations[:, i] = multiply(above, local)
     return positions, rotations, wild
+
+
+def turned_by(order: str, angles: FloatArray) -> FloatArray:
+    """(frames, 4) rotations of degrees (frames, n) about axes, as ``ZXY``; of none, no turn."""
+    if not order:
+        return np.tile(NO_TURN, (len(angles), 1))
+    return np.asarray(Rotation.from_euler(order, angles, degrees=True).as_quat())
 
 
 def offsets_by(pose: Pose, by: Iterable[int]) -> FloatArray:

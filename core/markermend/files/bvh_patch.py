@@ -7,10 +7,10 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
-from markermend.arrays import BoolArray, FloatArray, runs
+from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import FileFormatError
-from markermend.files.bvh_angles import angles_of, turned_by, unrolled_angles
 from markermend.files.bvh_hierarchy import (
     MOVES,
     TURNS,
@@ -18,9 +18,11 @@ from markermend.files.bvh_hierarchy import (
     hierarchy_of,
     offsets_by,
     own_turn,
+    turned_by,
     unit_by_size,
 )
 from markermend.files.bvh_read import HEAD, Channels, content_of
+from markermend.poses.angles import angles_of, going_on
 from markermend.poses.pose import Pose
 from markermend.poses.quaternion import lengths_of
 from markermend.progress import Progress
@@ -226,12 +228,8 @@ def _turns(joint: Joint, values: FloatArray, turn: FloatArray) -> dict[str, Floa
         return {}
     names = [*own, *(name for name in TURNS if name not in own)]
     path = np.hstack([was, np.zeros((len(was), len(names) - len(own)))])
-    angles = angles_of(turn, "".join(TURNS[name] for name in names))
-    for start, stop in runs(anew).tolist():
-        if start == 0 and stop < len(path):
-            path[:stop] = unrolled_angles(angles[:stop][::-1], path[stop])[::-1]
-        else:
-            path[start:stop] = unrolled_angles(angles[start:stop], path[max(start - 1, 0)])
+    angles = angles_of(Rotation.from_quat(turn), "".join(TURNS[name] for name in names))
+    path = going_on(np.where(anew[:, None], angles, path), anew)
     return {
         name: path[:, k]
         for k, name in enumerate(names)

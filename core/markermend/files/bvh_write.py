@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import IO
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from markermend.arrays import BoolArray, FloatArray
 from markermend.errors import ExportError
-from markermend.files.bvh_angles import angles_of, unrolled_angles
 from markermend.files.bvh_hierarchy import (
     CM,
     END,
@@ -19,6 +19,7 @@ from markermend.files.bvh_hierarchy import (
     unit_of,
 )
 from markermend.files.bvh_patch import DIGITS, RIGID_MM, patched, rounded
+from markermend.poses.angles import angles_of, going_on
 from markermend.poses.pose import Pose
 from markermend.poses.turnless import turned_as_parents, turnless
 from markermend.progress import Progress
@@ -89,8 +90,9 @@ def write_bvh(
     lines += ["MOTION", f"Frames: {pose.frames}", f"Frame Time: {1.0 / pose.rate:.9g}"]
     file.write(("\n".join(lines) + "\n").encode())
     columns = []
-    turns = np.stack([angles_of(own_turn(pose, joint), _WRITTEN) for joint in order], axis=1)
-    turns = unrolled_angles(turns, turns[0])
+    own = (Rotation.from_quat(own_turn(pose, joint)) for joint in order)
+    turns = np.stack([angles_of(turned, _WRITTEN) for turned in own], axis=1)
+    turns = going_on(turns, np.arange(pose.frames) > 0)
     for place, joint in enumerate(order):
         if not carried[joint]:
             columns.append(offsets[:, joint] / unit)

@@ -94,14 +94,34 @@ def wobble(positions: FloatArray, seen: BoolArray, parents: tuple[int, ...], roo
     for joint, parent in enumerate(parents):
         if parent < 0:
             continue
-        both = seen[:, joint] & seen[:, parent]
-        far = np.where(both, lengths_of(positions[:, joint] - positions[:, parent]), np.nan)
-        third = np.abs(np.diff(far, 3))
-        if not np.isnan(third).all():
+        third = third_differences(positions, seen, joint, parent)
+        if len(third):
             ends = 1.0 if parent == root else 2.0
-            # Of a normal distribution the median is at 0.6745; 20 is the sum of squared weights.
-            found.append(float(np.nanmedian(third)) / 0.6745 / np.sqrt(20.0 * ends))
+            found.append(noise_by(third) / np.sqrt(ends))
     return float(np.median(found)) if found else np.inf
+
+
+def third_differences(
+    positions: FloatArray, seen: BoolArray, joint: int, parent: int
+) -> FloatArray:
+    """(n,) sizes of the third differences of a bone's length, where it was seen.
+
+    Parameters
+    ----------
+    positions : (frames, joints, 3)
+    seen : (frames, joints) bool
+    joint, parent : its ends
+    """
+    both = seen[:, joint] & seen[:, parent]
+    far = lengths_of(positions[:, joint] - positions[:, parent])
+    third = np.abs(np.diff(np.where(both, far, np.nan), 3))
+    return np.asarray(third[~np.isnan(third)])
+
+
+def noise_by(third: FloatArray) -> float:
+    """Standard deviation of the white noise that sizes (n,) of third differences tell."""
+    # Of a normal distribution the median is at 0.6745; 20 is the sum of squared weights.
+    return float(np.median(third)) / 0.6745 / float(np.sqrt(20.0))
 
 
 def keep_lengths(positions: FloatArray, seen: BoolArray, bones: Bones) -> FloatArray:

@@ -7,16 +7,16 @@ from dataclasses import replace
 import numpy as np
 
 from markermend.arrays import FloatArray
+from markermend.poses.body.bones import noise_by, third_differences
 from markermend.poses.channels import Channels
 from markermend.poses.normal import FEATURES
 from markermend.poses.pose import Pose
-from markermend.poses.quaternion import lengths_of, unit, unrolled
+from markermend.poses.quaternion import unit, unrolled
 from markermend.poses.smoothing import noise_level, smooth, smooth_again
 
-# Of a normal distribution the median is at 0.6745; 20 is the sum of squared weights of third
-# differences. A variance that so many of these tell by their median is off by this share over the
-# root of their number, and no less than so many times that is told from nothing.
-_MEDIAN, _WEIGHTS, _SHARE, _TOLD = 0.6745, 20.0, 2.3, 3.0
+# A variance that so many third differences tell by their median is off by this share over the root
+# of their number, and no less than so many times that is told from nothing.
+_SHARE, _TOLD = 2.3, 3.0
 
 
 def root_noise_mm(pose: Pose) -> float:
@@ -36,25 +36,17 @@ def root_noise_mm(pose: Pose) -> float:
     power, off = np.zeros((2, 2))
     for own in (0, 1):
         thirds = [
-            _third_differences(pose, joint, parent)
+            third_differences(pose.positions, pose.seen, joint, parent)
             for joint, parent in enumerate(pose.parents)
             if parent >= 0 and (parent == root) == bool(own)
         ]
         told = np.concatenate(thirds) if thirds else np.zeros(0)
         if not len(told):
             return 0.0
-        power[own] = (float(np.median(told)) / _MEDIAN) ** 2 / _WEIGHTS
+        power[own] = noise_by(told) ** 2
         off[own] = power[own] * _SHARE / np.sqrt(len(told))
     more = power[1] - 0.5 * power[0]
     return float(np.sqrt(more)) if more > _TOLD * np.hypot(off[1], 0.5 * off[0]) else 0.0
-
-
-def _third_differences(pose: Pose, joint: int, parent: int) -> FloatArray:
-    """(n,) sizes of those of a bone's length, where it was seen."""
-    both = pose.seen[:, joint] & pose.seen[:, parent]
-    far = lengths_of(pose.positions[:, joint] - pose.positions[:, parent])
-    third = np.abs(np.diff(np.where(both, far, np.nan), 3))
-    return np.asarray(third[~np.isnan(third)])
 
 
 def calmed(
