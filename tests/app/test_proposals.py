@@ -188,6 +188,10 @@ def test_joints_marked_since_at_the_same_time_spoil_what_was_proposed(qtbot, wal
     after = ask()
     assert after is not before
     assert after.error_mm > before.error_mm
+    # What is made elsewhere is made of what is there.
+    session.add_detected([artifact, later], "truth")
+    proposals.keep({(artifact, "skeleton", ()): before})
+    assert ask() is before
     proposals.close()
 
 

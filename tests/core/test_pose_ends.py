@@ -60,8 +60,9 @@ def test_too_little_to_try_it_is_said():
     assert gone_on(ways(8), None, np.ones(8, dtype=bool), 2, RATE) is None
 
 
+@pytest.mark.parametrize("prior", [shipped_prior(), None], ids=["prior", "alone"])
 @pytest.mark.parametrize("last", [False, True])
-def test_a_leg_not_seen_in_the_first_or_last_poses_is_where_it_goes(walk, last):
+def test_a_leg_not_seen_in_the_first_or_last_poses_is_where_it_goes(walk, last, prior):
     leg = [walk.joints.index(f"right_{name}") for name in ("hip", "knee", "ankle")]
     still_mm, off_mm, said_mm = [], [], []
     for middle in range(48, walk.frames, 12):
@@ -71,7 +72,7 @@ def test_a_leg_not_seen_in_the_first_or_last_poses_is_where_it_goes(walk, last):
         at, beside = (-1, -2) if last else (0, 1)
         shown = np.ones((truth.frames, len(walk.joints)))
         shown[at, leg] = 0.0
-        found = restore(truth.with_samples(*samples, shown), prior=shipped_prior())
+        found = restore(truth.with_samples(*samples, shown), prior=prior)
         away = found.pose.positions[at, leg] - truth.positions[at, leg]
         off_mm.append(np.linalg.norm(away, axis=1))
         said_mm.append(found.error_mm[at, leg])

@@ -52,13 +52,22 @@ def test_each_is_nearer_when_all_are_marked(drifted):
         assert off(repair, truth) < 2.5 * repair.error_mm
 
 
-def test_what_was_repaired_before_is_not_believed_as_it_was_read(drifted):
+@pytest.mark.parametrize("listed", [True, False])
+def test_what_was_repaired_before_is_not_believed_as_it_was_read(drifted, listed):
     take, truth = drifted
     elbow, wrist = (marked(name) for name in ARM[1:])
     (patch,) = propose(take, elbow, [elbow, wrist], method="skeleton").patches
     mended = patched(take, [patch])
-    done = replace(elbow, status=Status.REPAIRED)
-    assert off(propose(mended, wrist, [done, wrist], method="skeleton"), truth) < 25.0
+    done = [replace(elbow, status=Status.REPAIRED)] if listed else []
+    assert off(propose(mended, wrist, [*done, wrist], method="skeleton"), truth) < 25.0
+
+
+def test_a_joint_that_is_to_follow_others_is_restored_by_all(drifted):
+    take, _ = drifted
+    wrist = marked("left_wrist")
+    by_all = propose(take, wrist, [wrist], method="skeleton")
+    followed = propose(take, wrist, [wrist], method="skeleton", references=("neck", "head"))
+    np.testing.assert_array_equal(followed.patches[0].values, by_all.patches[0].values)
 
 
 def test_smoothing_leaves_a_recording_to_be_believed(drifted):

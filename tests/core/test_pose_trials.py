@@ -90,3 +90,19 @@ def test_without_a_prior_expected_errors_are_of_the_size_of_the_true_ones(shared
     ratio = np.sqrt(np.array(true) / expected)
     assert 0.3 < np.median(ratio) < 1.7
     assert np.count_nonzero(ratio > 3) <= 1
+
+
+def test_of_what_was_hardly_seen_no_less_is_expected_than_time_would_miss(shared_data):
+    pose = mm.read_pose(shared_data / "poses" / "02_01.amc")
+    samples = pose.positions[100:340:4], pose.rotations[100:340:4]
+    arm = list(pose.hanging_on(pose.index("rhumerus")))
+    confidence = np.ones((60, len(pose.joints)))
+    confidence[8:52, arm] = 0.0
+    truth = mm.Pose(*samples, pose.joints, pose.parents, pose.rate / 4)
+    restored = restore(truth.with_samples(*samples, confidence))
+    away = np.linalg.norm(restored.pose.positions - truth.positions, axis=2)[8:52, arm]
+    said = restored.error_mm[8:52, arm]
+    assert np.sqrt(np.mean(away**2)) > 50.0
+    assert 0.8 < np.sqrt(np.mean(said**2) / np.mean(away**2)) < 8.0
+    # An arm is no further off than it is long.
+    assert said.max() < 900.0

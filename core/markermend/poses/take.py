@@ -200,17 +200,15 @@ def _little(take: Take, tried: Restored, some: BoolArray, tell: Progress | None)
             if far <= most and not _put_by(tried, take, joint, rows):
                 moved[rows, joint] = True
                 together.setdefault((start, stop), []).append(joint)
-    # Beside other intervals restoring puts a joint otherwise than by itself, when it was proposed,
-    # and otherwise again without those at the same time, which may have been believed.
+    # Beside other intervals restoring puts a joint otherwise than when it was proposed, with what
+    # was at the same time.
     for (start, stop), joints in list(together.items())[:_MOST_TRIED]:
         rows = slice(start, stop)
-        for doubted in (None, some):
-            try:
-                put = restored_without(pose, joints, rows, tell, doubted=doubted)
-            except DataError:
-                continue
-            by = [joint for joint in joints if _put_by(put, take, joint, rows)]
-            moved[rows, by] = False
+        try:
+            then = restored_without(pose, joints, rows, tell, doubted=some)
+        except DataError:
+            continue
+        moved[rows, [joint for joint in joints if _put_by(then, take, joint, rows)]] = False
     return moved
 
 
@@ -304,11 +302,16 @@ def at_the_same_time(some: BoolArray, others: BoolArray) -> BoolArray:
 def moved_far(take: Take) -> BoolArray:
     """(frames, joints) bool: where a take has a joint elsewhere than it was seen, or not at all.
 
-    Not where it was smoothed, which leaves the recording to be believed.
+    Not where it was smoothed, which leaves the recording to be believed; stretches count that are
+    mostly elsewhere, and of others the samples that are.
     """
-    pose = pose_of(take)
-    far = lengths_of(take.positions - pose.positions)
-    return np.asarray(pose.seen & ~(far <= _LITTLE * _mean_bone(pose)))
+    pose, changed = pose_of(take), changed_joints(take)
+    away = lengths_of(take.positions - pose.positions)
+    far = np.asarray(pose.seen & ~(away <= _LITTLE * _mean_bone(pose)))
+    for joint in np.flatnonzero(far.any(axis=0)).tolist():
+        for start, stop in runs(changed[:, joint] & pose.seen[:, joint]).tolist():
+            far[start:stop, joint] |= 2 * np.count_nonzero(far[start:stop, joint]) > stop - start
+    return far
 
 
 def restore_by(pose: Pose, prior: Prior) -> None:
